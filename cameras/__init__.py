@@ -1,1 +1,1 @@
-"""Cameras, their images and lenses, and the paths that they take."""
+"""Cameras, images, lenses and trajectories."""

@@ -1,8 +1,7 @@
-"""The pinhole camera: what it measures in pixels, checked once, and Open3D's JSON files of it.
+"""The pinhole camera and Open3D's JSON files of it.
 
-Pixel centres have whole coordinates: a point (x, y, z) [m] in the camera frame (x right, y down, z forward) is seen at
-u = fx x / z + cx, v = fy y / z + cy, and the upper left pixel covers -0.5..0.5 on both axes. There is no skew and no
-lens distortion: pictures must be undistorted first.
+Pixel centers have integer coordinates: a point (x, y, z) [m] in the camera frame (x right, y down, z forward) projects
+to u = fx x / z + cx, v = fy y / z + cy. No skew, no lens distortion.
 """
 
 from __future__ import annotations
@@ -25,8 +24,8 @@ from ..core.json_files import check_keys, read_json_object
 from ..core.known_names import ToldNames
 from ..core.paths import path_of
 
-# Keys that Open3D and its sensor recorders write beside the intrinsic; none of them changes what a pixel sees.
-# Any other key is refused, as it may (distortion coefficients, a crop).
+# Metadata keys of Open3D and its recorders that do not change the projection. Any other key raises,
+# since it may (distortion coefficients, a crop).
 _HARMLESS_KEYS = frozenset(
     (
         *("class_name", "version_major", "version_minor", "color_format", "color_mode", "depth_format", "depth_mode"),
@@ -34,17 +33,16 @@ _HARMLESS_KEYS = frozenset(
     )
 )
 
-MOST_PIXELS = 2**16  # a side: wider than any camera or panorama
-MOST_IN_ALL = 2**28  # pixels: 2 GB of what each of them sees
+MOST_PIXELS = 2**16  # maximum side: wider than any camera or panorama
+MOST_IN_ALL = 2**28  # maximum pixels: 2 GB at 8 B per pixel
 
 
 def check_pixels(name: str, value: Any) -> int:
-    """The length of a picture's side [px]."""
     return check_count(name, value, maximum=MOST_PIXELS, because="no camera or panorama is larger; scale it")
 
 
 class PinholeCameraIntrinsicParameters(enum.Enum):
-    """Cameras that Open3D knows, to make a `PinholeCameraIntrinsic` of.
+    """Open3D's predefined cameras, for `PinholeCameraIntrinsic`.
 
     Example:
         >>> import pointloom as loom
@@ -62,21 +60,21 @@ class PinholeCameraIntrinsicParameters(enum.Enum):
 class PinholeCameraIntrinsic(ToldNames):
     """Size and projection of a pinhole camera.
 
-    Besides the six numbers it takes what Open3D's takes: one of `PinholeCameraIntrinsicParameters`, or the size and the
-    calibration matrix, `PinholeCameraIntrinsic(640, 480, K)`.
+    As in Open3D, also accepts one of `PinholeCameraIntrinsicParameters`, or the size and K:
+    `PinholeCameraIntrinsic(640, 480, K)`.
 
     Args:
-        width: Columns of its pictures [px].
-        height: Rows of its pictures [px].
+        width: Columns [px].
+        height: Rows [px].
         fx: Focal length along x [px].
         fy: Focal length along y [px].
-        cx: Column of the principal point [px]; may lie outside the picture, as in a crop.
+        cx: Column of the principal point [px]; may be outside the image, as in a crop.
         cy: Row of the principal point [px].
 
     Raises:
         TypeError: Not numbers.
-        ValueError: A size or focal length that is not positive, a value that is not finite, a side of more than 2^16
-            pixels, or more than 2^28 in all.
+        ValueError: A size or focal length that is not positive, a non-finite value, a side above 2^16 pixels, or more
+            than 2^28 pixels.
 
     Example:
         >>> camera = PinholeCameraIntrinsic.prime_sense_default()
@@ -130,12 +128,12 @@ class PinholeCameraIntrinsic(ToldNames):
 
     @property
     def matrix(self) -> NDArray[np.float64]:
-        """The calibration matrix K, shape [3, 3] [px]; a new array each time."""
+        """The calibration matrix K, shape (3, 3) [px]; a new array each time."""
         return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
 
     @property
     def intrinsic_matrix(self) -> NDArray[np.float64]:
-        """The calibration matrix under Open3D's name; see `matrix`."""
+        """Open3D's name of `matrix`."""
         return self.matrix
 
     def get_focal_length(self) -> tuple[float, float]:
@@ -143,31 +141,30 @@ class PinholeCameraIntrinsic(ToldNames):
         return self.fx, self.fy
 
     def get_principal_point(self) -> tuple[float, float]:
-        """Where the optical axis meets the picture, (cx, cy) [px]."""
+        """The principal point (cx, cy) [px]."""
         return self.cx, self.cy
 
     def get_skew(self) -> float:
-        """The skew [px]: 0, as a camera with another one is refused."""
+        """The skew [px], always 0."""
         return 0.0
 
     def is_valid(self) -> bool:
-        """Whether it is a camera: True, as nothing else is made."""
+        """True: invalid cameras cannot be constructed."""
         return True
 
     @returns_new
     def set_intrinsics(
         self, width: int, height: int, fx: float, fy: float, cx: float, cy: float
     ) -> PinholeCameraIntrinsic:
-        """Another camera of these numbers: `camera = camera.set_intrinsics(...)`; no camera is changed in place."""
+        """Return a camera with these values; the object itself is immutable."""
         return PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
 
     @returns_new
     def scaled(self, factor: float) -> PinholeCameraIntrinsic:
-        """The camera of the same pictures resized by `factor`.
+        """The camera of images resized by `factor`, by area or interpolation.
 
-        The size is rounded to whole pixels, and each axis is scaled by the ratio that results. Picture borders keep
-        their place: c' = (c + 0.5) factor - 0.5, which is what resizing by area or interpolation does. (Open3D halves
-        c itself, which belongs to pictures made by keeping every second pixel.)
+        The size is rounded to pixels and each axis uses the resulting ratio: c' = (c + 0.5) factor - 0.5. (Open3D
+        halves c itself, which is right for subsampling every second pixel.)
 
         Raises:
             ValueError: The factor is not positive, or leaves no pixel.
@@ -195,12 +192,12 @@ class PinholeCameraIntrinsic(ToldNames):
 
     @classmethod
     def kinect2_color_default(cls) -> PinholeCameraIntrinsic:
-        """The colour camera of Kinect v2: 1920 x 1080."""
+        """The color camera of Kinect v2: 1920 x 1080."""
         return cls(PinholeCameraIntrinsicParameters.Kinect2ColorCameraDefault)
 
     @classmethod
     def from_matrix(cls, K: Any, width: int, height: int) -> PinholeCameraIntrinsic:
-        """The camera with calibration matrix K, shape [3, 3] [px].
+        """The camera with calibration matrix K, shape (3, 3) [px].
 
         Raises:
             ValueError: Another shape, a last row other than (0, 0, 1), skew, or values out of range.
@@ -218,10 +215,9 @@ class PinholeCameraIntrinsic(ToldNames):
 def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
     """Read a camera from Open3D's JSON.
 
-    Either `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or a
-    PinholeCameraParameters object `{"intrinsic": {...}, "extrinsic": [...]}`, of which only the intrinsic is taken.
-    Recorder metadata beside it (`serial_number`, `depth_scale` and the like) are passed over; other keys are refused,
-    since they may change the projection.
+    Reads `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or the intrinsic of a
+    PinholeCameraParameters object. Recorder metadata (`serial_number`, `depth_scale` and others) is ignored; unknown
+    keys raise, since they may change the projection.
 
     Raises:
         FileError: Unreadable, not JSON, or a key that is missing, unknown or out of range.
@@ -251,10 +247,10 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
 
 
 def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
-    """Write a camera as Open3D's JSON, all digits kept; an existing file is replaced.
+    """Write a camera as Open3D's JSON with all digits; an existing file is replaced.
 
     Raises:
-        FileError: The place cannot be written.
+        FileError: The file cannot be written.
 
     Example:
         >>> import pointloom as loom
@@ -272,13 +268,12 @@ def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: Pinh
 
 
 def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
-    """The object that Open3D's JSON files hold for a camera."""
     columns = intrinsic.matrix.T.ravel().tolist()
     return {"width": intrinsic.width, "height": intrinsic.height, "intrinsic_matrix": columns}
 
 
 def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
-    """The square matrix that a JSON list holds column by column."""
+    """The square matrix of a column-major JSON list."""
     if not isinstance(values, list) or len(values) != side * side:
         found = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
         raise FileError(path, f"expected a list of {side * side} numbers, got {found}", where=where)

@@ -1,7 +1,6 @@
-"""Cameras with lenses: COLMAP's models, which structure from motion writes, and Agisoft Metashape's.
+"""Camera models with lens distortion: COLMAP's and Agisoft Metashape's.
 
-Pixel centres are whole numbers here as everywhere in pointloom. COLMAP and Metashape have them at halves: `params` are
-kept as their files store them, and what takes or gives pixels takes and gives ours.
+Pixel centers are integers here, but at .5 in COLMAP and Metashape: `params` are stored as in their files.
 """
 
 from __future__ import annotations
@@ -29,14 +28,14 @@ from ..core.known_names import nearest_name
 from .camera import MOST_IN_ALL, MOST_PIXELS, PinholeCameraIntrinsic, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 
-HALF = 0.5  # COLMAP's principal point less ours [px]
-SMALLEST, LARGEST = 0.2, 2.0  # of the lens picture's sides: what COLMAP lets a straightened one have
+HALF = 0.5  # COLMAP's principal point minus pointloom's [px]
+SMALLEST, LARGEST = 0.2, 2.0  # limits of an undistorted side as a fraction of the original, as in COLMAP
 
 
 class _Model(NamedTuple):
-    number: int | None  # in COLMAP's binary files; None where it has no such model
+    number: int | None  # id in COLMAP's binary files, or None
     params: str
-    terms: Callable[[list[float]], dict[str, Any]]  # of what stands behind the principal point
+    terms: Callable[[list[float]], dict[str, Any]]  # lens terms from the parameters after the principal point
 
 
 def _radial(k: list[float]) -> dict[str, Any]:
@@ -60,7 +59,7 @@ def _thin_prism(k: list[float]) -> dict[str, Any]:
 
 
 def _metashape(k: list[float]) -> dict[str, Any]:
-    return {**_radial(k[:4]), "tangential": (k[5], k[4])}  # its p1 and p2 are OpenCV's the other way round
+    return {**_radial(k[:4]), "tangential": (k[5], k[4])}  # p1 and p2 are swapped relative to OpenCV
 
 
 MODELS = {
@@ -87,32 +86,30 @@ MODELS = {
 }
 MODEL_NUMBERS = {model.number: name for name, model in MODELS.items() if model.number is not None}
 _SIDES = "no camera or panorama is larger"
-UNREAD = {11: "RAD_TAN_THIN_PRISM_FISHEYE", 17: "EQUIRECTANGULAR"}  # COLMAP's, of another family
+UNREAD = {11: "RAD_TAN_THIN_PRISM_FISHEYE", 17: "EQUIRECTANGULAR"}  # COLMAP models of other families
 
 
 @dataclasses.dataclass(frozen=True)
 class CameraModel:
-    """A camera with a lens: what it makes of rays, and of pixels.
+    """A camera with a lens distortion model.
 
     Args:
-        model: SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE, FULL_OPENCV, FOV,
+        model: COLMAP's SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE, FULL_OPENCV, FOV,
             SIMPLE_RADIAL_FISHEYE, RADIAL_FISHEYE, THIN_PRISM_FISHEYE, SIMPLE_DIVISION, DIVISION, SIMPLE_FISHEYE,
-            FISHEYE or EUCM as COLMAP has them; METASHAPE and METASHAPE_FISHEYE for what Agisoft's lenses have more
-            (f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2).
-        width: Columns of its pictures [px].
-        height: Rows of its pictures [px].
-        params: The numbers of the model in COLMAP's order, exactly as its files store them: its principal point has
-            the upper left corner of the picture at (0, 0), so that it is ours + 0.5.
+            FISHEYE or EUCM; METASHAPE or METASHAPE_FISHEYE (f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2).
+        width: Columns [px].
+        height: Rows [px].
+        params: Parameters in COLMAP's order, as in its files: the image corner is (0, 0), so the principal point is
+            that of pointloom + 0.5.
 
     Raises:
         TypeError: Not numbers.
-        ValueError: An unknown model, another count of parameters, numbers that are not finite, a focal length that is
-            not positive, a size out of range.
+        ValueError: An unknown model, a wrong parameter count, non-finite numbers, a focal length that is not positive,
+            or a size out of range.
 
     Notes:
-        A strong lens turns back at some radius. What lies beyond has no pixel and no ray here (NaN), where COLMAP's
-        `img_from_cam` gives a number. Rays 90 degrees and more off the axis have none either. With tangential or prism
-        factors far beyond those of lenses (0.02 is large) two rays may share a pixel, which then gives one of them.
+        Points outside the range where the distortion is monotonic, and rays 90 degrees or more off the axis, give NaN.
+        With extreme tangential or prism factors (0.02 is large) two rays may share a pixel; one of them is returned.
 
     Example:
         >>> import pointloom as loom
@@ -168,15 +165,15 @@ class CameraModel:
 
     @property
     def is_pinhole(self) -> bool:
-        """Whether the lens bends nothing, so that pictures need no straightening."""
+        """True if there is no distortion, so that images need no undistortion."""
         return self._lens.is_pinhole and self._lens.skew == 0
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The pinhole camera that this one is.
+        """The equivalent pinhole camera.
 
         Raises:
-            ValueError: The lens bends rays: straighten the pictures first, see `undistorted`.
+            ValueError: The lens has distortion; see `undistorted`.
         """
         if not self.is_pinhole:
             raise ValueError(f"model: {self.model} bends rays; straighten pictures with loom.undistort_picture")
@@ -196,14 +193,13 @@ class CameraModel:
         return cls("PINHOLE", intrinsic.width, intrinsic.height, params)
 
     def project(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Where points are seen.
+        """Project points to pixels.
 
         Args:
-            points: In the camera's frame (x right, y down, z forward), shape [n, 3].
+            points: In the camera frame (x right, y down, z forward), shape (n, 3).
 
         Returns:
-            Columns and rows, shape [n, 2] [px], inside the picture or not; NaN where a point is not in front of the
-            camera or the lens does not reach it.
+            Columns and rows, shape (n, 2) [px], inside the image or not; NaN behind the camera or outside the lens.
 
         Raises:
             TypeError: Not numbers.
@@ -221,21 +217,17 @@ class CameraModel:
         return self._lens.project(rays)
 
     def unproject(self, pixels: ArrayLike) -> NDArray[np.float64]:
-        """The rays that pixels see.
+        """Compute the rays of pixels by Newton's method, to 1e-12.
 
         Args:
-            pixels: Columns and rows, shape [n, 2] [px].
+            pixels: Columns and rows, shape (n, 2) [px].
 
         Returns:
-            Rays with z = 1 in the camera's frame, shape [n, 3]; NaN where the lens has no inverse.
+            Rays with z = 1 in the camera frame, shape (n, 3); NaN where the lens has no inverse.
 
         Raises:
             TypeError: Not numbers.
             ValueError: Another shape.
-
-        Notes:
-            Newton's method from the solution without tangential terms; what does not solve the equation to 1e-12 is
-            NaN.
 
         Example:
             >>> import pointloom as loom
@@ -250,24 +242,23 @@ class CameraModel:
     def undistorted(
         self, *, blank_share: float = 0.0, max_size: int | None = None, size: tuple[int, int] | None = None
     ) -> PinholeCameraIntrinsic:
-        """The pinhole camera that this one's straightened pictures have.
+        """The pinhole camera of the undistorted images.
 
-        COLMAP's rule: focal lengths and, in share of the sides, the principal point stay; each side is made so long
-        that the picture holds what the lens saw along the whole border (`blank_share` 1: nothing is lost, corners are
-        blank), or no more than that (0: next to nothing is blank), or lies between, at 0.2 to 2 times the lens's own
-        side. A pinhole stays as it is.
+        COLMAP's rule: focal lengths and the relative principal point stay; each side is between the largest size
+        without blank pixels (`blank_share` 0) and the smallest without loss (1), limited to 0.2 to 2 times the
+        original.
 
         Args:
-            blank_share: 0 to 1, how much of the way from the smaller picture to the larger.
-            max_size: The longest side may have [px]; a larger picture is made smaller in proportion.
-            size: Width and height [px] to which the picture is resized, whatever its proportions; not with `max_size`.
+            blank_share: 0 to 1, position between the two sizes.
+            max_size: Maximum side length [px]; larger images are scaled down.
+            size: Width and height [px] to resize to, ignoring proportions; not with `max_size`.
 
         Returns:
-            The camera, pixel centres being whole.
+            The camera, with integer pixel centers. A pinhole is unchanged.
 
         Raises:
             TypeError: Not numbers.
-            ValueError: A number out of range, both sizes, or a lens without an inverse anywhere along a border.
+            ValueError: A number out of range, both sizes, or a lens without an inverse along a border.
 
         Example:
             >>> import pointloom as loom
@@ -284,19 +275,19 @@ class CameraModel:
         width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
         (fx, fy), center = self._lens.focal, self._lens.center
         straight = PinholeCameraIntrinsic(self.width, self.height, fx, fy, *center)
-        if (width, height) != (self.width, self.height):  # what stays keeps its bits
+        if (width, height) != (self.width, self.height):  # unchanged values stay bitwise equal
             cx, cy = (center[0] + HALF) * width / self.width - HALF, (center[1] + HALF) * height / self.height - HALF
             straight = PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
         if longest is not None and longest < max(width, height):
-            factor = longest / max(width, height)  # rounded down to whole pixels, as COLMAP's Rescale does
+            factor = longest / max(width, height)  # rounded down to whole pixels, as in COLMAP's Rescale
             sides = max(round(width * factor), 1), max(round(height * factor), 1)
         return straight if sides is None else _resized(straight, *sides)
 
 
 def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
-    """Width and height of the straightened picture at the focal length of the lens."""
+    """Width and height of the undistorted image at the lens's focal length."""
     width, height = camera.width, camera.height
-    center = [value + HALF for value in camera._lens.center]  # as COLMAP counts, for the borders at 0 and width
+    center = [value + HALF for value in camera._lens.center]  # in COLMAP's convention, for borders at 0 and width
     rows, columns = np.arange(height, dtype=np.float64), np.arange(width, dtype=np.float64)
     lengths = []
     for axis, side, along in ((0, width, rows), (1, height, columns)):
@@ -321,7 +312,6 @@ def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
 
 
 def _resized(camera: PinholeCameraIntrinsic, width: int, height: int) -> PinholeCameraIntrinsic:
-    """The camera of pictures resized to these sides; their borders keep their place."""
     sx, sy = width / camera.width, height / camera.height
     cx, cy = (camera.cx + HALF) * sx - HALF, (camera.cy + HALF) * sy - HALF
     return PinholeCameraIntrinsic(width, height, camera.fx * sx, camera.fy * sy, cx, cy)

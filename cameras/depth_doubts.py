@@ -1,4 +1,4 @@
-"""Warnings of depth images that are most likely in another unit than their scale says."""
+"""Warn of depth images that probably have another unit than their scale."""
 
 from __future__ import annotations
 
@@ -8,22 +8,15 @@ import numpy as np
 
 from ..core.units import asked_by_user, warn_of_units
 
-SCALED = 100.0  # units a metre, from which floats are taken for millimetres or finer
-NEAREST = 0.05  # [m] no depth camera measures an image that is nearer everywhere
+SCALED = 100.0  # units per meter above which floats are probably millimeters or finer
+NEAREST = 0.05  # [m] closer than any depth camera measures everywhere
 
 
 def warn_of_scale(
     depth: Any, depth_scale: float, depth_trunc: float, limit: str = "depth_trunc", times: float = 1.0
 ) -> None:
-    """Warn a user of a scale or limit that leaves no depth of an image on the host, or of floats only very small ones.
-
-    Args:
-        depth: The image as it was given.
-        depth_scale: What it is divided by.
-        depth_trunc: The farthest depth that is kept [m].
-        limit: The name of that argument.
-        times: How many times farther all depths have to be.
-    """
+    """Warn if scale and limit [m] leave no depth of a host image, or float depth is implausibly small.
+    `limit` is the argument's name in the message; `times` is a factor of all depths."""
     if not isinstance(depth, np.ndarray) or not asked_by_user():
         return
     is_scaled_float = depth.dtype.kind == "f" and depth_scale >= SCALED

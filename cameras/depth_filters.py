@@ -1,8 +1,7 @@
-"""Filters on depth images: less noise, no edges, normals, half the size.
+"""Filters on depth images: denoising, edge removal, normals, pyramids.
 
-All take a depth image as an array of shape [h, w] (divided by `depth_scale`) and give
-float32 metres, or an RGBDImage and give an RGBDImage on its device. Pixels without depth (0) never count and are never
-filled. The same bits from run to run; memory for one more image.
+Depth is an array (h, w), divided by `depth_scale` and returned as float32 [m], or an RGBDImage, returned on its device.
+Pixels without depth (0) are ignored and never filled. Bitwise reproducible; memory for one more image.
 """
 
 from __future__ import annotations
@@ -23,8 +22,8 @@ from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
 
 Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
 
-MOST_KERNEL = 255  # [px] 51,000 products a pixel: minutes an image on a few cores
-DEPTH_DIFF = 0.14  # [m] what Open3D takes for another surface when it halves depth
+MOST_KERNEL = 255  # [px] 51,000 products per pixel: minutes per image on a few cores
+DEPTH_DIFF = 0.14  # [m] Open3D's threshold of another surface when it halves depth
 
 
 def filter_depth_bilateral(
@@ -36,18 +35,17 @@ def filter_depth_bilateral(
     depth_scale: float | None = None,
     device: Any = None,
 ) -> Depth:
-    """Average each depth with those around it that are much the same.
+    """Smooth depth with a bilateral filter, which preserves edges.
 
-    A pixel at distance r and with a depth that differs by v weighs exp(-r^2 / (2 dist_sigma^2) - v^2 / (2
-    value_sigma^2)), so noise goes and edges stay.
+    A pixel at distance r whose depth differs by v has weight exp(-r^2 / (2 dist_sigma^2) - v^2 / (2 value_sigma^2)).
 
     Args:
-        depth: Shape [h, w], or an RGBDImage, whose colours stay.
-        kernel_size: Width of the disc of pixels [px], up to 255: its radius is kernel_size // 2.
-        value_sigma: Deviation of the weight over differences of depth [m].
-        dist_sigma: Deviation of the weight over pixels [px].
-        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
-        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+        depth: Shape (h, w), or an RGBDImage, whose colors are unchanged.
+        kernel_size: Diameter of the disc of pixels [px], up to 255; the radius is kernel_size // 2.
+        value_sigma: Standard deviation of the depth weight [m].
+        dist_sigma: Standard deviation of the pixel weight [px].
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
         Depth [m] of the same size; 0 where there was none.
@@ -56,8 +54,8 @@ def filter_depth_bilateral(
         ValueError: A wrong shape, or a number out of range.
 
     Notes:
-        Open3D's Image.filter_bilateral on the CPU (its CUDA form takes a square), without its holes, which count there
-        as depth 0. Tomasi and Manduchi 1998, "Bilateral filtering for gray and color images".
+        As Open3D's Image.filter_bilateral on the CPU, but without counting holes as depth 0. Tomasi and Manduchi,
+        "Bilateral filtering for gray and color images", ICCV 1998.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -75,17 +73,17 @@ def filter_depth_bilateral(
 def erode_depth_edges(
     depth: Depth, radius: int = 3, depth_threshold: float = 0.1, *, depth_scale: float | None = None, device: Any = None
 ) -> Depth:
-    """Drop the pixels beside edges and holes, where sensors mix near and far.
+    """Remove pixels near depth edges and holes, where sensors mix foreground and background.
 
     Args:
-        depth: Shape [h, w], or an RGBDImage, whose colours stay.
-        radius: How many pixels go on each side of an edge, and around a hole [px]; diagonals count as one.
-        depth_threshold: Neighbouring pixels whose depths differ by more are an edge [m].
-        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
-        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+        depth: Shape (h, w), or an RGBDImage, whose colors are unchanged.
+        radius: Pixels to remove on each side of an edge and around a hole [px]; diagonals count as one.
+        depth_threshold: Depth difference of neighboring pixels that makes an edge [m].
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
-        Depth [m] of the same size; 0 where it was dropped. The border of the image is no edge.
+        Depth [m] of the same size; 0 where removed. The image border is no edge.
 
     Raises:
         ValueError: A wrong shape, or a number out of range.
@@ -110,25 +108,24 @@ def create_normal_map(
     depth_scale: float | None = None,
     device: Any = None,
 ) -> NDArray[np.float32]:
-    """The normal of the surface at each pixel, from the differences to the points on the right and below.
+    """Estimate a normal for each pixel from the differences to the points on the right and below.
 
     Args:
-        depth: Shape [h, w], or an RGBDImage.
+        depth: Shape (h, w), or an RGBDImage.
         intrinsic: The camera, of the image's size.
-        invalid_fill: What stands in all components where one of the three pixels has no depth, and in the last row
-            and column.
-        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
-        device: Where an array's normals are computed.
+        invalid_fill: Value where one of the three pixels has no depth, and in the last row and column.
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array.
 
     Returns:
-        Unit normals in the camera's frame, towards the camera, float32 [h, w, 3].
+        Unit normals in the camera frame, toward the camera, float32 (h, w, 3).
 
     Raises:
         ValueError: A wrong shape, or a camera of another size.
 
     Notes:
-        Open3D's Image.create_vertex_map and create_normal_map in one, in float64. Noisy depth wants
-        `filter_depth_bilateral` first, and `erode_depth_edges` takes away what spans two surfaces.
+        Open3D's Image.create_vertex_map and create_normal_map in one, in float64. Apply `filter_depth_bilateral` to
+        noisy depth first; `erode_depth_edges` removes normals across two surfaces.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -148,23 +145,23 @@ def create_normal_map(
 def pyrdown_depth(
     depth: Depth, diff_threshold: float = DEPTH_DIFF, *, depth_scale: float | None = None, device: Any = None
 ) -> Depth:
-    """A depth image of half the size: every second pixel, smoothed over 5 x 5 pixels of the same surface.
+    """Halve a depth image: every second pixel, averaged over 5 x 5 pixels of the same surface.
 
     Args:
-        depth: Shape [h, w], or an RGBDImage, whose colours are halved by `pyrdown_color`.
-        diff_threshold: Depths that differ by as much from the pixel's own do not count [m].
-        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
-        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+        depth: Shape (h, w), or an RGBDImage, whose colors are halved by `pyrdown_color`.
+        diff_threshold: Pixels whose depth differs from the center's by this or more are ignored [m].
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
-        Depth [m] of shape [h // 2, w // 2]; 0 where the pixel had none. Its camera has half of fx, fy, cx and cy (not
-        that of `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) of the image before).
+        Depth [m] of shape (h // 2, w // 2); 0 where the pixel had none. Its camera has half of fx, fy, cx and cy,
+        unlike `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) of the input.
 
     Raises:
         ValueError: A wrong shape, fewer than 2 rows or columns, or a threshold that is not positive.
 
     Notes:
-        Open3D's PyrDownDepth, after KinectFusion's: Newcombe et al. 2011, section 3.3.
+        As Open3D's PyrDownDepth. Newcombe et al., "KinectFusion", ISMAR 2011, section 3.3.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -183,21 +180,21 @@ def pyrdown_depth(
 
 
 def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
-    """A colour image of half the size: every second pixel after a Gaussian of 5 x 5 pixels and deviation 1.
+    """Halve a color image: every second pixel after a 5 x 5 Gaussian filter with a standard deviation of 1.
 
     Args:
-        color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-        device: Where it is filtered.
+        color: 8-bit colors, shape (h, w, 3), or gray (h, w).
+        device: Device to use.
 
     Returns:
-        Colours, uint8 [h // 2, w // 2, 3], grey repeated; rounded, halves up.
+        Colors, uint8 (h // 2, w // 2, 3), gray repeated; rounded, halves up.
 
     Raises:
         ValueError: A wrong shape, or fewer than 2 rows or columns.
         TypeError: Not 8-bit.
 
     Notes:
-        Open3D's Image.pyrdown where sizes are even; for odd sizes that one takes pixels off the grid of the depth.
+        As Open3D's Image.pyrdown for even sizes; for odd sizes Open3D samples off the grid of the depth.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -221,14 +218,14 @@ def create_depth_pyramid(
     depth_scale: float | None = None,
     device: Any = None,
 ) -> list[Depth]:
-    """A depth image and its halves, the largest first; see `pyrdown_depth`.
+    """A pyramid of depth images, the largest first; see `pyrdown_depth`.
 
     Args:
-        depth: Shape [h, w], or an RGBDImage.
-        levels: Images in all.
+        depth: Shape (h, w), or an RGBDImage.
+        levels: Number of images.
         diff_threshold: As in `pyrdown_depth`.
-        depth_scale: Units a metre of an array; None for 1000 of integers and 1 of floats.
-        device: Where an array is filtered; None for the GPU that it lies on, else the CPU.
+        depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
+        device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Raises:
         ValueError: As `pyrdown_depth`; levels < 1 or more than the size can be halved.
@@ -251,11 +248,7 @@ def create_depth_pyramid(
     return cast("list[Depth]", images)
 
 
-# ---------------------------------------------------------------------------------------------- internals
-
-
 def _metric(depth: Any, depth_scale: float | None, device: Any) -> tuple[wp.array, int, int]:
-    """Metres on the device, flat; height and width."""
     if isinstance(depth, RGBDImage):
         return depth.depth_array, depth.height, depth.width
     metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device_for(depth, device))
@@ -263,7 +256,6 @@ def _metric(depth: Any, depth_scale: float | None, device: Any) -> tuple[wp.arra
 
 
 def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
-    """Metres in the form of the image that they come from."""
     if isinstance(depth, RGBDImage):
         return RGBDImage._from_device_arrays(depth.color_array, metric, height, width, depth.array_library)
     return form_of(depth).hand_out(metric, shape=(height, width))

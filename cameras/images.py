@@ -1,4 +1,4 @@
-"""Depth and colour images: what the operations take, checked once."""
+"""Depth and color images: validated input of RGB-D operations."""
 
 from __future__ import annotations
 
@@ -23,42 +23,41 @@ from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 from .depth_doubts import warn_of_scale
 
-MOST_RAW = 65535  # of integer depths
-MILLIMETRES = 1000.0  # units a metre of integers whose scale is not given
+MOST_RAW = 65535  # maximum integer depth
+MILLIMETRES = 1000.0  # default units per meter of integer depth
 FLOATS = (wp.float16, float32, float64)
-BYTES = (int8, uint8)  # pictures, and no depth
+BYTES = (int8, uint8)  # 8-bit types: images, no depth
 TOO_SHALLOW = (
     "depth: expected 16-bit integers or float metres, got {}: 8 bits hold no depth but a picture of it; read the data "
     "set's 16-bit files, or convert what is a distance to float metres"
 )
 TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float metres"
-RAW_TRUNC = 7.0  # [m] where Open3D cuts the frames of data sets with long ranges
+RAW_TRUNC = 7.0  # [m] where Open3D truncates frames of long-range data sets
 
 
 class RGBDImage(ToldNames):
-    """A depth image in metres with a colour or grey image of the same size, on one device.
+    """A depth image in meters with a color or gray image of the same size, on one device.
 
     Args:
-        color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-        depth: Shape [h, w]; integers of 16 bits and more, or floats.
-        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-        depth_trunc: Farthest depth kept [m]; beyond it a pixel has no measurement (0).
-        device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+        color: 8-bit colors, shape (h, w, 3), or gray (h, w).
+        depth: Shape (h, w); integers of 16 bits and more, or floats.
+        depth_scale: Depth units per meter; None: 1000 for integers, 1 for floats.
+        depth_trunc: Maximum depth [m]; larger depths become 0 (no measurement).
+        device: Device of the images; None: the GPU that the depth is on, else the CPU.
 
     Raises:
-        ValueError: Wrong shapes, or depth and colour of different sizes.
-        TypeError: Wrong element types; depth of 8 bits, which is a picture of it.
+        ValueError: Wrong shapes, or depth and color of different sizes.
+        TypeError: Wrong element types; 8-bit depth.
 
     Warns:
-        UnitWarning: A scale or limit leaves no depth, or a scale of floats only depth of millimetres, of an array on
-            the host.
+        UnitWarning: A scale or limit removes all depth, or float depth on the host seems to be millimeters.
 
     Attributes:
-        depth_array: The depth on its device, float32 [h * w] [m], 0 where there is none.
-        color_array: Colours on the device, uint8 [h * w, 3], or brightness, float32 [h * w].
+        depth_array: Depth on the device, float32 (h * w,) [m], 0 without measurement.
+        color_array: Colors on the device, uint8 (h * w, 3), or intensity, float32 (h * w,).
         width: Columns [px].
         height: Rows [px].
-        device: Where the arrays are.
+        device: Device of the arrays.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -100,19 +99,18 @@ class RGBDImage(ToldNames):
         *,
         device: Any = None,
     ) -> Self:
-        """An RGB-D image with Open3D's defaults: the colours become brightness.
+        """An RGB-D image with Open3D's defaults: colors become intensities.
 
         Args:
-            color: 8-bit colours, shape [h, w, 3], or grey [h, w].
-            depth: Shape [h, w]; integers of 16 bits and more, or floats (Open3D takes 8 bits for 0..1).
-            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats (Open3D's default divides
-                floats by 1000).
-            depth_trunc: Farthest depth kept [m] (Open3D drops it itself).
-            convert_rgb_to_intensity: Keep 0.299 R + 0.587 G + 0.114 B, 0..1, in place of colours.
-            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
+            color: 8-bit colors, shape (h, w, 3), or gray (h, w).
+            depth: Shape (h, w); integers of 16 bits and more, or floats (Open3D takes 8 bits for 0..1).
+            depth_scale: Depth units per meter; None: 1000 for integers, 1 for floats (Open3D divides floats by 1000).
+            depth_trunc: Maximum depth [m], included (excluded in Open3D).
+            convert_rgb_to_intensity: Store 0.299 R + 0.587 G + 0.114 B, 0..1, instead of colors.
+            device: Device of the images; None: the GPU that the depth is on, else the CPU.
 
         Raises:
-            ValueError: Wrong shapes, or depth and colour of different sizes.
+            ValueError: Wrong shapes, or depth and color of different sizes.
             TypeError: Wrong element types.
 
         Example:
@@ -133,30 +131,23 @@ class RGBDImage(ToldNames):
     def create_from_redwood_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the Redwood data sets: millimetres, cut at 4 m; see `create_from_color_and_depth`."""
+        """A frame of the Redwood data sets: millimeters, truncated at 4 m; see `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_tum_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the TUM RGB-D data sets: 5000 units a metre, cut at 4 m; see `create_from_color_and_depth`."""
+        """A frame of the TUM RGB-D data sets: 5000 units per meter, cut at 4 m; see `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_sun_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of SUN3D: millimetres turned left by three bits, cut at 7 m; see `create_from_color_and_depth`.
+        """A frame of SUN3D: 16-bit millimeters rotated left by three bits, truncated at 7 m.
 
-        Args:
-            color: As there.
-            depth: The file's numbers, shape [h, w], integers of 16 bits.
-            convert_rgb_to_intensity: As there.
-            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
-
-        Raises:
-            ValueError, TypeError: As there; depth that is no integers.
+        Arguments and errors as in `create_from_color_and_depth`; depth must be integers.
         """
         return cls._from_raw("sun", color, depth, convert_rgb_to_intensity, device)
 
@@ -164,17 +155,10 @@ class RGBDImage(ToldNames):
     def create_from_nyu_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) metres, bytes swapped, cut at 7 m.
+        """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) meters, truncated at 7 m.
 
-        Args:
-            color: As in `create_from_color_and_depth`.
-            depth: The numbers as a reader of .pgm gives them (their bytes stand the other way round than in other
-                .pgm files, which is mended here), shape [h, w], integers of 16 bits.
-            convert_rgb_to_intensity: As there.
-            device: Where the images go; None for the GPU that the depth lies on, else the CPU.
-
-        Raises:
-            ValueError, TypeError: As there; depth that is no integers.
+        Arguments and errors as in `create_from_color_and_depth`; depth is 16-bit integers as read from .pgm, whose
+        swapped bytes are corrected here.
         """
         return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
 
@@ -185,12 +169,12 @@ class RGBDImage(ToldNames):
 
     @property
     def depth(self) -> NDArray[np.float32]:
-        """Depth [m], float32 [h, w]; 0 where there is none."""
+        """Depth [m], float32 (h, w); 0 without measurement."""
         return download(self.depth_array).reshape(self.height, self.width).copy()
 
     @property
     def color(self) -> NDArray[Any]:
-        """Colours, uint8 [h, w, 3]; or brightness 0..1, float32 [h, w], where they were converted to it."""
+        """Colors, uint8 (h, w, 3), or intensities 0..1, float32 (h, w)."""
         pixels = download(self.color_array)
         return pixels.reshape(self.height, self.width, *pixels.shape[1:]).copy()
 
@@ -205,16 +189,11 @@ class RGBDImage(ToldNames):
         return self._from_device_arrays(*arrays, self.height, self.width, self._library)
 
     def __getstate__(self) -> dict[str, Any]:
-        """The image as NumPy arrays and the name of its device, for pickle."""
         state = {"device": str(self.device), "library": self._library, "height": self.height, "width": self.width}
         return state | {"arrays": pickled({"color_array": self.color_array, "depth_array": self.depth_array})}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The image on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError, DeviceError: The state is damaged, or it was on a GPU and here is none.
-        """
+        """Restore the image on its device, else on the first GPU; raises `DeviceError` without GPU."""
         with unpickling("image"):
             arrays = unpickled(state["arrays"], device_like("image", state["device"]))
             height, width = (check_count(name, state[name]) for name in ("height", "width"))
@@ -223,8 +202,6 @@ class RGBDImage(ToldNames):
             depth = check_form("depth_array", arrays["depth_array"], flat)
             made = self._from_device_arrays(color, depth, height, width, check_library("library", state["library"]))
         vars(self).update(vars(made))
-
-    # ------------------------------------------------------------------------------------------ internals
 
     @classmethod
     def _from_raw(cls, layout: str, color: Any, depth: Any, to_intensity: bool, device: Any) -> Self:
@@ -239,7 +216,6 @@ class RGBDImage(ToldNames):
     def _from_device_arrays(
         cls, color: wp.array, depth: wp.array, height: int, width: int, library: str = NUMPY
     ) -> Self:
-        """An image over device arrays that are known to be right; no copy."""
         image = cls.__new__(cls)
         image.color_array, image.depth_array, image.height, image.width = color, depth, height, width
         image.device, image._library = depth.device, library
@@ -247,18 +223,15 @@ class RGBDImage(ToldNames):
 
     @property
     def array_library(self) -> str:
-        """The library whose arrays operations return: that of the depth which the image was made of."""
+        """The library of the arrays that operations return: that of the input depth."""
         return self._library
 
 
 def upload_depth(
     depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, int, int]:
-    """A depth image as float32 metres on the device, flat; what it was divided by; height and width.
-
-    Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0: no measurement. Errors call that
-    one by the name `limit`.
-    """
+    """Upload depth as flat float32 [m]; returns the array, the scale, height and width.
+    Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0. `limit` is its name in errors."""
     raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, device, limit=limit)
     return metric_depth(raw, scale, farthest)[0], scale, height, width
 
@@ -266,7 +239,7 @@ def upload_depth(
 def upload_raw_depth(
     depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, float, int, int]:
-    """A checked depth image on the device, flat, as uint16 or float32; the scale; the limit; height and width."""
+    """Upload checked depth as flat uint16 or float32; returns the array, the scale, the limit, height and width."""
     image: Any = take_numbers("depth", depth, device) if is_on_gpu(depth) else _as_array("depth", depth)
     _check_size(image)
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
@@ -274,7 +247,7 @@ def upload_raw_depth(
     if is_on_gpu(depth):
         raw = _flat_floats(image) if image.dtype in FLOATS else _flat_integers(image)
     elif image.dtype.kind == "f":
-        with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
+        with np.errstate(over="ignore"):  # a depth beyond float32 becomes infinite: no measurement
             raw = upload(image.reshape(-1), float32, device)
     else:
         raw = _upload_raw(image, device)[0]
@@ -284,7 +257,7 @@ def upload_raw_depth(
 
 
 def integer_scale(depth: Any, depth_scale: float) -> float | None:
-    """The scale of a frame's depth whose source tells that of integers: None for floats, which are metres there."""
+    """The depth scale of a source of integers; None for floats, which are in meters."""
     if isinstance(depth, RGBDImage):
         return None
     if is_on_gpu(depth):
@@ -309,13 +282,13 @@ def _check_size(image: Any) -> None:
 
 
 def _flat_floats(image: wp.array) -> wp.array:
-    """Depths on a GPU as float32, flat: the image's own memory where it holds that."""
+    """Depth on a GPU as flat float32, without a copy if possible."""
     flat = view_as(image, image.dtype, (image.size,))
     return flat if image.dtype == float32 else cast(flat, float32)
 
 
 def _flat_integers(image: wp.array) -> wp.array:
-    """Integer depths on a GPU as uint16, flat: the image's own memory where it holds that."""
+    """Integer depth on a GPU as flat uint16, without a copy if possible."""
     if image.dtype not in INTEGERS:
         raise TypeError(f"depth: expected integers or floats, got {image.dtype.__name__}")
     if image.dtype in BYTES:
@@ -330,7 +303,7 @@ def _flat_integers(image: wp.array) -> wp.array:
 
 
 def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
-    """Integer depths as uint16 on the device, flat; height and width."""
+    """Integer depth on the device as flat uint16, with height and width."""
     if is_on_gpu(depth):
         given = take_numbers("depth", depth, device)
         _check_size(given)
@@ -348,7 +321,6 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
 
 
 def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
-    """An 8-bit colour image on the device, uint8 [h * w, 3]; grey is repeated."""
     image = take_numbers("color", color, device) if is_on_gpu(color) else _as_array("color", color)
     kind = image.dtype if isinstance(image, np.ndarray) else wp.dtype_to_numpy(image.dtype)
     if kind != np.uint8:
@@ -366,7 +338,6 @@ def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
 
 
 def _repeated(grey: wp.array) -> wp.array:
-    """A grey image on a GPU, [h, w], as one of three colours."""
     pixels = empty((grey.size, 3), uint8, grey.device)
     for channel in range(3):
         fill_column(pixels, channel, view_as(grey, uint8, (grey.size,)))
@@ -374,7 +345,6 @@ def _repeated(grey: wp.array) -> wp.array:
 
 
 def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:
-    """The intrinsic, once it fits the image."""
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(
             f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "

@@ -1,15 +1,9 @@
-"""The one family of lenses of which every camera model is a member, forth and back, on the host in float64.
+"""One lens model that contains all camera models, forward and inverse, on the host in float64.
 
-A ray (x, y, 1) goes through two steps. First its radius r is shortened as the kind of lens says: not at all, to the
-angle atan r (fisheye), to atan(2 r tan(w / 2)) / w (FOV), by a division or as in the unified model. Then a polynomial
-bends the place: p' = p N(r^2) / D(r^2) + tangential + prism terms. The pixel is u = fx x' +
-skew y' + cx, v = fy y' + cy.
-
-The polynomial of a strong lens turns back at some radius; beyond it two rays would share a pixel. `reach` is that
-radius: past it there is no answer, NaN, never the wrong one of the two.
-
-Source: Brown 1966; Devernay and Faugeras 2001 (FOV); Fitzgibbon 2001 (division); Khomutenko et al. 2016 (unified); the
-forms of the terms are those of OpenCV and COLMAP.
+A ray (x, y, 1) of radius r is first mapped by lens type: unchanged, atan r (fisheye), atan(2 r tan(w / 2)) / w (FOV),
+division or unified. Then p' = p N(r^2) / D(r^2) + tangential + prism terms, u = fx x' + skew y' + cx, v = fy y' + cy;
+NaN beyond `reach`. Brown 1966; Devernay and Faugeras 2001; Fitzgibbon 2001 (division); Khomutenko et al. 2016
+(unified); terms as in COLMAP.
 """
 
 from __future__ import annotations
@@ -26,26 +20,26 @@ PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
 
 Array = NDArray[np.float64]
 
-TURNS = 100  # of Newton's method: it takes a few; bisection of what it leaves some fifty
-ROUNDED = 4e-15  # of a place's size: what is left of a solved equation by rounding
-NEGLIGIBLE = 1e-15  # of a polynomial's largest term over the picture
-DIRECTIONS, STEPS = 64, 128  # in which a lens without symmetry is tried for the radius at which it turns back
-FARTHEST = 1e8  # of any ray, x / z
+TURNS = 100  # Newton iterations: a few suffice; bisection of the rest takes about fifty
+ROUNDED = 4e-15  # relative residual of a solved equation, from rounding
+NEGLIGIBLE = 1e-15  # fraction of a polynomial's largest term over the image
+DIRECTIONS, STEPS = 64, 128  # directions and steps of the search for `reach` of an asymmetric lens
+FARTHEST = 1e8  # maximum x / z of a ray
 THIN = 1e-4  # omega^2 below which a FOV lens is a series, as its formula is 0 / 0
 
 
 @dataclasses.dataclass(frozen=True)
 class Lens:
-    """The numbers of a lens.
+    """Lens parameters.
 
     Args:
         kind: PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION or UNIFIED.
         focal: fx, fy [px].
-        center: The principal point, pixel centres being whole [px].
-        extent: A radius x' / z that the picture does not pass.
-        skew: What y' adds to the column [px].
-        radial: Factors of r^2, r^4, r^6, r^8 above the line.
-        rational: Factors of r^2, r^4, r^6 below it.
+        center: Principal point [px]; pixel centers are integers.
+        extent: Maximum radius x' / z of the image.
+        skew: Factor of y' in the column [px].
+        radial: Factors of r^2, r^4, r^6, r^8 in the numerator.
+        rational: Factors of r^2, r^4, r^6 in the denominator.
         tangential: p1, p2 as in OpenCV.
         prism: Factors of r^2 in x and y.
         shape: omega of FIELD_OF_VIEW, k of DIVISION, alpha and beta of UNIFIED.
@@ -64,24 +58,22 @@ class Lens:
 
     @property
     def is_symmetric(self) -> bool:
-        """Whether only the radius decides how far a place moves."""
+        """True if the distortion is radial."""
         return not any((*self.tangential, *self.prism))
 
     @property
     def is_pinhole(self) -> bool:
-        """Whether straight lines stay straight."""
+        """True if there is no distortion."""
         return self.kind == PERSPECTIVE and self.is_symmetric and not any((*self.radial, *self.rational))
 
     @cached_property
     def reach(self) -> float:
-        """The radius, after the first step, up to which the polynomial moves outwards; infinite where always."""
+        """Maximum radius after the first step where the polynomial is monotonic; may be infinite."""
         reach = _turning_radius(self)
         return reach if self.is_symmetric or reach == 0 else _narrowed(self, reach)
 
-    # ------------------------------------------------------------------------------------------- forth
-
     def project(self, rays: Array) -> Array:
-        """Pixels [n, 2] of rays (x, y, 1) given as [n, 2]; NaN where the lens gives none."""
+        """Pixels (n, 2) of rays (x, y, 1) given as (n, 2); NaN outside the lens."""
         with np.errstate(all="ignore"):
             places = rays * _shortening(self, np.hypot(rays[:, 0], rays[:, 1]))[:, None]
             radii = np.hypot(places[:, 0], places[:, 1])
@@ -89,15 +81,13 @@ class Lens:
             pixels = bent * self.focal + self.center
             pixels[:, 0] += self.skew * bent[:, 1]
             has_pixel = (radii <= self.reach) & np.isfinite(pixels).all(axis=1)
-            if not self.is_symmetric:  # between the directions in which `reach` was looked for, it may turn back before
+            if not self.is_symmetric:  # between the sampled directions it may fold earlier
                 has_pixel &= _orientation(self, places) > 0
             pixels[~has_pixel] = np.nan
         return pixels
 
-    # ------------------------------------------------------------------------------------------- back
-
     def unproject(self, pixels: Array) -> Array:
-        """The x, y of rays with z = 1, [n, 2], that pixels [n, 2] see; NaN where the lens has no inverse."""
+        """Rays (n, 2) with z = 1 of pixels (n, 2); NaN without an inverse."""
         with np.errstate(all="ignore"):
             bent = np.empty(pixels.shape)
             bent[:, 1] = (pixels[:, 1] - self.center[1]) / self.focal[1]
@@ -109,15 +99,11 @@ class Lens:
 
     @property
     def is_plain(self) -> bool:
-        """Whether the second step is none."""
         return self.is_symmetric and not any((*self.radial, *self.rational))
 
 
-# ------------------------------------------------------------------------------------------------ first step
-
-
 def _shortening(lens: Lens, r: Array) -> Array:
-    """By what the first step multiplies places at radius r; NaN where there is no such ray."""
+    """Factor of the first step at radius r; NaN without such a ray."""
     if lens.kind == PERSPECTIVE:
         return np.ones_like(r)
     first, second = lens.shape
@@ -135,7 +121,7 @@ def _shortening(lens: Lens, r: Array) -> Array:
 
 
 def _lengthening(lens: Lens, r: Array) -> Array:
-    """What undoes `_shortening`, of the shortened radius; NaN where no ray in front of the camera comes there."""
+    """Inverse factor at the mapped radius; NaN if no ray in front of the camera maps to it."""
     if lens.kind == PERSPECTIVE:
         return np.ones_like(r)
     first, second = lens.shape
@@ -155,7 +141,7 @@ def _lengthening(lens: Lens, r: Array) -> Array:
 
 
 def _thin_lengthening(square: float, r: Array) -> Array:
-    """The inverse of a FOV lens's series: r' (w^2 (r'^2 / 3 - 1 / 12) + 1) = r, by Newton's method."""
+    """Inverse of a FOV lens's series: r' (w^2 (r'^2 / 3 - 1 / 12) + 1) = r, by Newton's method."""
     far = r.copy()
     for _ in range(TURNS):
         value = far * (square * (far * far / 3.0 - 1.0 / 12.0) + 1.0) - r
@@ -166,11 +152,8 @@ def _thin_lengthening(square: float, r: Array) -> Array:
     return np.where(r > 0, far / r, 1.0 / (1.0 - square / 12.0))
 
 
-# ------------------------------------------------------------------------------------------------ second step
-
-
 def bend(lens: Lens, places: Array) -> Array:
-    """The second step, places [n, 2]."""
+    """The second step, positions (n, 2)."""
     x, y = places.T
     t = x * x + y * y
     factor = _factor(lens, t)
@@ -185,7 +168,6 @@ def bend(lens: Lens, places: Array) -> Array:
 
 
 def _factor(lens: Lens, t: Array) -> Array:
-    """N / D at squared radii."""
     a, b = lens.radial, lens.rational
     return (1.0 + t * (a[0] + t * (a[1] + t * (a[2] + t * a[3])))) / (1.0 + t * (b[0] + t * (b[1] + t * b[2])))
 
@@ -198,7 +180,7 @@ def _factor_slope(lens: Lens, t: Array, factor: Array) -> Array:
 
 
 def _slopes(lens: Lens, places: Array) -> tuple[Array, Array, Array, Array]:
-    """The derivatives of `bend`: x' by x, x' by y, y' by x, y' by y."""
+    """Jacobian of `bend`: dx'/dx, dx'/dy, dy'/dx, dy'/dy."""
     x, y = places.T
     t = x * x + y * y
     factor = _factor(lens, t)
@@ -213,10 +195,9 @@ def _slopes(lens: Lens, places: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def _turning_radius(lens: Lens) -> float:
-    """The least radius at which r N / D stops growing, or D is zero.
-
-    The derivative has the sign of N D + 2 t (N' D - N D'), a polynomial in t = r^2 over which the picture is 0..1.
-    """
+    """The smallest radius where r N / D stops growing or D is zero.
+    The derivative has the sign of N D + 2 t (N' D - N D'), a polynomial in t = r^2, scaled so that the image spans
+    0..1."""
     if lens.is_plain:
         return math.inf
     scale = max(lens.extent, 1e-6) ** 2
@@ -232,7 +213,7 @@ def _turning_radius(lens: Lens) -> float:
 
 
 def _least_root(coefficients: NDArray[np.floating]) -> float:
-    """The least positive root of a polynomial, its constant first; infinite where there is none, 0 of infinite ones."""
+    """Smallest positive root of a polynomial (constant first); infinite if none, 0 for infinite coefficients."""
     if not np.isfinite(coefficients).all():
         return 0.0
     kept = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())
@@ -242,7 +223,7 @@ def _least_root(coefficients: NDArray[np.floating]) -> float:
 
 
 def _narrowed(lens: Lens, reach: float) -> float:
-    """The largest radius, up to `reach`, within which the bending keeps its orientation in every direction."""
+    """Largest radius up to `reach` within which the Jacobian determinant is positive."""
     angles = np.arange(DIRECTIONS) * (2.0 * math.pi / DIRECTIONS)
     across = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     limit = min(reach, max(8.0 * lens.extent, 8.0))
@@ -268,11 +249,11 @@ def _orientation(lens: Lens, places: Array) -> Array:
 
 
 def _straighten(lens: Lens, bent: Array) -> Array:
-    """The places that `bend` takes to these, within reach; NaN where there is none."""
+    """Inverse of `bend` within reach; NaN without a solution."""
     places = _straighten_radially(lens, bent)
     if lens.is_symmetric:
         return places
-    places = np.where(np.isfinite(places), places, bent)  # a tangential term may bring back what the radial ones lost
+    places = np.where(np.isfinite(places), places, bent)  # a tangential term may compensate the radial ones
     for _ in range(TURNS):
         error = bend(lens, places) - bent
         a, b, c, d = _slopes(lens, places)
@@ -288,7 +269,7 @@ def _straighten(lens: Lens, bent: Array) -> Array:
 
 
 def _straighten_radially(lens: Lens, bent: Array) -> Array:
-    """The same without tangential and prism terms: r N / D = r', which grows up to `reach`, by safeguarded Newton."""
+    """The radial inverse: r N / D = r', monotonic up to `reach`, by safeguarded Newton."""
     wanted = np.hypot(bent[:, 0], bent[:, 1])
     low = np.zeros_like(wanted)
     reach = _turning_radius(lens)

@@ -1,4 +1,4 @@
-"""Pictures of all directions (360 degrees, equirectangular) as those of six cameras, the faces of a cube."""
+"""Split panoramas (360 degrees, equirectangular) into six cube faces."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
 
 FACES = ("front", "right", "back", "left", "up", "down")
-SMALLEST, LARGEST = 8, 16384  # sides of a face [px]
-# The axes of each face's camera (x right, y down, z forward) as columns, in the frame of the front one.
+SMALLEST, LARGEST = 8, 16384  # limits of a face's side [px]
+# The axes of each face's camera (x right, y down, z forward) as columns, in the front camera's frame.
 TURNS = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -33,24 +33,24 @@ TURNS = np.array(
 
 
 class Panorama:
-    """What cuts pictures of all directions of one size into the faces of a cube: the places are found once.
+    """Splits panoramas of one size into cube faces, with a map that is computed once.
 
     Args:
-        width: Of the pictures [px]; twice their height.
-        height: Of the pictures [px].
-        side: Of the faces [px]; None for as many pixels an angle as the picture has along its horizon.
-        device: Where they are cut; None for the CPU.
+        width: Width of the panoramas [px]; twice their height.
+        height: Height of the panoramas [px].
+        side: Side of the faces [px]; None keeps the angular resolution at the horizon.
+        device: Device to use; None for the CPU.
 
     Attributes:
         intrinsic: The camera of every face: 90 degrees wide.
-        turns: The rotation from each face's camera to the front one's, shape [6, 3, 3], in the order of `names`.
+        turns: Rotations from each face's camera to the front camera, shape (6, 3, 3), in the order of `names`.
         names: "front", "right", "back", "left", "up", "down".
 
     Raises:
-        TypeError, ValueError: A number out of range, or a picture that is not twice as wide as high.
+        TypeError, ValueError: A number out of range, or an image that is not twice as wide as high.
 
     Notes:
-        8 B of device memory a pixel of the faces. Pixels are mixed of four; the same bits on every device.
+        8 B of device memory per pixel of the faces. Bilinear; bitwise identical on every device.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -81,13 +81,13 @@ class Panorama:
         self._places = find_sphere_places(self.side, self.side / 2, turns, self.width, self.height, self.device)
 
     def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:
-        """The faces of a picture.
+        """Compute the cube faces of a panorama.
 
         Args:
-            picture: uint8 [height, width, 3] or [height, width].
+            picture: uint8 (height, width, 3) or (height, width).
 
         Returns:
-            uint8 [6, side, side, 3] or [6, side, side].
+            uint8 (6, side, side, 3) or (6, side, side).
 
         Raises:
             TypeError: Not uint8.

@@ -1,4 +1,4 @@
-"""How people call pictures: by the file's name, with or without its folder and ending, or by the number in it."""
+"""Resolve references to images: by file name, with or without folder and extension, or by number."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def number_of(name: str) -> int | None:
-    """The number at the end of a picture's name, without the ending.
+    """The number at the end of an image name, without extension.
 
     Example:
         >>> number_of("left/frame_000012.png"), number_of("porch.jpg")
@@ -19,11 +19,11 @@ def number_of(name: str) -> int | None:
 
 
 def _own_stem(name: str) -> str:
-    """Without the number that `choose_frames` sets before the names of photographs ("0003_garden.jpg")."""
+    """Without the number that `choose_frames` prepends to photographs ("0003_garden.jpg")."""
     return re.sub(r"^\d{4,}_(?=.)", "", Path(name).stem)
 
 
-# From the strictest to the loosest: what is meant by one of them is not looked for by the next.
+# From strict to loose; the first rule with a match wins.
 _WAYS: tuple[Callable[[str], str], ...] = (
     str,
     lambda name: str(Path(name).with_suffix("")) if name else name,
@@ -34,14 +34,7 @@ _WAYS: tuple[Callable[[str], str], ...] = (
 
 
 def meant_pictures(said: str, names: Sequence[str]) -> list[int]:
-    """The places of the pictures that may be meant by what somebody says.
-
-    Args:
-        said: A name, with or without folders and ending, the name that a photograph came with, or a number.
-        names: Of the pictures.
-
-    Returns:
-        None, one, or several where it is not clear.
+    """Indices of the images that match a name or number; several if ambiguous.
 
     Example:
         >>> names = ["0000_IMG_9.jpg", "0001_porch.jpg", "left/0002_porch.png"]

@@ -1,4 +1,4 @@
-"""Poses in text files: rows of numbers, in which inf and NaN mark the poses that tracking lost."""
+"""Poses in text files; inf and NaN mark lost poses."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from ..core.paths import path_of
 from ..core.quaternions import quaternions_to_rotations
 from .camera import LARGEST_NUMBER
 
-# Open3D (0.20) ends this comment without a line break, so that the first pose of its TUM files stands behind it.
+# Open3D (0.20) ends this comment without a line break, so the first pose of its TUM files follows on the same line.
 _OPEN3D_TUM_HEADER = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
 
-# How far from 1 the length of a quaternion may be: 4 decimals leave 1e-4; more is not a rotation.
+# Maximum deviation of a quaternion's length from 1: 4 decimals leave 1e-4; more is not a rotation.
 _QUATERNION_TOLERANCE = 1e-2
 
-_OF_C = re.compile(r"[-+]?(nan\(\w*\)|1\.#\w+)", re.I)  # NaN and infinity as runtimes of C print them
+_OF_C = re.compile(r"[-+]?(nan\(\w*\)|1\.#\w+)", re.I)  # NaN and infinity as printed by C runtimes
 
 LOST = "inf and NaN mark a pose that tracking lost: skip_missing=True leaves it out"
 
@@ -30,21 +30,16 @@ Line = tuple[int, list[str]]
 
 
 def read_pose(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """Read one pose, four rows of four numbers, shape [4, 4].
-
-    Raises:
-        FileError: Unreadable, another number of rows or columns, not finite or not rigid.
-    """
+    """Read one 4x4 pose; raises `FileError` if it is not rigid."""
     return _read_pose(path, gaps=False)
 
 
 def read_pose_or_gap(path: str | os.PathLike[str]) -> NDArray[np.float64] | None:
-    """Read one pose as `read_pose` does; None if it is lost."""
+    """`read_pose`, or None if the pose is lost."""
     return pose_or_gap(_read_pose(path, gaps=True))
 
 
 def pose_or_gap(pose: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """A pose, or None if its numbers are NaN."""
     return None if np.isnan(pose).any() else pose
 
 
@@ -56,7 +51,7 @@ def _read_pose(path: str | os.PathLike[str], *, gaps: bool) -> NDArray[np.float6
 
 
 def read_lines(path: str | os.PathLike[str]) -> list[Line]:
-    """The lines of a text file that are neither blank nor comments, as (line number, columns)."""
+    """Lines that are neither blank nor comments, as (line number, columns)."""
     try:
         text = path_of(path).read_bytes().decode("utf-8-sig")
     except OSError as error:
@@ -74,7 +69,6 @@ def read_lines(path: str | os.PathLike[str]) -> list[Line]:
 
 
 def parse_floats(path: str | os.PathLike[str], line: Line, count: int) -> list[float]:
-    """The finite numbers of a line that must hold exactly `count` of them."""
     values = _numbers(path, line, count)
     if not all(map(math.isfinite, values)):
         raise FileError(path, "expected finite numbers", where=f"line {line[0]}")
@@ -82,7 +76,6 @@ def parse_floats(path: str | os.PathLike[str], line: Line, count: int) -> list[f
 
 
 def _parse(path: str | os.PathLike[str], line: Line, count: int, *, gaps: bool) -> list[float]:
-    """The numbers of a line of a pose, which may be lost if `gaps`."""
     values = _numbers(path, line, count)
     if not gaps and not all(map(math.isfinite, values)):
         raise FileError(path, "expected finite numbers", where=f"line {line[0]}", remedy=LOST)
@@ -104,18 +97,12 @@ def _numbers(path: str | os.PathLike[str], line: Line, count: int) -> list[float
 
 
 def _matrix(path: str | os.PathLike[str], rows: Any, line: int) -> NDArray[np.float64]:
-    """A rigid pose; NaN if a number of it is not finite."""
     if not np.isfinite(rows).all():
         return np.full((4, 4), np.nan)
     return check_pose(path, rows, f"line {line}")
 
 
 def check_pose(path: str | os.PathLike[str], rows: Any, where: str) -> NDArray[np.float64]:
-    """A rigid pose of a file.
-
-    Raises:
-        FileError: It is not rigid.
-    """
     try:
         return check_rigid("pose", rows)
     except ValueError as error:
@@ -125,7 +112,7 @@ def check_pose(path: str | os.PathLike[str], rows: Any, where: str) -> NDArray[n
 def log_poses(
     path: str | os.PathLike[str], lines: list[Line], *, gaps: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """The poses and numbers of a .log file; lost poses are NaN, or an error without `gaps`."""
+    """Poses and numbers of a .log file; lost poses are NaN, or an error without `gaps`."""
     if len(lines) % 5:
         reason = f"ends within a pose: {len(lines)} lines, where each pose takes 5"
         raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be cut off")
@@ -152,7 +139,7 @@ def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
 def timed_poses(
     path: str | os.PathLike[str], lines: list[Line], *, gaps: bool
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Poses and times of lines as TUM writes them; lost poses are NaN, or an error without `gaps`."""
+    """Poses and times of TUM lines; lost poses are NaN, or an error without `gaps`."""
     for number, columns in lines:
         parse_floats(path, (number, columns[:1]), 1)
     table = np.array([_parse(path, line, 8, gaps=gaps) for line in lines])
@@ -175,7 +162,7 @@ def timed_poses(
 
 
 def kitti_poses(path: str | os.PathLike[str], lines: list[Line], *, gaps: bool) -> NDArray[np.float64]:
-    """The poses of lines of twelve numbers; lost poses are NaN, or an error without `gaps`."""
+    """Poses of lines of 12 numbers; lost poses are NaN, or an error without `gaps`."""
     poses = []
     for line in lines:
         values = _parse(path, line, 12, gaps=gaps)

@@ -1,8 +1,7 @@
-"""Camera trajectories in the four text formats in use: Open3D's .log and .json, TUM, KITTI.
+"""Camera trajectories as text: Open3D's .log and .json, TUM, KITTI.
 
-All are given as T_world_camera, camera to world; Open3D's JSON stores the inverse and is turned round. Rotations are
-returned as they stand in the file: real data have them rounded, so up to 0.02 from orthonormal is admitted and nothing
-is silently mended.
+All poses are T_world_camera, camera to world; Open3D's JSON stores the inverse. Rotations are returned as stored:
+rounding up to 0.02 from orthonormal is accepted and not corrected.
 """
 
 from __future__ import annotations
@@ -31,24 +30,21 @@ FORMATS = ("log", "tum", "kitti", "json")
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Trajectory(ToldNames):
-    """The poses of a moving camera.
+    """The poses of a moving camera; `trajectory[i]` is pose i.
 
     Args:
-        poses: T_world_camera of each frame, shape [n, 4, 4], float64 [m].
-        timestamps: Time of each pose, shape [n] [s]; None where the format has none.
-        ids: The whole numbers that a .log file gives with each pose, shape [n, 3]; None elsewhere. The first is the
-            number of the frame.
+        poses: T_world_camera of each frame, shape (n, 4, 4), float64 [m].
+        timestamps: Time of each pose, shape (n,) [s], or None.
+        ids: The three integers per pose of a .log file, shape (n, 3), or None. The first is the frame number.
 
     Raises:
         TypeError: Not numbers.
-        ValueError: Shapes that do not fit.
+        ValueError: Shapes that do not match.
 
     Example:
         >>> import numpy as np, pointloom as loom
         >>> loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)), timestamps=[0.0, 0.1, 0.2])
         Trajectory(3 poses, timestamps)
-
-    `trajectory[i]` is pose i, and iterating gives one pose after the other.
     """
 
     poses: NDArray[np.float64]
@@ -84,27 +80,25 @@ class Trajectory(ToldNames):
 
 
 def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False) -> Trajectory:
-    """Read a trajectory; the name and the columns decide the format.
+    """Read a trajectory; the extension and the number of columns determine the format.
 
-    - `.log`: three whole numbers and four matrix rows a pose, camera to world (Open3D, Redwood).
-    - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column; its intrinsics are not
-      looked at.
+    - `.log`: three integers and four matrix rows per pose, camera to world (Open3D, Redwood).
+    - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column; intrinsics are ignored.
     - `.txt` with 8 columns, `.tum`: `timestamp tx ty tz qx qy qz qw`. Quaternions within 1e-2 of unit length are
-      normalised.
+      normalized.
     - `.txt` with 12 columns, `.kitti`: the upper three matrix rows, camera to world.
 
-    In the text formats lines that begin with `#` and blank lines are passed over.
+    Blank lines and lines that start with `#` are skipped in text formats.
 
     Args:
         path: The file.
-        skip_missing: Leave out the poses of the text formats that tracking lost, which are marked by inf or NaN. The
-            timestamps or ids tell the others; KITTI's, which have none, get the number of their line as id.
+        skip_missing: Skip lost poses (inf or NaN) in text formats. KITTI poses then get their line number as id.
 
     Returns:
         The poses; n >= 1.
 
     Raises:
-        FileError: Unreadable, of another format, empty, or a pose that is not rigid; names the line.
+        FileError: Unreadable, another format, empty, or a pose that is not rigid; with the line.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -129,7 +123,7 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
 
 
 def read_poses_and_gaps(path: str | os.PathLike[str]) -> Trajectory:
-    """Read a trajectory as `read_trajectory` does, with NaN for the poses that tracking lost."""
+    """`read_trajectory` with NaN for lost poses."""
     return _read_all(path, gaps=True)
 
 
@@ -169,22 +163,21 @@ def write_trajectory(
     intrinsic: PinholeCameraIntrinsic | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write a trajectory with all digits, so that reading it again gives the same poses.
+    """Write a trajectory with all digits; reading it returns the same poses.
 
-    What a format cannot hold is left out: only TUM keeps timestamps, only .log keeps ids. Where they are missing, TUM
-    gets the first id or else the index of the pose as its time, and .log gets `i i i+1`, both as Open3D does. TUM
-    stores the rotation nearest to the matrix, which is the matrix itself when that is orthonormal.
+    Only TUM stores timestamps and only .log stores ids. As in Open3D, missing TUM times are the first id or the index,
+    and missing .log ids are `i i i+1`. TUM stores the rotation nearest to the matrix.
 
     Args:
-        path: Place of the file.
+        path: The file.
         trajectory: At least one pose.
-        format: "log", "tum", "kitti" or "json"; None goes by the extension, where .txt says too little.
-        intrinsic: The camera; the JSON format needs one, the others have no place for it.
+        format: "log", "tum", "kitti" or "json"; None uses the extension (ambiguous for .txt).
+        intrinsic: The camera, for JSON only.
         overwrite: Replace an existing file.
 
     Raises:
         ValueError: No pose, a pose that is not rigid, an unknown format, or JSON without intrinsic.
-        FileError: The extension and the format disagree, or the place cannot be written.
+        FileError: The extension and the format disagree, or the file cannot be written.
 
     Example:
         >>> import numpy as np, pointloom as loom

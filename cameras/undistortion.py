@@ -1,4 +1,4 @@
-"""Pictures of a lens as a pinhole camera would have taken them, for everything that wants straight lines straight."""
+"""Undistort images: resample them to a pinhole camera."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ from .camera import PinholeCameraIntrinsic
 from .camera_models import CameraModel
 from .lens_projection import FIELD_OF_VIEW, THIN
 
-MOST_SIDE = 1024  # of the squares that are averaged [px]: their sums keep within 32 bits
+MOST_SIDE = 1024  # maximum side of averaged squares [px]: their sums stay within 32 bits
 
 
 class Undistortion:
-    """What straightens all pictures of one camera: the places are found once.
+    """Undistorts all images of one camera with a map that is computed once.
 
     Args:
         camera: The lens.
         blank_share: As in `CameraModel.undistorted`.
-        max_size: Likewise [px].
-        size: Likewise, width and height [px].
-        device: Where the pictures are straightened; None for the CPU.
+        max_size: As in `CameraModel.undistorted` [px].
+        size: As in `CameraModel.undistorted`, width and height [px].
+        device: Device to use; None for the CPU.
 
     Attributes:
         camera: As given.
-        intrinsic: The pinhole camera that straightened pictures have.
+        intrinsic: The pinhole camera of the undistorted images.
         device: As given.
 
     Raises:
@@ -43,7 +43,7 @@ class Undistortion:
         ValueError: A number out of range, or a lens without an inverse along a border.
 
     Notes:
-        8 B of device memory a pixel of the straightened picture.
+        8 B of device memory per pixel of the result.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -74,26 +74,26 @@ class Undistortion:
         optics = LensOptics(lens, width, height, lens.reach, wide, int(thin))
         self._places = find_places(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
-        self._side = min(max(1, math.floor(min(steps) + 1e-9)), MOST_SIDE)  # pixels of the lens a pixel of the pinhole
+        self._side = min(max(1, math.floor(min(steps) + 1e-9)), MOST_SIDE)  # lens pixels per pinhole pixel
 
     @property
     def seen(self) -> NDArray[np.bool_]:
-        """Which pixels of the straightened picture the lens saw, shape [h, w]."""
+        """Mask of the pixels that the lens saw, shape (h, w)."""
         shape = (self.intrinsic.height, self.intrinsic.width)
         return download(mark_seen(self._places)).reshape(shape).astype(bool)
 
     def apply(self, picture: ArrayLike) -> Any:
-        """The straightened picture.
+        """Undistort an image.
 
         Args:
-            picture: Of the camera, uint8 [h, w] or [h, w, 3].
+            picture: Image of the camera, uint8 (h, w) or (h, w, 3).
 
         Returns:
             The same kind of array; 0 where the lens did not see.
 
         Raises:
             TypeError: Not uint8.
-            ValueError: Another shape, or another size than the camera's.
+            ValueError: Another shape, or a size that is not the camera's.
         """
         form = form_of(picture)
         pixels, channels = self._upload(picture, form.on_host)
@@ -102,7 +102,7 @@ class Undistortion:
         return form.hand_out(straight, shape=shape)
 
     def _upload(self, picture: ArrayLike, on_host: bool) -> tuple[wp.array, int]:
-        """The picture on the device, uint8 [pixels, channels]; how many channels it has, 0 of a grey one."""
+        """The image on the device, uint8 (pixels, channels), and its number of channels, 0 for gray."""
         image = check_numeric("picture", picture) if on_host else take_numbers("picture", picture, self.device)
         kind = image.dtype if isinstance(image, np.ndarray) else wp.dtype_to_numpy(image.dtype)
         if kind != np.uint8:
@@ -128,19 +128,18 @@ def undistort_picture(
     size: tuple[int, int] | None = None,
     device: Any = None,
 ) -> tuple[Any, PinholeCameraIntrinsic]:
-    """Straighten a picture: as a pinhole camera would have taken it.
+    """Undistort an image to a pinhole camera.
 
     Args:
-        picture: As the lens took it, uint8 [h, w] or [h, w, 3].
+        picture: The distorted image, uint8 (h, w) or (h, w, 3).
         camera: The lens.
-        blank_share: From 0, next to nothing is blank and corners may be lost, to 1, nothing is lost; see
-            `CameraModel.undistorted`.
-        max_size: The longest side that the result may have [px].
-        size: Width and height of the result [px], in place of `max_size`.
-        device: Where it is done; None for the GPU that the picture lies on, else the CPU.
+        blank_share: From 0 (almost no blank pixels) to 1 (nothing is cropped); see `CameraModel.undistorted`.
+        max_size: Maximum side length of the result [px].
+        size: Width and height of the result [px], instead of `max_size`.
+        device: Device to use; None: the GPU that the image is on, else the CPU.
 
     Returns:
-        The picture, the same kind of array, 0 where the lens did not see; and the pinhole camera that it has.
+        The image, the same kind of array, 0 where the lens did not see; and its pinhole camera.
 
     Raises:
         TypeError: Not uint8, or no CameraModel.
@@ -148,10 +147,8 @@ def undistort_picture(
             along a border.
 
     Notes:
-        Bilinear between four pixels; pictures that become smaller by two or more are averaged over squares first. The
-        outer half of the border's pixels counts as the border. The same bits on every device. For many pictures of
-        one camera make an `Undistortion` once, whose `apply` reads 8 B and writes 3 B a
-        pixel and whose `seen` is the mask of what is not blank.
+        Bilinear interpolation, after area averaging if the image shrinks by 2 or more. Border pixels are extended by
+        half a pixel. Bitwise identical on every device. For many images, construct an `Undistortion` once.
 
     Example:
         >>> import numpy as np, pointloom as loom

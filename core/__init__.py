@@ -1,1 +1,1 @@
-"""What every house stands on: checks, errors, devices, arrays of other libraries, progress, stages that resume."""
+"""Foundations: checks, errors, devices, other array libraries, progress, resumable stages."""

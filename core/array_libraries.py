@@ -1,10 +1,7 @@
-"""Arrays come back as they came: whose an array is, and results as arrays of that library, without a copy.
+"""Results in the array library of the input, without a copy: NumPy, torch, cupy, jax or Warp (docs/arrays.md).
 
-An operation gives its results as the library of the first array that it was given has them, or of the arrays that its
-cloud was made of: NumPy for NumPy arrays, lists and files, on every device; torch, cupy, jax and Warp for theirs, on
-the device where they are. See docs/arrays.md. No library is imported but the one whose array was given.
-
-Source: the Python array API standard (`__dlpack__`); the CUDA array interface, version 3.
+The first array argument, or the arrays of the cloud, determine the library. Only that library is imported. Python array
+API standard (`__dlpack__`); CUDA array interface, version 3.
 """
 
 from __future__ import annotations
@@ -26,11 +23,11 @@ from .devices import resolve_device
 
 NUMPY, WARP = "numpy", "warp"
 LIBRARIES = (NUMPY, WARP, "torch", "cupy", "jax")
-_OTHER_NAMES = {"jaxlib": "jax"}  # packages whose classes are arrays of another one
+_OTHER_NAMES = {"jaxlib": "jax"}  # packages whose classes are arrays of another library
 
 
 def library_of(values: Any) -> str:
-    """Whose array this is: one of LIBRARIES. Another library's is taken for NumPy's, on a GPU for Warp's."""
+    """The library of an array, one of LIBRARIES; unknown ones count as NumPy, on a GPU as Warp."""
     for kind in type(values).__mro__:
         package = kind.__module__.partition(".")[0]
         package = _OTHER_NAMES.get(package, package)
@@ -40,12 +37,7 @@ def library_of(values: Any) -> str:
 
 
 def check_library(name: str, value: Any) -> str:
-    """A library's name, once it is here.
-
-    Raises:
-        ValueError: None that is known.
-        ImportError: It is not installed.
-    """
+    """A library name; raises `ValueError` if unknown and `ImportError` if not installed."""
     if not isinstance(value, str) or value not in LIBRARIES:
         raise ValueError(f"{name}: expected one of {', '.join(LIBRARIES)}, got {shown(value)}")
     _import(value)
@@ -60,18 +52,9 @@ def hand_out(
     shape: tuple[int, ...] | None = None,
     on_host: bool = False,
 ) -> Any:
-    """A device array that nobody else holds as an array of a library.
-
-    NumPy gets a copy from a GPU and the memory itself on the CPU. The others get the memory itself; what they do with
-    it on the stream that they name comes after what is queued on Warp's current stream.
-
-    Args:
-        array: The result.
-        library: One of LIBRARIES.
-        dtype: The type that it shall have, as NumPy has it; None for its own. One of as many bytes is the same memory.
-        shape: In place of its first axes; None for its own.
-        on_host: Whether it shall be on the host, as what was asked about was.
-    """
+    """Return a device array that has no other owner as an array of a library, reshaped and cast as requested.
+    NumPy gets a copy from a GPU and shared memory on the CPU; others share memory and are ordered after Warp's current
+    stream. `shape` replaces the first axes; a `dtype` of the same size shares memory."""
     if library == NUMPY:
         return _formed(download(array), array.ndim, dtype, shape)
     if on_host:
@@ -87,7 +70,7 @@ def hand_out(
 
 
 def _formed(values: np.ndarray, axes: int, dtype: DTypeLike | None, shape: tuple[int, ...] | None) -> np.ndarray:
-    """An array's values as `hand_out` has them; `axes` are those that a shape replaces."""
+    """Values as in `hand_out`; `axes` is the number of replaced axes."""
     if dtype is not None and values.dtype != dtype:
         is_same_size = values.dtype.itemsize == np.dtype(dtype).itemsize
         values = values.view(dtype) if is_same_size else values.astype(dtype)
@@ -95,24 +78,18 @@ def _formed(values: np.ndarray, axes: int, dtype: DTypeLike | None, shape: tuple
 
 
 class Form(NamedTuple):
-    """The form of an answer: that of what was asked about.
-
-    Attributes:
-        library: Whose arrays it is in.
-        on_host: Whether it is on the host.
-    """
+    """The array library and location (`on_host`) of a result, as of the input."""
 
     library: str
     on_host: bool
 
     def hand_out(self, array: wp.array, *, dtype: DTypeLike | None = None, shape: tuple[int, ...] | None = None) -> Any:
-        """A result in this form, see `hand_out`."""
         return hand_out(array, self.library, dtype=dtype, shape=shape, on_host=self.on_host)
 
     def hand_out_all(
         self, arrays: Mapping[str, wp.array], types: Mapping[str, DTypeLike], *, shape: tuple[int, ...] | None = None
     ) -> dict[str, Any]:
-        """Results of one shape in this form by name, by one wait; `types` are those of results with another one."""
+        """Return results of one shape by name with one synchronization; `types` are changed types."""
         if self.library != NUMPY:
             return {name: self.hand_out(values, dtype=types.get(name), shape=shape) for name, values in arrays.items()}
         read = read_together([*arrays.values()])  # sync
@@ -120,24 +97,20 @@ class Form(NamedTuple):
         return {name: _formed(values, array.ndim, types.get(name), shape) for (name, array), values in found}
 
     def hand_out_host(self, values: np.ndarray, device: Any) -> Any:
-        """A result that was made on the host in this form."""
         return hand_out_host(values, self.library, resolve_device("cpu") if self.on_host else device)
 
 
 def form_of(values: Any) -> Form:
-    """The form of an array that a user gave."""
     return Form(library_of(values), not is_on_gpu(values))
 
 
 def hand_out_host(values: np.ndarray, library: str, device: Any) -> Any:
-    """A result that was made on the host as an array of a library, on a device."""
     if library == NUMPY:
         return values
     return hand_out(upload(values, wp.dtype_from_numpy(values.dtype), device), library)
 
 
 def _import(library: str) -> Any:
-    """The module that has `from_dlpack`."""
     try:
         return importlib.import_module("jax.dlpack" if library == "jax" else library)
     except ImportError as error:
@@ -145,7 +118,7 @@ def _import(library: str) -> Any:
 
 
 def _as_type(array: wp.array, scalar: Any) -> wp.array:
-    """The array with scalars of another type: the same memory where they have as many bytes."""
+    """Cast scalars; same-size types share memory."""
     own = getattr(array.dtype, "_wp_scalar_type_", array.dtype)
     if own == scalar:
         return array
@@ -155,8 +128,8 @@ def _as_type(array: wp.array, scalar: Any) -> wp.array:
 
 
 def view_as(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
-    """Another view of an array's memory, of its beginning where it is smaller; keeps the array alive."""
-    if not array.size or 0 in shape:  # without memory
+    """A view of an array's memory, possibly shorter, that keeps the array alive."""
+    if not array.size or 0 in shape:  # empty
         return empty(shape, dtype, array.device)
     seen: Any = seen_as(array, 0, dtype, shape)
     if seen is not None:

@@ -1,4 +1,4 @@
-"""Outputs appear whole or not at all: written beside their place under a temporary name, then renamed."""
+"""Atomic output: files and folders are written under a temporary name and then renamed."""
 
 from __future__ import annotations
 
@@ -21,16 +21,12 @@ from .interrupts import signal_exception
 from .paths import path_of
 
 _REPLACE = "Give another name, or overwrite=True to replace it"
-_COMMITTED, _LIST = ".files.new", ".list.json"  # of files that are replaced together
-_MAX_ATTEMPTS = 5  # to replace a folder while another process restores the previous one
+_COMMITTED, _LIST = ".files.new", ".list.json"  # names for files that are replaced together
+_MAX_ATTEMPTS = 5  # attempts to replace a folder while another process restores the previous one
 
 
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
-    """The path, once it is sure that a file can be made there; call it before any long work.
-
-    Raises:
-        FileError: The folder is missing or read-only, the path is a folder, or the file exists and may not be replaced.
-    """
+    """Check that a file can be created, before long computations; raises `FileError` otherwise."""
     path = path_of(path)
     folder = path.parent
     if not folder.is_dir():
@@ -46,10 +42,8 @@ def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> P
 
 @contextlib.contextmanager
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[IO[bytes]]:
-    """A binary file that takes its name when the block ends without an error, and is removed otherwise.
-
-    A new file gets the permissions that `open` would give it. A replaced file keeps its own.
-    """
+    """A binary file that appears when the block succeeds and is removed otherwise.
+    New files get the default permissions of `open`; replaced files keep theirs."""
     path = check_writable(path, overwrite=overwrite)
     handled, mode, part, file = sys.exception(), _mode_of(path), part_name(path), None
     opener = functools.partial(os.open, mode=0o666 if mode is None else mode)
@@ -57,14 +51,14 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
         with (file := _Written(io.FileIO(os.fspath(part), "x", opener=opener))):
             yield file
             file.flush()
-        if file.failed is not None:  # a package caught it and went on
+        if file.failed is not None:  # a package caught it and continued
             raise file.failed
         if (mode := _mode_of(path)) is not None:
             part.chmod(mode)
         if overwrite:
             part.replace(path)
         else:
-            os.link(part, path)  # fails where another process made the file meanwhile
+            os.link(part, path)  # fails if another process has created the file
             part.unlink()
     except FileExistsError as error:
         part.unlink(missing_ok=True)
@@ -72,7 +66,7 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     except BaseException as error:
         part.unlink(missing_ok=True)
         failed = None if file is None else file.failed
-        for each in (error, failed):  # Ctrl-C or a time limit, although another error followed from it
+        for each in (error, failed):  # Ctrl-C or a time limit, although another error followed
             stopped = None if each is None else signal_exception(each, handled)
             if stopped is error:
                 raise
@@ -83,7 +77,6 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
 
 
 def _raise_write_error(path: Path, error: BaseException, failed: BaseException | None) -> None:
-    """Raise what the system said, where `error` is another package's error that followed from it."""
     if failed is not None and not isinstance(failed, Exception) and isinstance(error, Exception):
         raise failed
     told = error if isinstance(error, OSError) else failed
@@ -92,12 +85,11 @@ def _raise_write_error(path: Path, error: BaseException, failed: BaseException |
 
 
 def part_name(path: Path, ending: str = "part") -> Path:
-    """A new hidden name in the same folder. `open` and `mkdir` then give the usual permissions, unlike `tempfile`."""
+    """A new hidden name in the same folder; unlike `tempfile`, permissions are those of `open` and `mkdir`."""
     return path.absolute().with_name(f".{path.name}.{secrets.token_hex(8)}.{ending}")
 
 
 def _mode_of(path: Path) -> int | None:
-    """The permissions of a file or folder; None if it does not exist."""
     try:
         return path.stat().st_mode & 0o777
     except FileNotFoundError:
@@ -108,7 +100,7 @@ _write = io.BufferedWriter.write
 
 
 class _Written(io.BufferedWriter):
-    """A file that stores the exception that ended a write. Packages that write to it may raise another, or none."""
+    """A file that stores the exception of a failed write, since packages may raise another or none."""
 
     failed: BaseException | None = None
 
@@ -119,28 +111,20 @@ class _Written(io.BufferedWriter):
         self.write = writing.send  # type: ignore[method-assign, assignment]
 
     def _writing(self) -> Generator[int, Any, None]:
-        """Writes of what is sent. A generator goes on inside of its try block, where a method would begin before it.
-
-        Signals are handled when a function begins, too.
-        """
+        """Write what is sent. A generator resumes inside its try block; a signal may hit a method before it."""
         try:
             count = 0
             while True:
                 data = yield count
                 count = _write(self, data)
-                self.flush()  # handles signals, so a later `seek` of the package must not have to do it
+                self.flush()  # handles signals, so that a later `seek` of the package need not
         except BaseException as error:
             self.failed = error
             raise
 
 
 def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Path:
-    """The path, once it is sure that a folder can be made there in place of nothing, or of one with a marker.
-
-    Raises:
-        FileError: The folder around it is missing or read-only, it is a file, it may not be replaced, or it holds
-            something without the marker.
-    """
+    """Check that a folder can be created, or may replace one that contains `marker`; raises `FileError` otherwise."""
     path = path_of(path)
     restore_folder(path)
     if path.exists() and not path.is_dir():
@@ -160,14 +144,9 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
 
 @contextlib.contextmanager
 def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Iterator[Path]:
-    """A folder that takes its name when the block ends without an error, and is removed otherwise.
-
-    A new folder gets the permissions that `mkdir` would give it. A replaced folder keeps its own. If the process is
-    killed while the folder is replaced, the next `check_folder` or `restore_folder` brings the previous one back.
-
-    Raises:
-        FileError: As `check_folder`; or a file cannot be written.
-    """
+    """A folder that appears when the block succeeds and is removed otherwise.
+    New folders get default permissions; replaced folders keep theirs. After a crash during replacement, the next
+    `check_folder` or `restore_folder` restores the previous folder."""
     path = check_folder(path, marker, overwrite=overwrite)
     mode, part = _mode_of(path), part_name(path)
     try:
@@ -185,7 +164,7 @@ def atomic_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool 
 
 
 def _replace_folder(part: Path, path: Path) -> None:
-    """Rename a folder to a name that another folder may have. The other one is restored if that fails."""
+    """Rename a folder over an existing one, which is restored on failure."""
     old = part_name(path, "old")
     for attempt in range(_MAX_ATTEMPTS):
         try:
@@ -194,24 +173,20 @@ def _replace_folder(part: Path, path: Path) -> None:
             part.rename(path)
             break
         except BaseException as error:
-            restore_folder(path)  # also where another process just did
+            restore_folder(path)  # also if another process has just done so
             is_back = isinstance(error, OSError) and error.errno in (errno.ENOTEMPTY, errno.EEXIST)
             if not is_back or attempt == _MAX_ATTEMPTS - 1:
                 raise
             old = part_name(path, "old")
-    for each in _old_folders(path):  # of a process that was killed here, too
+    for each in _old_folders(path):  # also of a killed process
         removed = part_name(path)
         with contextlib.suppress(OSError):
-            each.rename(removed)  # first: a folder that is half removed must not be restored
+            each.rename(removed)  # first: a partly removed folder must not be restored
             shutil.rmtree(removed, ignore_errors=True)
 
 
 def restore_folder(path: str | os.PathLike[str]) -> None:
-    """Bring a folder back that a killed process had renamed to replace it; nothing if a file or folder exists.
-
-    The folders around the path are restored too, from the outermost one. Call it before a folder is reported as
-    missing.
-    """
+    """Restore a folder renamed by an interrupted replacement, outermost first; call it before reporting it missing."""
     path = path_of(path).absolute()
     if os.path.lexists(path):
         return
@@ -233,18 +208,9 @@ def _old_folders(path: Path) -> list[Path]:
 
 @contextlib.contextmanager
 def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
-    """A hidden folder whose files take their places in `folder` together when the block ends without an error.
-
-    All other `known` files of the folder are removed. If the process is killed meanwhile, `finish_files` goes on.
-
-    Args:
-        folder: An existing folder, which may contain other files too.
-        known: Names of the files that belong together. The last one is removed first and replaced last, so other
-            programs that need it never find files of two writers.
-
-    Raises:
-        FileError: A file cannot be written.
-    """
+    """A hidden folder whose files move to `folder` together when the block succeeds; other `known` files are removed.
+    The last `known` file is removed first and replaced last, so that readers never see a mixture. After a crash,
+    `finish_files` continues."""
     finish_files(folder, known)
     part = part_name(folder / "files")
     try:
@@ -258,7 +224,7 @@ def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
         part.rename(folder / _COMMITTED)
         try:
             _finish_files(folder, known)
-        except FileNotFoundError:  # a reader finishes it too
+        except FileNotFoundError:  # readers also complete it
             if (folder / _COMMITTED).exists():
                 raise
     except BaseException as error:
@@ -269,11 +235,8 @@ def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
 
 
 def finish_files(folder: Path, known: Sequence[str]) -> None:
-    """Finish the replacement of files by a process that was killed. Call it before the files are looked for.
-
-    Nothing but files of the `known` names is touched, whatever the folder contains.
-    """
-    with contextlib.suppress(OSError, ValueError):  # a folder that is read-only, or another process is faster
+    """Complete an interrupted `atomic_files`; only files with `known` names are touched. Call it before reading."""
+    with contextlib.suppress(OSError, ValueError):  # a read-only folder, or another process is faster
         _finish_files(folder, known)
 
 

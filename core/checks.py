@@ -1,4 +1,4 @@
-"""The one place that checks what users pass in: shapes, types, ranges; every message names the argument."""
+"""Validation of user input: shapes, types and ranges; every message names the argument."""
 
 from __future__ import annotations
 
@@ -18,14 +18,13 @@ from .verbosity import LoggedProgress
 
 MOST_SEED = 2**31 - 1
 MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
-LARGEST_NUMBER = 1e100  # no length in pixels or metres is larger; beyond it products of three numbers overflow
-RIGID_TOLERANCE = 0.02  # of R R^T - I: rotations of real data sets were rounded to a few digits
-SHOWN = 80  # characters of a value that a message quotes
+LARGEST_NUMBER = 1e100  # larger than any length in pixels or meters; products of three larger numbers overflow
+RIGID_TOLERANCE = 0.02  # tolerance of R R^T - I: rotations of real data sets are rounded to a few digits
+SHOWN = 80  # maximum characters of a quoted value
 DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
 
 def shown(value: Any) -> str:
-    """A value as a message quotes it, cut where it is long."""
     if isinstance(value, int) and value.bit_length() > 128:
         return f"a whole number of {value.bit_length()} bits"
     text = repr(value)
@@ -33,7 +32,6 @@ def shown(value: Any) -> str:
 
 
 def is_on_gpu(values: Any) -> bool:
-    """Whether this is an array in the memory of a GPU."""
     if isinstance(values, np.ndarray | list | tuple | int | float | type):
         return False
     where = getattr(values, "__dlpack_device__", None)
@@ -42,17 +40,12 @@ def is_on_gpu(values: Any) -> bool:
     try:
         kind = where()[0]
     except (RuntimeError, TypeError, ValueError, BufferError):
-        return False  # an array that cannot be shared: whoever reads it says why
+        return False  # an array that cannot be shared: the reader explains why
     return int(getattr(kind, "value", kind)) in DLPACK_GPUS
 
 
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
-    """An array-like as a numeric array of shape [n, width], copied only where it must be.
-
-    Raises:
-        TypeError: Not numeric.
-        ValueError: Another shape; the message gives the one expected and the one found.
-    """
+    """Convert to a numeric array (n, width), copied only if needed; raises `TypeError` or `ValueError`."""
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.ndim > 2 or len(array):
@@ -67,7 +60,7 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
 
 
 def remedy_of_shape(shape: Sequence[int], width: int) -> str:
-    """What makes rows of `width` numbers of an array of another shape, for messages; nothing where nobody can tell."""
+    """A hint how to reshape an array to rows of `width`, or ""."""
     if len(shape) == 2 and shape[0] == width:
         return "; its transpose has it: array.T"
     if len(shape) == 1 and shape[0] == width:
@@ -82,8 +75,8 @@ def remedy_of_shape(shape: Sequence[int], width: int) -> str:
 
 
 def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
-    """The array in another type; a finite number that becomes infinite there is an error."""
-    with np.errstate(over="ignore", invalid="ignore"):  # infinity, and NaN that signals
+    """Cast an array; raises if a finite number becomes infinite."""
+    with np.errstate(over="ignore", invalid="ignore"):  # infinity, and signaling NaN
         cast = array.astype(dtype, copy=False)
     if cast.dtype.itemsize < array.dtype.itemsize and array.dtype.kind == cast.dtype.kind == "f":
         lost = np.isinf(cast) & np.isfinite(array)
@@ -93,7 +86,6 @@ def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
 
 
 def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = np.float64) -> NDArray[Any]:
-    """An array-like of exactly this shape."""
     array = check_numeric(name, values)
     if array.shape != shape:
         raise ValueError(f"{name}: expected shape {list(shape)}, got {list(array.shape)}")
@@ -101,7 +93,7 @@ def check_shape(name: str, values: Any, shape: tuple[int, ...], *, dtype: Any = 
 
 
 def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
-    """The array, once no number in it is NaN, infinite or beyond 1e100."""
+    """Raise if a number is NaN, infinite or beyond 1e100."""
     if not np.isfinite(array).all():
         raise ValueError(f"{name}: expected finite numbers, got {shown(array.tolist())}")
     if not (np.abs(array) <= LARGEST_NUMBER).all():
@@ -110,16 +102,16 @@ def check_finite(name: str, array: NDArray[Any]) -> NDArray[Any]:
 
 
 def check_direction(name: str, direction: Any) -> NDArray[np.float64]:
-    """A direction as a unit vector [3], of any length that is not zero."""
+    """A nonzero direction as a unit vector (3,)."""
     vector = check_finite(name, check_shape(name, direction, (3,)))
     if not vector.any():
         raise ValueError(f"{name}: expected a direction, got {vector.tolist()}")
-    vector = vector / np.abs(vector).max()  # whose square does not overflow
+    vector = vector / np.abs(vector).max()  # its square does not overflow
     return vector / norm(vector)
 
 
 def check_color(name: str, color: Any) -> NDArray[np.float64]:
-    """Red, green and blue, each 0 to 1."""
+    """Red, green and blue in 0..1."""
     has_four = len(color) == 4 if isinstance(color, list | tuple) else getattr(color, "shape", None) == (4,)
     if isinstance(color, str) or has_four:
         remedy = ", such as [1, 0, 0]" if isinstance(color, str) else ", without a fourth for how opaque it is"
@@ -133,21 +125,18 @@ def check_color(name: str, color: Any) -> NDArray[np.float64]:
 
 
 def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
-    """Rows of red, green and blue in 0..1; those of 8 bits are divided by 255."""
+    """Rows of RGB in 0..1; 8-bit colors are divided by 255."""
     if colors.dtype == np.uint8:
         return colors.astype(np.float32) / np.float32(255)
     if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
-        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # not of NaN
+        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # false for NaN
         raise ValueError(f"{name}: expected 0..1, got {colors.min()}..{colors.max()}{remedy}")
     return colors.astype(np.float32)
 
 
 def check_numeric(name: str, values: Any) -> NDArray[Any]:
-    """An array-like of real numbers or booleans as a NumPy array, with NaN for masked floats.
-
-    Raises:
-        ValueError: Masked integers.
-        TypeError: Not numeric, or memory of a GPU, which is never copied to the host silently.
+    """Convert real numbers or booleans to a NumPy array; masked floats become NaN.
+    Raises `ValueError` for masked integers and `TypeError` for GPU memory, which is never copied to the host silently.
     """
     if is_on_gpu(values):
         found = type(values).__name__
@@ -164,12 +153,7 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
 
 
 def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infinite: bool = False) -> float:
-    """A real number, finite unless said otherwise.
-
-    Raises:
-        TypeError: No number; a truth value, a string of digits and an array are none.
-        ValueError: NaN or infinite, or a whole number beyond float64.
-    """
+    """A real number, finite by default; booleans, strings and arrays raise `TypeError`."""
     if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
     try:
@@ -186,12 +170,7 @@ def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infini
 def check_positive(
     name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
 ) -> float:
-    """A finite number above zero (or zero itself, or infinity, where allowed), and not above `maximum`.
-
-    Raises:
-        TypeError: No number.
-        ValueError: Out of range.
-    """
+    """A finite number > 0 and <= `maximum`; zero or infinity if allowed."""
     number = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not number >= 0 or (number == 0 and not allow_zero) or (math.isinf(number) and not allow_infinite):
         expected = f"{'a' if allow_infinite else 'a finite'} number {'>= 0' if allow_zero else '> 0'}"
@@ -202,7 +181,6 @@ def check_positive(
 
 
 def check_share(name: str, value: Any) -> float:
-    """A number in 0..1."""
     share = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not 0 <= share <= 1:
         raise ValueError(f"{name}: expected a share from 0 to 1, got {shown(value)}")
@@ -212,19 +190,7 @@ def check_share(name: str, value: Any) -> float:
 def check_count(
     name: str, value: Any, *, minimum: int = 1, maximum: int = MOST_COUNT, because: str = "counts have 32 bits"
 ) -> int:
-    """A whole number from `minimum` to `maximum`.
-
-    Args:
-        name: Of the argument.
-        value: What was given.
-        minimum: The least.
-        maximum: The most.
-        because: Why there is a most, for the message, and what to do.
-
-    Raises:
-        TypeError: No whole number; a truth value and 3.0 are none.
-        ValueError: Out of range.
-    """
+    """An integer from `minimum` to `maximum` (for the reason `because`); booleans and 3.0 raise `TypeError`."""
     try:
         if isinstance(value, bool | np.bool_):
             raise TypeError
@@ -241,19 +207,8 @@ def check_count(
 
 
 def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = "") -> NDArray[Any]:
-    """Whole numbers of some of `count` rows, any shape, as [k] from 0: those below 0 count from the end.
-
-    Args:
-        name: Of the argument.
-        values: What was given.
-        count: How many rows there are.
-        of: What has them, for the message.
-        hint: What to do instead of other numbers, for the message.
-
-    Raises:
-        TypeError: Not whole numbers.
-        IndexError: One beyond the rows.
-    """
+    """Indices of `count` rows as a flat array (k,) from 0; negative ones count from the end.
+    `of` names the container and `hint` a remedy in the message of `TypeError` or `IndexError`."""
     rows = check_numeric(name, values).reshape(-1)
     if not rows.size:
         return rows.astype(np.int64)
@@ -266,11 +221,6 @@ def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = ""
 
 
 def check_list(name: str, values: Any, of: str) -> list[Any]:
-    """Several things as a list; `of` says in the message what they are.
-
-    Raises:
-        TypeError: One thing, or a string.
-    """
     if isinstance(values, str | bytes | dict):
         raise TypeError(f"{name}: expected a list of {of}, got {shown(values)}")
     try:
@@ -280,14 +230,7 @@ def check_list(name: str, values: Any, of: str) -> list[Any]:
 
 
 def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
-    """Pictures for textures, read-only: the arrays themselves where nothing can change them, else copies.
-
-    A picture that stands there several times is copied once and shared.
-
-    Raises:
-        TypeError: Not a list of arrays.
-        ValueError: A picture that is not uint8 of shape [height, width, 3 or 4], or has no pixels.
-    """
+    """Texture images, uint8 (height, width, 3 or 4), read-only; copied unless immutable, duplicates are shared."""
     given = check_list(name, values, "pictures")
     taken: dict[int, NDArray[np.uint8]] = {}
     for number, value in enumerate(given):
@@ -306,34 +249,24 @@ def check_textures(name: str, values: Any) -> tuple[NDArray[np.uint8], ...]:
 
 
 def check_name(name: str, value: Any) -> str:
-    """A string that names something."""
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a string, got {type(value).__name__}")
     return value
 
 
 def check_callback(name: str, value: Any) -> Any:
-    """Something that can be called, or None."""
     if value is not None and not callable(value):
         raise TypeError(f"{name}: expected a function or None, got {type(value).__name__}")
     return value
 
 
 def check_progress(value: Any) -> ReportProgress:
-    """What is to be called with the progress of a job; None for what says it to the logger where it takes long.
-
-    Raises:
-        TypeError: It cannot be called.
-    """
+    """The progress callback; None gives one that logs long jobs."""
     return check_callback("progress", value) or LoggedProgress()
 
 
 def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
-    """The limits of a search for neighbours: radius [m], infinite where there is none, and count, None for all.
-
-    Raises:
-        ValueError: Neither is given, or one is out of range.
-    """
+    """Limits of a neighbor search: radius [m] (infinite if None) and count (None: all); raises if both are None."""
     if radius is None and max_nn is None:
         raise ValueError("radius, max_nn: give at least one of them")
     reach = math.inf if radius is None else check_positive("radius", radius)
@@ -341,7 +274,7 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
 
 
 def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
-    """An angle up to a full turn [rad]; what lies beyond is one in degrees."""
+    """An angle up to a full turn [rad]; larger values are probably degrees and raise."""
     angle = check_positive(name, value, allow_zero=allow_zero)
     if angle > 2 * math.pi:
         raise ValueError(
@@ -351,18 +284,15 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
 
 
 def check_seed(seed: Any) -> int:
-    """A whole number from 0 to 2^31 - 1, as counter-based random numbers take it."""
+    """An integer from 0 to 2^31 - 1, for counter-based random numbers."""
     if isinstance(seed, int) and seed > MOST_SEED:
         raise ValueError(f"seed: expected a whole number below 2^31, got {shown(seed)}")
     return check_count("seed", seed, minimum=0, maximum=MOST_SEED)
 
 
 def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -> NDArray[np.float64]:
-    """A 4x4 rigid motion in float64, its rotation within `tolerance` of orthonormal.
-
-    The tolerance admits the poses of real data sets, whose rotations were rounded to a few digits; a matrix with
-    scale, shear, reflection, NaN or a last row other than (0, 0, 0, 1) is refused.
-    """
+    """A rigid 4x4 transformation in float64, its rotation within `tolerance` of orthonormal.
+    The tolerance admits poses of real data sets, rounded to a few digits."""
     T = check_shape(name, matrix, (4, 4))
     if is_plainly_rigid(T.tolist(), tolerance, LARGEST_NUMBER):
         return T
@@ -374,7 +304,7 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
     R = T[:3, :3]
     with np.errstate(over="ignore", invalid="ignore"):
         error, determinant = np.abs(matmul(R, R.T) - np.eye(3)).max(), det(R)
-    if not error <= tolerance or determinant < 0:  # not of NaN, which is what huge entries come to
+    if not error <= tolerance or determinant < 0:  # the comparison is false for NaN, the result of huge entries
         raise ValueError(
             f"{name}: expected a rigid motion, got a rotation part with R R^T - I up to {error:.3g} "
             f"and determinant {determinant:.3g}"
@@ -383,7 +313,6 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
 
 
 def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
-    """A finite, invertible 4x4 affine transformation in float64."""
     if check_numeric(name, matrix).shape == (3, 3):
         raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; a rotation alone is rotate(R)")
     T = check_shape(name, matrix, (4, 4))

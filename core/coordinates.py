@@ -1,7 +1,7 @@
-"""Coordinates as float32 relative to a float64 origin, so that kernels stay exact far from zero.
+"""Coordinates as float32 relative to a float64 origin, so that kernels are accurate far from zero.
 
-A float32 has 24 bits: half a meter at UTM coordinates (5e5, 5.4e6), half a millimeter at 9 km. Points that are far from
-zero for their spread are therefore stored about an origin near their median, whatever the unit of length.
+float32 has 24 bits: 0.5 m at UTM coordinates (5e5, 5.4e6), 0.5 mm at 9 km. Points that are far from zero relative to
+their spread get an origin near their median.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from numpy.typing import NDArray
 from ..kernels.linear_algebra import matmul
 from .checks import LARGEST_NUMBER
 
-ORIGIN_LIMIT = 1.0e4  # coordinates beyond this always move the origin: below it float32 resolves 1 mm
-MEDIAN_SAMPLE = 4096  # points whose median becomes the origin
-SPREAD_SAMPLE = 128  # of these, that decide whether zero is far for their spread
+ORIGIN_LIMIT = 1.0e4  # larger coordinates always move the origin: below it float32 resolves 1 mm
+MEDIAN_SAMPLE = 4096  # sample size of the median for the origin
+SPREAD_SAMPLE = 128  # of these, for the decision whether zero is far
 FAR_FROM_ZERO = 32.0  # times the spread: about 8 times the extent of a uniform cloud, which costs 3 of 24 bits
-_MOST_DECIMALS = 12  # of an origin: more would be float64's own rounding
-NEAR_ZERO = 128.0  # [m] positions of sensors within this keep the origin at zero: float32 resolves 8 um there
+_MOST_DECIMALS = 12  # maximum decimals of an origin: more would be float64 rounding
+NEAR_ZERO = 128.0  # [m] sensor positions within this keep the origin at zero: float32 resolves 8 um there
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
 
 def quiet() -> np.errstate:
-    """NumPy without warnings of NaN, signalling ones too, and infinities, which are kept and counted nowhere."""
+    """Suppress NumPy warnings of NaN (also signaling) and infinity."""
     return np.errstate(invalid="ignore", over="ignore")
 
 
@@ -33,17 +33,8 @@ def quiet() -> np.errstate:
 def split_origin(
     points: NDArray[Any], origin: NDArray[np.float64] | None = None
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Points of shape [n, 3] as float32 relative to an origin, and that origin as float64 [3].
-
-    Args:
-        points: Finite or not; integers and float64 are taken exactly.
-        origin: The origin to use; None takes that of `choose_origin`, near the median: one stray return would
-            pull the middle of the bounding box away from all other points.
-
-    Raises:
-        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin. With an origin
-            given, such points become infinite instead.
-    """
+    """Split points (n, 3) into float32 offsets and an origin (3,), by default that of `choose_origin`.
+    Points too far apart raise `ValueError`, or become infinite with a given origin."""
     if origin is None:
         origin = choose_origin(points)
     if not origin.any():
@@ -53,17 +44,10 @@ def split_origin(
 
 @quiet()
 def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None) -> NDArray[np.float64]:
-    """The origin of points of shape [n, 3], float64 [3]: zero, or near the median of the finite points.
-
-    Args:
-        points: Finite or not.
-        steps: The steps in which a file holds the coordinates, shape [3]. An axis whose steps float32 would not tell
-            apart, such as one of degrees in steps of 1e-7, moves to the median in whole thousands of steps, if most
-            points lie nearer to it.
-
-    Raises:
-        ValueError: The finite points lie so far apart that float32 cannot hold them about any origin.
-    """
+    """The origin of points (n, 3), float64 (3,): zero, or near the median, which is robust to outliers.
+    `steps` (3,) is the coordinate step of a file. An axis whose steps float32 cannot resolve, such as degrees in steps
+    of 1e-7, is moved to the median in whole thousands of steps if most points are closer to it. Raises `ValueError`
+    beyond float32."""
     if not points.size:
         return np.zeros(3)
     low = high = np.zeros(3)
@@ -88,25 +72,19 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
 
 @quiet()
 def origin_of_sample(sample: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The origin for points far from zero, of which a finite sample is given, shape [n, 3].
-
-    The median, rounded to whole meters, or along axes of small extent to a power of two of about 4 times the extent.
-    """
+    """Origin from a finite sample (n, 3): the median in meters, or finer (power of two) on axes of small extent."""
     return _rounded(*_spread_of(sample))
 
 
 def _spread_of(sample: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The median, and the median deviation from it along each axis; the extent if most points are at one position."""
+    """The median and the median deviation per axis; the extent if most points coincide."""
     middle = np.median(sample, axis=0)
     spread = np.median(np.abs(sample - middle), axis=0)
     return middle, spread if spread.any() else np.ptp(sample, axis=0)
 
 
 def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
-    """True if the median of a finite sample of points is more than 32 times their spread from zero.
-
-    The spread is the largest median deviation of an axis, which strays do not change.
-    """
+    """True if the median of a finite sample is more than 32 times its spread (largest median deviation) from zero."""
     middle, spread = _spread_of(sample)
     return bool(spread.any() and np.abs(middle).max() > FAR_FROM_ZERO * spread.max())
 
@@ -118,7 +96,7 @@ def _rounded(place: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray
 
 
 def origin_of_sensor(position: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The origin for measurements of a sensor at a position [m], shape [3]: zero within 128 m, else whole meters."""
+    """Origin for measurements of a sensor at a position [m], shape (3,): zero within 128 m, else whole meters."""
     return np.round(position) if np.abs(position).max() > NEAR_ZERO else np.zeros(3)
 
 
@@ -130,17 +108,7 @@ def origin_under(
     high: NDArray[np.float64],
     moved: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """The origin of points after an affine map x -> A x + t.
-
-    Args:
-        name: The argument that the map was made of, for errors.
-        A, t: The map, shapes [3, 3] and [3].
-        low, high: The corners of the bounding box before the map, shape [3].
-        moved: The origin under the map, shape [3].
-
-    Raises:
-        ValueError: The map takes the points beyond what float32 holds about their middle.
-    """
+    """Origin after an affine map x -> A x + t of the box `low` to `high`; `moved` is the mapped origin, shape (3,)."""
     middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
     corners = np.stack([middle - half, middle + half])
     if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
@@ -150,20 +118,13 @@ def origin_under(
     if not origin.any():
         return origin
     carried = _rounded(moved, np.ptp(corners, axis=0) / 4)
-    # The old origin is near most of the points, whatever strays do to their bounding box.
+    # The old origin is near most points, whatever outliers do to their bounding box.
     return carried if np.abs(corners - carried).max() < FLOAT32_MAX else origin
 
 
 @quiet()
 def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
-    """The decimal steps in which float64 coordinates were written, for `choose_origin`, or None.
-
-    Formats such as text and PLY tell no steps, and hold degrees all the same. None where x and y are not far from zero
-    for their spread, about which float32 tells apart what a cloud in metres needs.
-
-    Args:
-        points: Shape [n, 3], finite or not.
-    """
+    """Decimal steps of coordinates from formats that do not store them, for `choose_origin`; None if not needed."""
     if points.dtype != np.float64 or not len(points):
         return None
     sample = sample_points(points)
@@ -189,17 +150,14 @@ def _refine(
         decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MOST_DECIMALS)
         nearer = np.round(middle[axis], decimals)
         before, after = (float(np.median(np.abs(sample[:, axis] - place))) for place in (origin[axis], nearer))
-        if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points lie further out
+        if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points are farther out
             refined[axis] = nearer
     return refined
 
 
 def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np.float64]:
-    """The finite points, or a sample where they are many; one at zero where there are none.
-
-    Points at zero do not count, which many scanners write where they measured nothing.
-    """
-    for step in (len(points) // size | 1, 1):  # odd, so that it does not fall in step with an image's rows
+    """The finite nonzero points (scanners may write zero for no return), subsampled if many; one zero point if none."""
+    for step in (len(points) // size | 1, 1):  # odd, so that it is not synchronous with image rows
         part = usable_points(points[::step])
         if len(part):
             return part
@@ -207,25 +165,24 @@ def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np
 
 
 def usable_points(points: NDArray[Any]) -> NDArray[np.float64]:
-    """The finite points that are not at zero."""
     return points[np.isfinite(points).all(axis=1) & points.any(axis=1)].astype(np.float64)
 
 
 def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:
-    """Which rows [n, 3] are finite, bool [n]; by columns, as NumPy takes six times as long along rows so short."""
+    """Mask (n,) of finite rows (n, 3); by columns, as NumPy is six times slower along short rows."""
     finite = np.isfinite(rows)
     return finite[:, 0] & finite[:, 1] & finite[:, 2]
 
 
 @quiet()
 def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The lowest and highest coordinates of the finite points, as float64 [3] each; zeros where none is finite."""
+    """Bounds of the finite points, float64 (3,) each; zeros if there are none."""
     return box_of_finite(points) or (np.zeros(3), np.zeros(3))
 
 
 @quiet()
 def box_of_finite(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """The lowest and highest coordinates of the finite points, as float64 [3] each; None where none is finite."""
+    """Bounds of the finite points, float64 (3,) each; None if there are none."""
     if not len(points):
         return None
     if points.dtype.kind != "f":
@@ -242,6 +199,6 @@ def box_of_finite(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np
 
 
 def describe_bounds(points: NDArray[Any]) -> dict[str, list[float]] | None:
-    """The box around the finite points in JSON's types, as `format_bounds` takes it; None where none is finite."""
+    """Bounds of the finite points as JSON types, for `format_bounds`; None if there are none."""
     box = box_of_finite(points)
     return None if box is None else {"min": box[0].tolist(), "max": box[1].tolist()}

@@ -1,4 +1,4 @@
-"""The NVIDIA driver of this machine, found without CUDA, and the one that Warp needs: why there is no GPU."""
+"""Why there is no GPU: the installed NVIDIA driver, found without CUDA, and the required one."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from pathlib import Path
 
 PROC = Path("/proc/driver/nvidia/version")
 
-# The oldest driver that runs programs of each generation of CUDA, by minor version compatibility: NVIDIA's "CUDA
-# Toolkit Release Notes", table 2. Warp tells the generation that it was built with.
+# The oldest driver of each CUDA version by minor version compatibility: NVIDIA's "CUDA
+# Toolkit Release Notes", table 2.
 OLDEST_DRIVERS = {11: 450, 12: 525, 13: 580}
 
 
 def installed_driver() -> str | None:
-    """The version of the driver that the kernel has loaded, such as "535.183.01"; None without one, and in WSL."""
+    """Version of the loaded driver, such as "535.183.01"; None without one, and in WSL."""
     try:
         text = PROC.read_text(errors="replace")
     except OSError:
@@ -24,7 +24,7 @@ def installed_driver() -> str | None:
 
 
 def needed_driver() -> int | None:
-    """The oldest driver that Warp works with, such as 580; None where its generation of CUDA is not known."""
+    """The oldest driver for Warp's CUDA version, such as 580; None if unknown."""
     import warp as wp
 
     toolkit = wp.get_cuda_toolkit_version()
@@ -32,7 +32,7 @@ def needed_driver() -> int | None:
 
 
 def why_no_gpu() -> str:
-    """Why Warp finds no GPU, in words that follow a colon."""
+    """Why Warp finds no GPU, as a clause after a colon."""
     import warp as wp
 
     installed, needed = installed_driver(), needed_driver()

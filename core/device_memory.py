@@ -1,4 +1,4 @@
-"""Memory that GPUs keep for the next array, handed back on request."""
+"""Release cached GPU memory."""
 
 from __future__ import annotations
 
@@ -9,24 +9,23 @@ from .devices import resolve_device
 
 
 def free_memory(device: Any = None) -> int:
-    """Hand memory that no array holds back to the system, for other programs and for pools of other libraries.
+    """Return unused GPU memory to the system, for other programs and libraries.
 
-    A GPU keeps up to half of its memory for the next array (docs/memory.md). What is handed back is what is kept so,
-    with the streams and graphs of operations that have ended; clouds, meshes, volumes and results stay, with what they
-    keep, their search trees among it. The next operation asks the system anew and takes somewhat longer.
+    A GPU caches up to half of its memory (docs/memory.md). This releases the cache and the streams and graphs of
+    completed operations; live objects keep their memory. The next operation allocates again and takes slightly longer.
 
     Args:
-        device: The GPU; None for all that this process has worked on.
+        device: The GPU; None for all that this process has used.
 
     Returns:
-        How many bytes went back; 0 on the CPU, which keeps none.
+        Number of bytes released; 0 on the CPU.
 
     Raises:
-        DeviceError: No such device here.
+        DeviceError: No such device.
 
     Notes:
-        Waits until the GPU has done all that it was asked for. Objects in cycles of references are collected first.
-        Pools of torch and cupy are theirs (`torch.cuda.empty_cache()`).
+        Synchronizes the GPU and collects garbage first. Pools of torch and cupy are separate
+        (`torch.cuda.empty_cache()`).
 
     Example:
         >>> import pointloom as loom

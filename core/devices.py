@@ -1,4 +1,4 @@
-"""Devices by name: "cpu", "cuda:0", or "auto" for the first GPU where there is one."""
+"""Devices by name: "cpu", "cuda:0", or "auto"."""
 
 from __future__ import annotations
 
@@ -10,14 +10,10 @@ from .errors import DeviceError
 
 
 def resolve_device(device: Any = None) -> Any:
-    """The Warp device for a name.
-
-    Args:
-        device: "cpu", "cuda", "cuda:N", "auto" (the first GPU, else the CPU), a Warp device, or None for "cpu".
+    """The Warp device for "cpu", "cuda", "cuda:N", "auto" (first GPU, else CPU), a Warp device, or None ("cpu").
 
     Raises:
-        DeviceError: No such device here, or none for a process that was forked from one with CUDA; nothing falls back
-            to another one.
+        DeviceError: No such device, or CUDA in a forked process; there is no silent fallback.
     """
     import warp as wp
 
@@ -29,7 +25,7 @@ def resolve_device(device: Any = None) -> Any:
     if isinstance(device, str) and device == "auto":
         device = "cuda:0" if wp.get_cuda_device_count() else "cpu"
     try:
-        if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors then
+        if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors
             raise ValueError("no CUDA device")
         found = wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
@@ -44,6 +40,5 @@ def resolve_device(device: Any = None) -> Any:
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:
-    """Refuse operands that live on different devices."""
     if left != right:
         raise DeviceError(f"{name}: operands on {left} and {right}; move one with .to({str(right)!r})")

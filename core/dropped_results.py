@@ -1,4 +1,4 @@
-"""A warning if a statement drops the result of an operation that changes its object in place in Open3D."""
+"""Warn if a statement drops the result of an operation that works in place in Open3D."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OWNERS = {"PointCloud": "cloud", "TriangleMesh": "mesh", "LineSet": "lines", "TS
 
 
 class DroppedResultWarning(UserWarning):
-    """An operation was called for nothing: it returns what it made, and nobody took it.
+    """The result of an operation that returns a new object was dropped.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -33,13 +33,13 @@ class DroppedResultWarning(UserWarning):
 
 
 class Pair(tuple[Any, ...]):
-    """A tuple of results that says so where it is taken for the first: `cloud.remove_radius_outlier(4, 0.1).points`."""
+    """A tuple of results with a helpful error for attribute access: `cloud.remove_radius_outlier(4, 0.1).points`."""
 
     __slots__ = ()
 
     if not TYPE_CHECKING:
 
-        def __getattr__(self, name: str) -> Any:  # asked only where there is none
+        def __getattr__(self, name: str) -> Any:  # called only for missing attributes
             if not self or name.startswith("_") or not hasattr(type(self[0]), name):
                 raise AttributeError(f"'tuple' object has no attribute {name!r}")
             kinds = ", ".join(type(part).__name__ for part in self)
@@ -48,12 +48,9 @@ class Pair(tuple[Any, ...]):
 
 
 def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
-    """Mark an operation that returns a new object, and in Open3D changes its own or returns another of its kind.
-
-    A call on a line of its own warns: `cloud.estimate_normals()`. The check reads one instruction of the caller. All
-    other dropped results, such as those in lists, give no warning. A call whose arguments do not fit raises the error
-    of `told_arguments`.
-    """
+    """Mark an operation that returns a new object where Open3D changes in place or returns another type.
+    A statement such as `cloud.estimate_normals()` warns; the check reads one bytecode instruction of the caller. Other
+    dropped results do not warn. Mismatched arguments raise the error of `told_arguments`."""
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -82,7 +79,7 @@ def _message(operation: Callable[..., Any], args: tuple[Any, ...], result: Any) 
 
 
 def _is_dropped(caller: FrameType, name: str) -> bool:
-    """True if the caller is at a call of an operation, and drops its result next."""
+    """True if the caller drops the result of the current call."""
     code = caller.f_code.co_code
     at = caller.f_lasti + 2
     while at < len(code) and code[at] == CACHE:
@@ -92,13 +89,11 @@ def _is_dropped(caller: FrameType, name: str) -> bool:
 
 @functools.lru_cache(MAX_CALLS)
 def _calls(code: CodeType, at: int, name: str) -> bool:
-    """True if the call at an offset of the bytecode is `name(...)` or `x.name(...)`, and not of `map` or its like.
-
-    The load of a callee has the position of its call in the source. Without positions, nothing is found.
-    """
+    """True if the call at a bytecode offset is `name(...)` or `x.name(...)`, not for example `map`.
+    The load of a callee has the source position of its call; without positions nothing is detected."""
     steps = {step.offset: step for step in dis.get_instructions(code)}
     starts = {k: step.positions[::2] if step.positions else (None,) for k, step in steps.items()}  # line and column
-    call = max(offset for offset in steps if offset <= at)  # `at` may be in the cache behind it
+    call = max(offset for offset in steps if offset <= at)  # `at` may be in the inline cache after it
     if None in starts[call]:
         return False
     return any(steps[k].argval == name and starts[k] == starts[call] for k in steps if k < call)

@@ -1,4 +1,4 @@
-"""The errors that pointloom raises by name: each says what went wrong, where, and how to mend it."""
+"""Named errors of pointloom; messages contain cause, location and remedy."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from pathlib import Path
 
 from .escaped_text import escaped
 
-MOST_NAMES = 10_000  # of a folder that are looked through for one like a name that is not there
+MOST_NAMES = 10_000  # maximum names of a folder searched for similar ones
 _ABSENT = ("does not exist", "cannot be read: ")
 
 FilePath = str | os.PathLike[str]
 
 
 class PointloomError(Exception):
-    """Base of every named error."""
+    """Base class of all named errors."""
 
 
 class FileError(PointloomError, ValueError):
-    """A file that cannot be read or written as asked.
+    """A file cannot be read or written as requested.
 
     Args:
         path: The file.
-        reason: What is wrong with it.
-        where: The byte, line or row at which it was seen, such as ``"byte 312"`` or ``"line 7"``.
-        remedy: What the user can do. Of a file that is not there: names like its own that are.
+        reason: What is wrong.
+        where: The byte, line or row, such as ``"byte 312"`` or ``"line 7"``.
+        remedy: What the user can do. For a missing file: similar names that exist.
     """
 
     def __init__(self, path: FilePath, reason: str, *, where: str = "", remedy: str = ""):
@@ -37,25 +37,24 @@ class FileError(PointloomError, ValueError):
         super().__init__(f"{place}: {self.reason}" + (f". {self.remedy}" if remedy else ""))
 
     def __reduce__(self):
-        """Survive pickling: the keyword arguments travel along."""
         return _rebuild_file_error, (type(self), self.path, self.reason, self.where, self.remedy)
 
 
 class DatasetError(FileError):
-    """A folder of frames that is incomplete or inconsistent."""
+    """A folder of frames is incomplete or inconsistent."""
 
 
 class CameraError(PointloomError, RuntimeError):
-    """A depth camera that cannot be opened, was pulled out or sends nothing, or whose driver is missing."""
+    """A depth camera cannot be opened, was disconnected or sends nothing, or its driver is missing."""
 
 
 class DeviceError(PointloomError, RuntimeError):
-    """A device that does not exist, or operands that live on different ones."""
+    """A device does not exist, or operands are on different devices."""
 
 
 @contextlib.contextmanager
 def values_of_file(path: FilePath, *, where: str = "") -> Iterator[None]:
-    """Turn the errors of argument checks, for values that were read from a file, into a FileError with its path."""
+    """Convert errors of argument checks on values from a file to FileError."""
     try:
         yield
     except FileError:
@@ -65,8 +64,8 @@ def values_of_file(path: FilePath, *, where: str = "") -> Iterator[None]:
 
 
 def _near_paths(path: str) -> str:
-    """The names beside a path that is not there which are like it, or the first of its folders that is not there."""
-    from difflib import get_close_matches  # only errors pay for it
+    """Similar names beside a missing path, or its first missing folder."""
+    from difflib import get_close_matches  # imported only for errors
 
     absent = Path(path)
     if os.path.lexists(absent):

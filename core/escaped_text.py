@@ -1,25 +1,20 @@
-"""Text from files and paths without characters that control a terminal.
+"""Escape control characters in text from files and paths, which could manipulate a terminal.
 
-Names inside a file can hold escape sequences that rename a terminal's window, hide lines, or imitate a prompt. All
-messages, warnings and tables pass through `escaped`, so that these characters are shown and not executed.
+All messages, warnings and tables use `escaped`.
 """
 
 from __future__ import annotations
 
 import re
 
-# C0 but tab, DEL, C1, marks and overrides of the writing direction, separators of lines, and half surrogate pairs.
+# C0 except tab, DEL, C1, writing direction marks and overrides, line separators, and surrogates.
 _CONTROL = r"\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff"
 _IN_LINES = re.compile(f"[{_CONTROL}]")
 _IN_LINE = re.compile(rf"[\n{_CONTROL}]")
 
 
 def escaped(text: object, *, lines: bool = False) -> str:
-    """Text with control characters as Python writes them in a string.
-
-    Args:
-        text: The text, or an object whose `str` is taken.
-        lines: Keep line breaks.
+    """Escape control characters as in Python strings; `lines` keeps line breaks.
 
     Example:
         >>> print(escaped("a\\x1b[31m"))
@@ -29,7 +24,7 @@ def escaped(text: object, *, lines: bool = False) -> str:
 
 
 def escaped_json(text: str) -> str:
-    """JSON text with these characters, which only its strings contain, as JSON escapes."""
+    """Escape control characters in JSON text, where only strings contain them."""
     return _IN_LINES.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 

@@ -1,11 +1,7 @@
-"""Device arrays that share the memory of another library's: DLPack, or `__cuda_array_interface__` on a GPU.
+"""Share device memory with other libraries: DLPack, or `__cuda_array_interface__` on a GPU.
 
-Streams wait for each other by events, the host for neither.
-
-Nothing is copied or converted here: what cannot be shared as it stands is an error that says how to convert it there.
-The source stays alive as long as the array, and a change of the one is a change of the other.
-
-Source: the Python array API standard (`__dlpack__`); the CUDA array interface, version 3.
+Streams synchronize by events, not on the host. Nothing is copied or converted: an error explains how to convert. The
+source stays alive. Python array API standard (`__dlpack__`); CUDA array interface, version 3.
 """
 
 from __future__ import annotations
@@ -27,7 +23,7 @@ _COPY = "PointCloud(...) copies what cannot be shared"
 
 
 class _PlainDevice:
-    """A source of DLPack whose device is given in plain integers: Open3D's is an enumeration that equals none."""
+    """A DLPack source with an integer device type: Open3D's is an enumeration that equals no integer."""
 
     def __init__(self, source: Any):
         self.__dlpack__ = source.__dlpack__
@@ -39,13 +35,7 @@ class _PlainDevice:
 
 
 def share_vectors(name: str, source: Any) -> wp.array:
-    """A float32 array of shape [n, 3] of another library as an array of vec3.
-
-    Raises:
-        TypeError: Not float32, or nothing that can be shared.
-        ValueError: Another shape, or not contiguous.
-        DeviceError: On a device that is not here.
-    """
+    """A float32 array (n, 3) of another library as vec3."""
     array = share(name, source)
     if array.dtype == vec3 and array.ndim == 1:
         return _contiguous(name, array)
@@ -60,13 +50,6 @@ def share_vectors(name: str, source: Any) -> wp.array:
 
 
 def share_numbers(name: str, source: Any) -> wp.array:
-    """An array of shape [n] or [n, c] of another library, in its own type.
-
-    Raises:
-        TypeError: Nothing that can be shared.
-        ValueError: Another shape, or not contiguous.
-        DeviceError: On a device that is not here.
-    """
     array = share(name, source)
     if array.ndim not in (1, 2) or getattr(array.dtype, "_shape_", ()):
         raise ValueError(f"{name}: expected shape [n] or [n, c], got {list(array.shape)} of {array.dtype.__name__}")
@@ -74,19 +57,12 @@ def share_numbers(name: str, source: Any) -> wp.array:
 
 
 def share(name: str, source: Any) -> wp.array:
-    """An array of another library as it is: its memory, type, shape and strides.
-
-    What its library has queued for it comes before what we queue on Warp's current stream.
-
-    Raises:
-        TypeError: Nothing that can be shared.
-        DeviceError: On a device that is not here.
-    """
+    """Share an array of another library as it is, ordered after that library's queued work."""
     if isinstance(source, wp.array):
         return source
     try:
         if hasattr(source, "__dlpack__"):
-            with lock:  # what was asked of the source's stream is waited for on ours
+            with lock:  # our stream waits for the source's stream
                 array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
                 _say_who_reads(source, array.device)
             return array
@@ -101,7 +77,7 @@ def share(name: str, source: Any) -> wp.array:
 
 
 def _share_cuda(name: str, source: Any) -> wp.array:
-    """By the CUDA array interface, which does not say which device: the current one."""
+    """Share by the CUDA array interface, which does not name the device: the current one."""
     if not wp.get_cuda_device_count():
         raise DeviceError(f"{name}: lies on a GPU, and there is no CUDA device here")
     interface = source.__cuda_array_interface__
@@ -113,19 +89,19 @@ def _share_cuda(name: str, source: Any) -> wp.array:
     dtype = wp.dtype_from_numpy(np.dtype(interface["typestr"]))
     shape, strides = tuple(interface["shape"]), interface.get("strides")
     array = wp.array(ptr=interface["data"][0], dtype=dtype, shape=shape, strides=strides, device=device, copy=False)
-    array._ref = source  # as Warp itself keeps what its arrays look into
+    array._ref = source  # as Warp keeps the owners of its arrays
     return array
 
 
 def _wait_for(device: Any, stream: int) -> None:
-    """What we queue from now on comes after what another library has queued on its stream; nobody waits here."""
+    """Order Warp's stream after another library's stream, without host synchronization."""
     with lock:
         if int(stream) != device.stream.cuda_stream:
             wait_for(device.stream.cuda_stream, int(stream), device)
 
 
 def _say_who_reads(source: Any, device: Any) -> None:
-    """Tell torch which stream reads its tensor: when that is dropped, torch uses the memory again after our work."""
+    """Record our stream with torch: else torch may reuse a dropped tensor's memory before our work ends."""
     if device.is_cuda and library_of(source) == "torch":
         torch = sys.modules["torch"]
         source.record_stream(torch.cuda.ExternalStream(device.stream.cuda_stream, device=f"cuda:{device.ordinal}"))

@@ -1,7 +1,6 @@
-"""Arguments that lie on a GPU: taken as they are where type and layout allow, else converted there.
+"""Arguments in GPU memory: shared if type and layout allow, else converted on the GPU. `checks.py` handles host arrays.
 
-Nothing goes through the host but single numbers that decide something: a flag, the limits of indices, the sample of
-points that an origin is chosen by. `checks.py` does the same for what lies on the host.
+Only single values are copied to the host: flags, index limits and a sample of points for the origin.
 """
 
 from __future__ import annotations
@@ -37,24 +36,14 @@ REALS = (*INTEGERS, wp.bool, wp.float16, float32, float64)
 
 
 def device_for(values: Any, device: Any) -> Any:
-    """The device that a user asks for; where None, the GPU that an array lies on, else the CPU."""
+    """The requested device. If None: the GPU of the input array, else the CPU."""
     if device is not None or not is_on_gpu(values):
         return resolve_device(device)
     return share("array", values).device
 
 
 def take_numbers(name: str, values: Any, device: Any = None) -> wp.array:
-    """An array on a GPU as real numbers, of any shape, without gaps; vectors have their components as last axis.
-
-    Args:
-        name: Of the argument.
-        values: The array, of any library.
-        device: Where it has to be; None for anywhere.
-
-    Raises:
-        TypeError: It cannot be shared, or holds no real numbers.
-        DeviceError: It is on another device.
-    """
+    """A contiguous GPU array of real numbers, any shape; vector components become the last axis."""
     array = share(name, values)
     if device is not None:
         check_same_device(name, array.device, device)
@@ -69,7 +58,6 @@ def take_numbers(name: str, values: Any, device: Any = None) -> wp.array:
 
 
 def take_rows(name: str, values: Any, width: int, device: Any = None, *, rows: int | None = None) -> wp.array:
-    """Real numbers of shape [n, width], checked as `check_rows` does it."""
     array = take_numbers(name, values, device)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.shape[0]:
@@ -83,13 +71,13 @@ def take_rows(name: str, values: Any, width: int, device: Any = None, *, rows: i
 
 
 def take_vectors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
-    """Numbers of shape [n, 3] as an array of vec3."""
+    """Numbers (n, 3) as vec3."""
     array = take_rows(name, values, 3, device, rows=rows)
     return view_as(_as(array, float32), vec3, (array.shape[0],))
 
 
 def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
-    """Colours of shape [n, 3] as an array of vec3: 0..1, or 8-bit ones divided by 255."""
+    """Colors (n, 3) as vec3 in 0..1; 8-bit colors are divided by 255."""
     array = take_rows(name, values, 3, device, rows=rows)
     count = int(array.shape[0])
     if array.dtype == uint8:
@@ -106,13 +94,8 @@ def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None)
 def take_points(
     name: str, values: Any, origin: NDArray[np.float64] | None, device: Any = None, *, rows: int | None = None
 ) -> tuple[wp.array, NDArray[np.float64]]:
-    """Positions of shape [n, 3] as an array of vec3 about an origin, and the origin, chosen as `split_origin` does.
-
-    The array's own memory where it holds float32 and the origin is zero.
-
-    Raises:
-        ValueError: Another shape, or finite points that float32 does not hold about the origin that was chosen.
-    """
+    """Positions (n, 3) as vec3 relative to an origin, and the origin, chosen as in `split_origin`.
+    Shares memory if the array is float32 and the origin is zero."""
     array = take_rows(name, values, 3, device, rows=rows)
     count = int(array.shape[0])
     is_float32 = array.dtype == float32
@@ -128,7 +111,7 @@ def take_points(
 
 
 def take_places(name: str, values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp.array, tuple[int, ...]]:
-    """Positions of shape [..., 3] as vec3 [n] about an origin, and their leading shape."""
+    """Positions (..., 3) as vec3 (n,) relative to an origin, and their leading shape."""
     array = take_numbers(name, values, device)
     if not array.ndim or array.shape[-1] != 3:
         raise ValueError(f"{name}: expected shape [..., 3], got {list(array.shape)}")
@@ -138,7 +121,7 @@ def take_places(name: str, values: Any, origin: NDArray[np.float64], device: Any
 
 
 def take_rays(values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp.array, tuple[int, ...]]:
-    """Rays of shape [..., 6] as float32 [6 n] with their starts about an origin, and their leading shape."""
+    """Rays (..., 6) as float32 (6 n,) with starts relative to an origin, and their leading shape."""
     array = take_numbers("rays", values, device)
     if not array.ndim or array.shape[-1] != 6:
         raise ValueError(f"rays: expected shape [..., 6], got {list(array.shape)}")
@@ -148,7 +131,7 @@ def take_rays(values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp
 
 
 def take_column(name: str, values: Any, device: Any, rows: int) -> wp.array:
-    """An attribute of shape [n] or [n, c], in its own type."""
+    """An attribute (n,) or (n, c) in its own type."""
     array = take_numbers(name, values, device)
     if array.ndim not in (1, 2) or array.shape[0] != rows:
         raise ValueError(f"{name}: expected shape [{rows}] or [{rows}, c], got {list(array.shape)}")
@@ -156,20 +139,8 @@ def take_column(name: str, values: Any, device: Any, rows: int) -> wp.array:
 
 
 def take_indices(name: str, values: Any, device: Any, count: int, *, of: str, hint: str = "") -> wp.array:
-    """Whole numbers in -count .. count - 1 as int32 rows; the array's own memory where it holds such.
-
-    Args:
-        name: Of the argument.
-        values: The array, of any shape.
-        device: Where it has to be.
-        count: Of the rows that there are.
-        of: What has them, for the message: "cloud of 3 points".
-        hint: What to do where they are no whole numbers.
-
-    Raises:
-        TypeError: Not whole numbers.
-        IndexError: One beyond the rows.
-    """
+    """Integers in -count .. count - 1 as int32, without a copy if possible.
+    `of` names the container ("cloud of 3 points") and `hint` a remedy in errors."""
     array = take_numbers(name, values, device)
     if not array.size:
         return empty(0, int32, device)
@@ -184,12 +155,7 @@ def take_indices(name: str, values: Any, device: Any, count: int, *, of: str, hi
 
 
 def take_corners(values: Any, device: Any, count: int) -> wp.array:
-    """Triangles of shape [t, 3] as vec3i, each of whose corners is one of so many vertices.
-
-    Raises:
-        TypeError: Not whole numbers.
-        ValueError: Another shape, or a vertex that does not exist.
-    """
+    """Triangles (t, 3) as vec3i with vertex indices below `count`."""
     if not is_on_gpu(values):
         rows = check_rows("triangles", values, 3)
         if rows.size and rows.dtype.kind not in "iu":
@@ -208,7 +174,6 @@ def take_corners(values: Any, device: Any, count: int) -> wp.array:
 
 
 def take_mask(name: str, values: Any, device: Any, count: int) -> wp.array:
-    """Booleans of shape [n] as uint8."""
     array = take_numbers(name, values, device)
     if array.dtype != wp.bool or tuple(array.shape) != (count,):
         found = f"{array.dtype.__name__} {list(array.shape)}"
@@ -217,13 +182,7 @@ def take_mask(name: str, values: Any, device: Any, count: int) -> wp.array:
 
 
 def take_pairs(values: Any, device: Any, counts: tuple[int, int]) -> wp.array:
-    """Correspondences (source index, target index) as int32 [m, 2].
-
-    Raises:
-        ValueError: Another shape.
-        TypeError: Not whole numbers.
-        IndexError: An index beyond its cloud.
-    """
+    """Correspondences (source index, target index) as int32 (m, 2), checked against the cloud sizes."""
     array = take_rows("corres", values, 2, device)
     if not array.size:
         return empty((0, 2), int32, device)
@@ -238,15 +197,12 @@ def take_pairs(values: Any, device: Any, counts: tuple[int, int]) -> wp.array:
 
 
 def _as(array: wp.array, dtype: Any) -> wp.array:
-    """The array with elements of a type; itself where they are."""
     return array if array.dtype == dtype else cast(array, dtype)
 
 
 def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
-    """The origin of an array of vec3 or vec3d, as `choose_origin` chooses it; True if a coordinate exceeds 10 km.
-
-    Some 128 points go to the host, and some 4,096 if the origin is not zero; all if none of these is finite.
-    """
+    """`choose_origin` for vec3 or vec3d on the GPU; also True if a coordinate exceeds 10 km.
+    Copies about 128 points to the host, about 4,096 if the origin is not zero, and all if none of these is finite."""
     if not points.size:
         return np.zeros(3), False
     is_far, sample = reaches_beyond(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
@@ -257,6 +213,6 @@ def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
 
 
 def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:
-    """The finite points of a sample that are not at zero; those of all points if there is none."""
+    """Finite nonzero points of a sample; of all points if there are none."""
     usable = usable_points(sample)
     return usable if len(usable) else sample_points(download(points))

@@ -1,4 +1,4 @@
-"""Work that a GPU has no room for at once, done in halves where nothing but its answers is kept of it."""
+"""Split a batch recursively until it fits into GPU memory."""
 
 from __future__ import annotations
 
@@ -8,22 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-LEAST = 4096  # rows: below it halves save nothing worth their launches
+LEAST = 4096  # rows: smaller batches are not worth their launches
 
 
 def in_halves(count: int, work: Callable[[int, int], tuple[NDArray[Any], ...]]) -> tuple[NDArray[Any], ...]:
-    """The answers of rows 0 to `count`, each independent of the others, asked for at once or in as few parts as fit.
-
-    Args:
-        count: Of the rows.
-        work: The answers of rows from one number to another, as NumPy arrays that begin with an axis of rows.
-
-    Returns:
-        Each of the answers of all rows.
-
-    Raises:
-        MemoryError: There is no room for `LEAST` rows either.
-    """
+    """Results of independent rows 0 to `count`, computed at once or in as few parts as fit.
+    `work(begin, end)` returns NumPy arrays with rows first. Raises `MemoryError` if `LEAST` rows do not fit."""
     parts, left = [], [(0, count)]
     while left:
         begin, end = left.pop()
@@ -37,10 +27,9 @@ def in_halves(count: int, work: Callable[[int, int], tuple[NDArray[Any], ...]]) 
 
 
 def _attempt(work: Callable[[int, int], Any], begin: int, end: int) -> Any:
-    """The answers; None where there is no room for them and fewer rows may have it."""
     try:
         return work(begin, end)
     except MemoryError:
         if end - begin <= LEAST:
             raise
-        return None  # what the error holds on to is released first
+        return None  # what the error references must be released first

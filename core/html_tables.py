@@ -1,8 +1,4 @@
-"""Objects in a notebook as small tables: what they hold, without computing, drawing or copying anything of it.
-
-Printing is what notebooks do unasked, so it must cost nothing: no picture, no wait for a device. `draw` and `render`
-show.
-"""
+"""Notebook tables of objects, without computing, rendering or synchronizing, as notebooks display them unasked."""
 
 from __future__ import annotations
 
@@ -12,12 +8,12 @@ from typing import Any
 
 from .escaped_text import escaped
 
-MOST_ROWS = 40  # of a table
-MOST_CHARACTERS = 300  # of a value
+MOST_ROWS = 40  # rows of a table
+MOST_CHARACTERS = 300  # characters of a value
 
 
 def html_table(caption: str, rows: Iterable[tuple[str, Any]]) -> str:
-    """Names and values as an HTML table of at most 40 rows, escaped.
+    """Names and values as an escaped HTML table of at most 40 rows.
 
     Example:
         >>> html_table("a < b", [("points", "float32 [2, 3]")])
@@ -36,7 +32,6 @@ def _cell(text: str) -> str:
 
 
 def array_type(array: Any) -> str:
-    """The element type and the shape of a NumPy or Warp array in words."""
     import numpy as np
 
     if isinstance(array, np.ndarray):

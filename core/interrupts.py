@@ -1,4 +1,4 @@
-"""Exceptions that a signal handler of the program raised, and that other code caught or replaced."""
+"""Find exceptions of signal handlers that other code caught or replaced."""
 
 from __future__ import annotations
 
@@ -9,18 +9,9 @@ from typing import Any
 
 
 def signal_exception(error: BaseException, handled: BaseException | None = None) -> BaseException | None:
-    """Find the exception that a signal handler raised among an error and its causes.
-
-    A handler runs between any two operations, so its exception (a time limit, a request to stop) passes through code
-    that reads or writes a file. It must not be reported as a damaged file.
-
-    Args:
-        error: The error that was caught.
-        handled: An exception that was being handled before the operation began. It is not searched.
-
-    Returns:
-        The exception whose traceback contains a current signal handler, a KeyboardInterrupt or SystemExit, or None.
-    """
+    """The exception of a signal handler, KeyboardInterrupt or SystemExit among an error and its causes, or None.
+    A handler may run inside code that reads or writes a file; its exception must not be reported as a damaged file.
+    `handled` was already being handled and is not searched."""
     handlers = _handler_codes()
     seen: set[int] = set()
     link: BaseException | None = error

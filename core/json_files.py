@@ -1,4 +1,4 @@
-"""JSON objects read strictly: no NaN, no infinity, no key given twice."""
+"""Strict JSON objects: no NaN, infinity or duplicate keys."""
 
 from __future__ import annotations
 
@@ -11,15 +11,11 @@ from .checks import LARGEST_NUMBER as LARGEST_NUMBER
 from .errors import FileError
 from .paths import path_of
 
-MOST_DIGITS = 300  # of a whole number, which float64 then holds
+MOST_DIGITS = 300  # digits of an integer that float64 represents
 
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """The JSON object in a file, read strictly: no NaN, no infinity, no key given twice.
-
-    Raises:
-        FileError: Unreadable or not such an object; syntax errors name the line.
-    """
+    """Read a JSON object strictly; syntax errors report the line."""
     try:
         content = json.loads(
             data := path_of(path).read_bytes(),
@@ -29,7 +25,7 @@ def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
             parse_int=_bounded,
         )
         if b"\\ud" in data.lower():
-            json.dumps(content, ensure_ascii=False).encode()  # half of a surrogate pair is no text
+            json.dumps(content, ensure_ascii=False).encode()  # a lone surrogate is invalid text
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     except json.JSONDecodeError as error:
@@ -49,7 +45,7 @@ def check_keys(
     optional: set[str] | frozenset[str] = frozenset(),
     where: str = "",
 ) -> None:
-    """Refuse a JSON object that lacks a key or has one of unknown meaning; `where` is its place, such as "a."."""
+    """Raise if a JSON object lacks a key or has an unknown one; `where` is its location, such as "a."."""
     missing, unknown = sorted(required - content.keys()), sorted(content.keys() - required - optional)
     if missing:
         raise FileError(path, "missing", where=f"key {where}{missing[0]}", remedy=f"Expected {sorted(required)}")

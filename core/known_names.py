@@ -1,4 +1,4 @@
-"""Names that a class does not have: what Open3D calls otherwise is told, and a misspelt one is no new attribute."""
+"""Helpful errors for unknown names: Open3D's equivalents and misspellings."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from .open3d_names import SHAPES, row_of, told
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
-    """`; did you mean 'colors'?` where a known public name is like this one, else nothing."""
-    from difflib import get_close_matches  # only errors pay for it
+    """`; did you mean 'colors'?` if a known public name is similar, else ""."""
+    from difflib import get_close_matches  # imported only for errors
 
     found = get_close_matches(name, [other for other in known if not other.startswith("_")], n=1, cutoff=0.6)
     return f"; did you mean {found[0]!r}?" if found else ""
 
 
 class ToldClass(type):
-    """The class of classes whose unknown names are told: `TriangleMesh.create_half_edge_mesh`."""
+    """Metaclass with helpful errors for unknown class attributes: `TriangleMesh.create_half_edge_mesh`."""
 
-    if not TYPE_CHECKING:  # which finds misspelt names by itself
+    if not TYPE_CHECKING:  # it detects misspelled names by itself
 
-        def __getattr__(cls, name: str) -> Any:  # asked only where there is none
+        def __getattr__(cls, name: str) -> Any:  # called only for missing attributes
             raise AttributeError(_message(cls, name), name=name, obj=cls)
 
 
 class ToldNames(metaclass=ToldClass):
-    """A class whose unknown names are told, with what Open3D's are here, else with the nearest one.
+    """A class with helpful errors for unknown attributes: the equivalent of Open3D's name, or the nearest name.
 
-    The attributes in `_fixed` cannot be assigned again: others, such as arrays of their size, depend on them.
+    Attributes in `_fixed` cannot be reassigned, since others depend on them.
     """
 
     _fixed: tuple[str, ...] = ()
@@ -47,9 +47,9 @@ class ToldNames(metaclass=ToldClass):
 
 
 class KnownNames(ToldNames):
-    """A class whose objects have no attribute that it does not declare: setting one names the nearest, too."""
+    """A class that rejects assignments to undeclared attributes, with the nearest name."""
 
-    _how_to_add = ""  # what else who sets an unknown attribute may have meant
+    _how_to_add = ""  # other possible meanings of an unknown attribute
 
     if not TYPE_CHECKING:
 
@@ -59,7 +59,7 @@ class KnownNames(ToldNames):
             super().__setattr__(name, value)
 
 
-_declared: set[tuple[type, str]] = set()  # found before: a class does not lose a name
+_declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name
 
 
 def _declares(kind: type, name: str) -> bool:
@@ -73,7 +73,6 @@ def _declares(kind: type, name: str) -> bool:
 
 @functools.lru_cache(256)
 def _annotated(kind: type) -> frozenset[str]:
-    """The names that a class itself annotates, whatever their types."""
     if sys.version_info >= (3, 14):
         from annotationlib import Format, get_annotations
 
@@ -87,7 +86,7 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
     if name.startswith("_"):
         return said
     row = told(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
-    fields = [field for base in kind.__mro__ for field in _annotated(base)]  # those without default are not in dir()
+    fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
     if how_to_add:
         return said + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
@@ -95,7 +94,7 @@ def _message(kind: type, name: str, how_to_add: str = "") -> str:
 
 
 def _others(kind: type, name: str) -> str:
-    """`; TriangleMesh has it` where other classes that are loaded have a name."""
+    """`; TriangleMesh has it` if other loaded classes have the name."""
     found, waiting = set(), [ToldNames]
     while waiting:
         base = waiting.pop()

@@ -1,4 +1,4 @@
-"""NumPy's masked arrays as plain arrays: the numbers under a mask were not measured and are never used."""
+"""Convert NumPy masked arrays: masked numbers were not measured and are never used."""
 
 from __future__ import annotations
 
@@ -8,16 +8,8 @@ import numpy as np
 
 
 def unmasked(name: str, values: Any, *, missing: float | None = None) -> Any:
-    """A masked array, or a list of them, as a plain array; everything else as it is.
-
-    Args:
-        name: Of the argument.
-        values: What was given.
-        missing: The value of masked entries; None for NaN, which integers and booleans do not have.
-
-    Raises:
-        ValueError: Masked integers or booleans without a value for missing ones.
-    """
+    """A masked array, or list of them, as a plain array with `missing` (None: NaN); other values are unchanged.
+    Raises `ValueError` for masked integers or booleans without `missing`."""
     if isinstance(values, list | tuple) and any(isinstance(part, np.ma.MaskedArray) for part in values):
         values = np.ma.array(values)
     if not isinstance(values, np.ma.MaskedArray):

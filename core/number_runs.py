@@ -1,4 +1,4 @@
-"""Whole numbers as people list them: in runs."""
+"""Format integers as runs."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ _SHOWN = 5  # runs, by number
 
 
 def some_frames(numbers: Sequence[int]) -> str:
-    """Numbers of frames, from 0, as runs; the first few where there are many: "frame 3, 7-9"."""
+    """Frame numbers from 0 as runs, truncated if many: "frame 3, 7-9"."""
     return "frame " + some_runs(numbers)
 
 
 def some_runs(numbers: Sequence[int]) -> str:
-    """Whole numbers in ascending order as runs; the first few where there are many.
+    """Ascending integers as runs, truncated if many.
 
     Example:
         >>> some_runs([3, 7, 8, 9])

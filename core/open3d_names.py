@@ -1,4 +1,4 @@
-"""What Open3D's names are here: the rows of `open3d_names.toml`, for error messages and for docs/open3d.md."""
+"""Equivalents of Open3D's names from `open3d_names.toml`, for error messages and docs/open3d.md."""
 
 from __future__ import annotations
 
@@ -8,22 +8,21 @@ from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-MODULES = (  # sections of names in Open3D's modules; the others are of classes, or of arguments
+MODULES = (  # sections of Open3D's modules; the others are of classes or arguments
     "modules", "geometry", "io", "camera", "utility", "visualization", "registration", "odometry", "integration",
     "slac", "slam", "tensor",
 )  # fmt: skip
-SHAPES = "Geometry"  # what all shapes of Open3D have
+SHAPES = "Geometry"  # common to all shapes of Open3D
 ARGUMENTS = "arguments"
 
 
 @functools.cache
 def sections() -> dict[str, dict[str, str]]:
-    """What each pattern of names is here, by section."""
     return tomllib.loads(Path(__file__).with_name("open3d_names.toml").read_text("utf-8"))
 
 
 def row_of(name: str, among: Iterable[str] = MODULES) -> str | None:
-    """What one of Open3D's names is here, looked up in sections one after another; None where no row has it."""
+    """The equivalent of an Open3D name in the given sections, or None."""
     for section in among:
         for patterns, row in sections().get(section, {}).items():
             if any(fnmatchcase(name, pattern) for pattern in patterns.split(", ")):
@@ -32,7 +31,7 @@ def row_of(name: str, among: Iterable[str] = MODULES) -> str | None:
 
 
 def told(row: str | None) -> str:
-    """A row as an error message ends in it; nothing for none."""
+    """A row as the end of an error message, or ""."""
     if row is None:
         return ""
     return f"; {row}" if row.startswith(("not ", "always")) else f"; here: {row}"

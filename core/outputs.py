@@ -1,4 +1,4 @@
-"""Whether an output can be written, asked before any work."""
+"""Check outputs before computation."""
 
 from __future__ import annotations
 
@@ -14,11 +14,6 @@ WITH_TEXT_FORM = (".ply", ".pcd")
 def check_output(
     path: str | os.PathLike[str], extensions: tuple[str, ...], *, what: str, overwrite: bool, as_text: bool = False
 ) -> None:
-    """Hold that an output can be written, before any work.
-
-    Raises:
-        FileError: Another extension, no text form where text is asked for, or a place that cannot be written.
-    """
     suffix = Path(path).suffix.lower()
     if suffix not in extensions:
         remedy = f"Give a name that ends in one of {' '.join(extensions)}"

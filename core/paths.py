@@ -1,4 +1,4 @@
-"""Paths as users give them: `~` is their home; anything else than a path is an error that names its type."""
+"""User-provided paths: `~` is expanded, other types raise."""
 
 from __future__ import annotations
 
@@ -10,15 +10,7 @@ from .errors import FileError
 
 
 def path_of(path: Any, name: str = "path") -> Path:
-    """The path, with `~` and `~name` as a shell has them.
-
-    Args:
-        path: The path.
-        name: The argument's name, for errors.
-
-    Raises:
-        TypeError: Not a path.
-    """
+    """A path with `~` and `~name` expanded; raises `TypeError`, naming the argument, for other types."""
     text = path.__fspath__() if isinstance(path, os.PathLike) else path
     if not isinstance(text, str):
         hint = "; it comes first" if name == "path" else ""
@@ -26,39 +18,26 @@ def path_of(path: Any, name: str = "path") -> Path:
     given = Path(text)
     try:
         return given.expanduser()
-    except RuntimeError:  # no such user: a file may be called so
+    except RuntimeError:  # no such user: a valid file name
         return given
 
 
 def refuse_link(path: Path) -> Path:
-    """The path of an entry in a job's folder, after a check that it is no symbolic link.
-
-    Raises:
-        FileError: It is one. Files of the job would be written or removed where it leads.
-    """
+    """The path of a job file; raises `FileError` for a symbolic link, which would redirect writes and removals."""
     if path.is_symlink():
         raise FileError(path, "is a symbolic link", remedy="Replace it by the file or folder it leads to")
     return path
 
 
 def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
-    """A name read from a file for another file in a folder, after a check that it leads nowhere else.
-
-    Args:
-        path: The file that contains the name.
-        name: The name.
-        remedy: What the user can do.
-
-    Raises:
-        FileError: It is no plain file name.
-    """
+    """A file name read from `path`; raises `FileError` if it is not a plain name in the same folder."""
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
         raise FileError(path, f"expected a plain file name, got {name!r}", remedy=remedy)
     return name
 
 
 def is_file(path: Path) -> bool:
-    """True if the file exists; False for a name that no file can have, which a list of names may contain."""
+    """True if the file exists; False for invalid names."""
     try:
         return path.is_file()
     except (OSError, ValueError):

@@ -1,4 +1,4 @@
-"""Device arrays as NumPy for Python's pickle, and back on the device that they were on."""
+"""Pickle device arrays as NumPy and restore them on their device."""
 
 from __future__ import annotations
 
@@ -21,16 +21,12 @@ KINDS = {name: kind for kind, name in VECTORS.items()}
 
 
 def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
-    """Each array as NumPy, with the name of its type where that is a vector."""
+    """Each array as NumPy, with the type name of vectors."""
     return {name: (download(array).copy(), VECTORS.get(array.dtype, "")) for name, array in arrays.items()}
 
 
 def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: Any) -> dict[str, wp.array]:
-    """The arrays on a device.
-
-    Raises:
-        TypeError, ValueError: An entry is not an array of numbers with the name of its type.
-    """
+    """The arrays on a device; raises for entries of a wrong type."""
     return {name: _upload_checked(name, *entry, device) for name, entry in state.items()}
 
 
@@ -47,11 +43,7 @@ def _upload_checked(name: str, values: Any, kind: str, device: Any) -> wp.array:
 
 
 def check_form(name: str, array: wp.array, *forms: tuple[Any, tuple[int, ...]]) -> wp.array:
-    """An array of one of these types and shapes.
-
-    Raises:
-        ValueError: It has none of them.
-    """
+    """Raise `ValueError` if an array has none of these types and shapes."""
     if (array.dtype, tuple(array.shape)) not in forms:
         expected = " or ".join(f"{dtype.__name__} {list(shape)}" for dtype, shape in forms)
         raise ValueError(f"{name}: expected {expected}, got {array}")
@@ -60,28 +52,19 @@ def check_form(name: str, array: wp.array, *forms: tuple[Any, tuple[int, ...]]) 
 
 @contextmanager
 def unpickling(what: str) -> Iterator[None]:
-    """Raise whatever a damaged state makes the code inside raise as one ValueError.
-
-    Raises:
-        ValueError: A pickle is damaged, or of another version.
-        DeviceError: It was on a GPU, and here is none.
-    """
+    """Convert all errors caused by a damaged state to one ValueError; a missing GPU stays a DeviceError."""
     try:
         yield
     except (MemoryError, DeviceError):
         raise
-    except Exception as error:  # a state may hold anything
+    except Exception as error:  # a state may contain anything
         reason = f"lacks {error}" if isinstance(error, KeyError) else str(error)
         remedy = "Pickle it again with this version"
         raise ValueError(f"{what}: the pickle is damaged or of another version: {reason}. {remedy}") from error
 
 
 def device_like(what: str, name: str) -> Any:
-    """The device of that name, else for a GPU the first one.
-
-    Raises:
-        DeviceError: It was a GPU, and here is none.
-    """
+    """The device of that name, else the first GPU; raises `DeviceError` without a GPU."""
     if name != "cpu" and not wp.get_cuda_device_count():
         raise DeviceError(
             f"the {what} was pickled on {name}, and there is no CUDA device here; pickle {what}.to('cpu') instead"

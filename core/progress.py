@@ -1,12 +1,12 @@
-"""How far a job is: the one shape of what is called to tell it, and the silence where nobody wants to know."""
+"""The type of progress callbacks, and a silent one."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-# A stage, how many steps of it are done, and how many there are (0 where nobody knows).
+# A stage, completed steps, and total steps (0 if unknown).
 ReportProgress = Callable[[str, int, int], None]
 
 
 def say_nothing(stage: str, done: int, total: int) -> None:
-    """A `ReportProgress` for where nobody wants to know."""
+    """A `ReportProgress` that does nothing."""

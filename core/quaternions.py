@@ -1,4 +1,4 @@
-"""Rotations as unit quaternions (x, y, z, w), and back; the rotations nearest to matrices that are none."""
+"""Convert rotations to and from unit quaternions (x, y, z, w); nearest rotations of matrices."""
 
 from __future__ import annotations
 
@@ -10,12 +10,11 @@ from ..kernels.linear_algebra import det, eigh
 NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm; a rotation's is 0.19
 MAX_NEWTON_STEPS = 20
 NEARLY_ONE = 0.1
-ROUNDING = 1e-15  # a step of no more is none, so a rotation keeps its bits
-CONVERGED = 1e-9  # the change of a step; convergence is quadratic, so what is left is rounding
+ROUNDING = 1e-15  # smaller steps count as zero, so a rotation is unchanged bitwise
+CONVERGED = 1e-9  # change of a step; convergence is quadratic, so only rounding remains
 
 
 def quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rotations, shape [n, 3, 3], of unit quaternions (x, y, z, w), shape [n, 4]."""
     x, y, z, w = quaternions.T
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -26,11 +25,9 @@ def quaternions_to_rotations(quaternions: NDArray[np.float64]) -> NDArray[np.flo
 
 
 def rotations_to_quaternions(R: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Unit quaternions (x, y, z, w), w >= 0, shape [n, 4], of rotations, shape [n, 3, 3].
-
-    Of the four rows of 4 q q^T, which are linear in R, the longest is taken (Shepperd 1978): exact at any angle.
-    Matrices of few digits, as files hold them, go through `nearest_rotations` first.
-    """
+    """Unit quaternions (x, y, z, w), w >= 0, (n, 4), of rotations (n, 3, 3).
+    The longest of the four rows of 4 q q^T, which are linear in R (Shepperd 1978), is accurate at any angle. Apply
+    `nearest_rotations` to rounded matrices first."""
     products = np.empty((len(R), 4, 4))
     across, twist = R + R.transpose(0, 2, 1), R - R.transpose(0, 2, 1)
     products[:, :3, :3] = across
@@ -46,11 +43,9 @@ def rotations_to_quaternions(R: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def nearest_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rotations nearest to matrices, shape [n, 3, 3], in the Frobenius norm.
-
-    Newton's iteration for the polar factor (Higham 1986) where a matrix is not nearly singular or mirrored, else the
-    quaternion of Horn 1987.
-    """
+    """The nearest rotations of matrices (n, 3, 3) in the Frobenius norm.
+    Newton iteration for the polar factor (Higham 1986), or Horn's quaternion (1987) for nearly singular or mirrored
+    matrices."""
     M = np.asarray(M, np.float64)
     sizes = _sizes(M)
     is_regular = det(M) > NEARLY_SINGULAR * sizes**3
@@ -74,20 +69,18 @@ def _polar_factors(R: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _sizes(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The Frobenius norms of matrices [n, 3, 3]."""
     return np.sqrt((M * M).sum(axis=(1, 2)))
 
 
 def _cofactors(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The cofactors of matrices [n, 3, 3]."""
     after, before = M[:, [1, 2, 0]], M[:, [2, 0, 1]]
     return after[:, :, [1, 2, 0]] * before[:, :, [2, 0, 1]] - after[:, :, [2, 0, 1]] * before[:, :, [1, 2, 0]]
 
 
 def _best_rotations(M: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The rotations R of largest trace of R^T M: the main eigenvector of a 4x4 matrix is the quaternion."""
+    """Rotations R that maximize trace(R^T M), from the main eigenvector of a 4x4 matrix."""
     N = np.zeros((len(M), 4, 4))
     N[:, :3, :3] = M + M.transpose(0, 2, 1) - 2 * np.trace(M, axis1=1, axis2=2)[:, None, None] * np.eye(3)
     N[:, :3, 3] = np.stack([M[:, 2, 1] - M[:, 1, 2], M[:, 0, 2] - M[:, 2, 0], M[:, 1, 0] - M[:, 0, 1]], axis=1)
     N[:, 3, :3] = N[:, :3, 3]
-    return _polar_factors(quaternions_to_rotations(eigh(N)[1][:, :, 3]))  # without the roundings of the quaternions
+    return _polar_factors(quaternions_to_rotations(eigh(N)[1][:, :, 3]))  # without the rounding of the quaternions

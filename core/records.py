@@ -1,7 +1,6 @@
-"""Records beside results: what a stage was made from and which files it left, so that a later run may keep them.
+"""Records of job stages: digests of inputs and output files, so that later runs can reuse results.
 
-A record is written last, when the files that it names are whole. A run that is interrupted before leaves files that no
-record speaks for, and they are made again. Records hold digests: a file that was changed or cut off is made again too.
+A record is written last; files without a valid record, or with another digest, are recomputed.
 """
 
 from __future__ import annotations
@@ -17,20 +16,18 @@ from .errors import FileError, FilePath
 from .json_files import read_json_object
 from .paths import path_of
 
-RECORDS = "records"  # the folder below a job's that they lie in
-VERSION = 1  # raised where a stage begins to make something else of the same inputs
+RECORDS = "records"  # name of the subfolder of a job
+VERSION = 1  # incremented if a stage's output for equal inputs changes
 DIGEST_BYTES = 16
 CHUNK = 1 << 20  # [B]
 
 
 def digest_of(values: Any) -> str:
-    """A digest of values in JSON's types."""
     text = json.dumps(values, sort_keys=True, allow_nan=False)
     return hashlib.blake2b(text.encode(), digest_size=DIGEST_BYTES).hexdigest()
 
 
 def digest_of_bytes(parts: Iterable[Any]) -> str:
-    """A digest of arrays or bytes, one after the other."""
     digest = hashlib.blake2b(digest_size=DIGEST_BYTES)
     for part in parts:
         digest.update(part)
@@ -38,36 +35,17 @@ def digest_of_bytes(parts: Iterable[Any]) -> str:
 
 
 def digest_of_file(path: FilePath) -> str:
-    """A digest of what a file holds, read in pieces.
-
-    Raises:
-        OSError: It cannot be read.
-    """
     with path_of(path).open("rb") as file:
         return digest_of_bytes(iter(lambda: file.read(CHUNK), b""))
 
 
 def record_file(root: Path, stage: str, number: int | None = None) -> Path:
-    """Where the record of a stage of the job in `root` lies, or of one of the parts that the stage makes one by one."""
     return root / RECORDS / (f"{stage}.json" if number is None else f"{stage}_{number:03d}.json")
 
 
 def write_record(
     path: Path, stage: str, made_from: str, root: Path, files: Sequence[Path], result: dict[str, Any]
 ) -> None:
-    """Say what a stage made, once its files are whole.
-
-    Args:
-        path: The record.
-        stage: Of which stage it is.
-        made_from: Digest of its inputs.
-        root: Folder that the files lie below.
-        files: What it wrote.
-        result: What else later stages want to know, in JSON's types.
-
-    Raises:
-        FileError: It cannot be written, or a file of the stage cannot be read.
-    """
     try:
         digests = {file.relative_to(root).as_posix(): digest_of_file(file) for file in files}
     except OSError as error:
@@ -79,14 +57,7 @@ def write_record(
 
 
 def read_record(path: Path, stage: str, root: Path, made_from: str | None = None) -> dict[str, Any] | None:
-    """The result in a record, or None where there is none that still fits.
-
-    Args:
-        path: The record.
-        stage: Of which stage it should be.
-        root: Folder that its files lie below.
-        made_from: Digest of the inputs that it should be made from; None takes any.
-    """
+    """The result in a valid record, or None; `made_from` None accepts any inputs."""
     try:
         content = read_json_object(path)
     except FileError:

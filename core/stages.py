@@ -1,8 +1,6 @@
-"""Stages of a long job: each makes one folder, whole or not at all, and says in a record what it was made from.
+"""Resumable jobs: each stage writes one folder atomically and a record of its inputs.
 
-A stage's files appear under their name when all are written; then the record is, with digests of the files and of what
-they were made from: the settings that bear on the stage, and the files of the stages before. So a later run keeps
-what would come out the same again, also where an earlier stage was made anew and gave the same bytes.
+The record has digests of the files, settings and preceding stages, so that a later run reuses unchanged results.
 """
 
 from __future__ import annotations
@@ -23,25 +21,16 @@ from .records import RECORDS, digest_of, read_record, record_file, write_record
 from .timing import Clock, peak_bytes_of_all
 from .wording import json_text
 
-PART = ".part"  # behind the name of a folder that is not whole yet
-GOING = ".going"  # ... of a folder of what a stage has so far that goes on where it was interrupted
+PART = ".part"  # suffix of an incomplete folder
+GOING = ".going"  # suffix of the folder of a resumable stage
 _MADE_FROM = "made_from"
 
 
 @dataclass(frozen=True, eq=False)
 class Made:
-    """What a stage left.
-
-    Attributes:
-        name: The stage's.
-        folder: Where its files lie.
-        digest: Of the files: equal digests are equal files.
-        told: What it says of itself, in JSON's types.
-        cost: "seconds" and "cpu_seconds" of the run that made it, and "peak_bytes", the most that this process, or one
-            that it waited for, had held by then.
-        kept: Whether an earlier run made it.
-        outdated: Which versions an earlier run made it with that was not kept for that, in words; else empty.
-    """
+    """The result of a stage; equal digests mean equal files.
+    `told` is its report, `cost` has "seconds", "cpu_seconds" and "peak_bytes" of the run that made it, `kept` is True
+    for an earlier run, `outdated` names versions for which an earlier result was rejected."""
 
     name: str
     folder: Path
@@ -57,15 +46,11 @@ class Stage:
     """One step of a job.
 
     Attributes:
-        name: Of the stage, its folder and its record.
-        make: Writes the files into the empty folder that it is given, tells how far it is (step, done, of how many),
-            and gives what is to be told of it. It reads nothing but the files of `after`.
-        settings: What else decides its files, in JSON's types.
-        after: The stages whose files it reads.
-        version: Raised where it begins to make something else of the same.
-        code: Versions of the packages that make it, by name: what another one made is made again.
-        goes_on: Whether `make` takes a third argument, a folder that is there again, with what it left in it, where a
-            run was interrupted and the next makes the same of the same.
+        make: Writes the files to an empty folder, calls progress(step, done, total), returns a report; reads only
+            `after`'s files.
+        settings: Other inputs, as JSON types.
+        version, code: Version of the stage and of the packages used; a change invalidates the result.
+        goes_on: If True, `make` gets a third argument, a folder that survives interruptions.
     """
 
     name: str
@@ -78,23 +63,12 @@ class Stage:
 
     @property
     def made_from(self) -> str:
-        """Digest of all that decides its files."""
         before = [[made.name, made.digest] for made in self.after]
         return digest_of([self.name, self.version, dict(self.settings), before, dict(self.code)])
 
 
 class Chain:
-    """Runs stages in one folder.
-
-    Args:
-        root: The job's folder, which is there.
-        names: Of all stages that there may be.
-        resume: Keep what an earlier run left and what still fits; else all that stages left is removed first.
-        progress: Called with "stage: step", how many are done, and how many there are (0: nobody knows).
-
-    Raises:
-        FileError: What an earlier run left cannot be removed.
-    """
+    """Runs stages in an existing folder; `resume` reuses valid results of earlier runs."""
 
     def __init__(self, root: Path, names: Sequence[str], *, resume: bool, progress: ReportProgress):
         self.root, self.made = root, dict[str, Made]()
@@ -110,12 +84,6 @@ class Chain:
                     _remove(root / f"{name}{GOING}")
 
     def run(self, stage: Stage) -> Made:
-        """Run a stage, or keep what it left.
-
-        Raises:
-            FileError: A file that cannot be written, as on a full disk. Whatever the stage raises; what was finished
-                before stays.
-        """
         record = record_file(self.root, stage.name)
         found = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
         outdated = "" if found or not self._resume else self._outdated(stage, record)
@@ -128,7 +96,7 @@ class Chain:
         return made
 
     def _outdated(self, stage: Stage, record: Path) -> str:
-        """The versions that made what is there, where they are others."""
+        """The versions of the existing result, if they differ."""
         old = read_record(record, stage.name, self.root)
         if old is None:
             return ""
@@ -139,7 +107,7 @@ class Chain:
 
     @contextlib.contextmanager
     def _going(self, stage: Stage) -> Iterator[tuple[Path, ...]]:
-        """The folder of a stage that goes on, removed once the stage is whole; it is of what is made of the same."""
+        """The persistent folder of a resumable stage, removed when the stage is complete."""
         if not stage.goes_on:
             yield ()
             return

@@ -1,4 +1,4 @@
-"""How many threads the work on the CPU is shared by."""
+"""The number of CPU threads."""
 
 from __future__ import annotations
 
@@ -6,14 +6,13 @@ from .checks import check_count
 
 
 def set_num_threads(count: int | None) -> None:
-    """Share what runs on the CPU by so many threads from now on, in this process.
+    """Set the number of CPU threads of this process, without file readers and NumPy.
 
-    Every result is the same bits for any number of threads. It does not count the threads that read files, nor those of
-    NumPy.
+    Results are bitwise identical for any number of threads.
 
     Args:
-        count: From 1 to 1024; None for the default: what `POINTLOOM_CPU_THREADS` says, else the cores that this process
-            may use by its affinity and its control group; on macOS and Windows, where more are untried, 1.
+        count: From 1 to 1024. None: `POINTLOOM_CPU_THREADS`, else the cores available to the process (affinity, control
+            group); 1 on macOS and Windows, where more is untested.
 
     Raises:
         ValueError: Another number.
@@ -36,10 +35,10 @@ def set_num_threads(count: int | None) -> None:
 
 
 def get_num_threads() -> int:
-    """The threads that what runs on the CPU is shared by, the caller's among them; 1 where Warp's code is not shared.
+    """The number of CPU threads, including the caller's; 1 if kernels are not parallel.
 
     Raises:
-        ValueError: POINTLOOM_CPU_THREADS is no whole number from 1 to 1024.
+        ValueError: POINTLOOM_CPU_THREADS is no integer from 1 to 1024.
 
     Examples:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""What work costs: seconds by stage, and the most memory that was held."""
+"""Time per stage and peak memory."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .progress import ReportProgress, say_nothing
 
 
 class Clock:
-    """Seconds by stage, in the order in which the stages came; a stage that comes again adds to its own.
+    """Seconds per stage in order; repeated stages accumulate.
 
     Args:
-        progress: Told of each `stage` when it begins; None tells nobody.
+        progress: Called when a `stage` begins, or None.
 
     Attributes:
-        seconds: Of each stage [s].
-        cpu_seconds: The same of all cores together, and of the processes that were waited for [s].
+        seconds: Wall time of each stage [s].
+        cpu_seconds: CPU time of this process and its waited-for children [s].
 
     Example:
         >>> from pointloom.core.timing import Clock
@@ -39,11 +39,10 @@ class Clock:
         self.restart()
 
     def restart(self) -> None:
-        """Count from now on."""
         self._since, self._cpu_since = time.perf_counter(), _cpu_now()
 
     def stop(self, stage: str) -> None:
-        """Count the time since the last call, or since the beginning, to a stage."""
+        """Add the time since the last call or start to a stage."""
         wall, cpu = self._since, self._cpu_since
         self.restart()
         self.seconds[stage] = self.seconds.get(stage, 0.0) + self._since - wall
@@ -51,7 +50,7 @@ class Clock:
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
-        """Tell of a stage, and count the time of the block below to it; what is raised there ends it uncounted."""
+        """Report a stage and measure the block; nothing is added if it raises."""
         self._tell(name, 0, 0)
         self.restart()
         yield
@@ -59,14 +58,14 @@ class Clock:
 
 
 def peak_bytes() -> int:
-    """The most memory [B] that this process has held so far."""
+    """Peak memory of this process [B]."""
     import resource
 
     return _most_held(resource.RUSAGE_SELF)
 
 
 def peak_bytes_of_all() -> int:
-    """The most memory [B] that this process, or one that it started and waited for, has held so far."""
+    """Peak memory of this process or a waited-for child [B]."""
     import resource
 
     return max(peak_bytes(), _most_held(resource.RUSAGE_CHILDREN))
@@ -80,16 +79,10 @@ def _most_held(who: int) -> int:
 
 
 def _cpu_now() -> float:
-    """Of this process and of the children that it waited for."""
     return sum(os.times()[:4])
 
 
 def check_clock(clock: Any) -> Clock:
-    """The clock that counts an algorithm's stages; one that nobody reads where none is given.
-
-    Raises:
-        TypeError: No clock.
-    """
     if clock is not None and not isinstance(clock, Clock):
         raise TypeError(f"clock: expected a Clock or None, got {type(clock).__name__}")
     return clock or Clock()

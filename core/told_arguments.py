@@ -1,4 +1,4 @@
-"""Calls that do not fit: the error names the arguments, what Open3D's are here, and the call that was meant."""
+"""Helpful errors for mismatched calls: argument names, Open3D's equivalents, the intended call."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from .open3d_names import ARGUMENTS, row_of, told
 P = ParamSpec("P")
 R = TypeVar("R")
 
-SHORT = 24  # characters of a value that the call which was meant repeats
+SHORT = 24  # maximum characters of a value in the suggested call
 
 
 def told_arguments(operation: Callable[P, R]) -> Callable[P, R]:
-    """Marks an operation whose errors of arguments say what to write: it costs nothing where the call fits."""
+    """Decorator for helpful argument errors; free for valid calls."""
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -32,14 +32,13 @@ def told_arguments(operation: Callable[P, R]) -> Callable[P, R]:
 
 
 def is_of_call(error: TypeError) -> bool:
-    """Whether a call did not fit, caught where it was made: nothing of the function has run then."""
+    """True if a call did not match the signature, so that nothing of the function has run."""
     return error.__traceback__ is not None and error.__traceback__.tb_next is None
 
 
 def mismatch(
     operation: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any], error: TypeError
 ) -> TypeError:
-    """The error of a call that does not fit, in words of this library."""
     parameters = list(inspect.signature(operation).parameters.values())
     said, given = operation.__name__, list(args)
     if parameters and parameters[0].name in ("self", "cls") and given:
@@ -69,7 +68,6 @@ def _unknown(said: str, name: str, value: Any, keywords: list[str]) -> str:
 
 
 def _search(value: Any) -> str:
-    """An Open3D search as keywords."""
     radius = getattr(value, "radius", None)
     most = getattr(value, "max_nn", getattr(value, "knn", None))
     return ", ".join(([f"radius={radius:g}"] if radius is not None else []) + [f"max_nn={most}"])

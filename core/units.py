@@ -1,9 +1,7 @@
-"""The unit of lengths: what one of it is in metres, and how it is written.
+"""Units of length: name, symbol and length in meters.
 
-A cloud of unknown unit is taken for one in metres, as every docstring's [m] says; docs/adr/0029-lengths-have-units.md
-says why.
-
-Source: EPSG register, units 9001 (metre), 9002 (foot), 9003 (US survey foot), 9102 (degree).
+A cloud of unknown unit is treated as meters (docs/adr/0029-lengths-have-units.md). EPSG register, units 9001 (meter),
+9002 (foot), 9003 (US survey foot), 9102 (degree).
 """
 
 from __future__ import annotations
@@ -20,19 +18,18 @@ from typing import Any
 from .checks import check_positive, shown
 from .escaped_text import escaped
 
-SAME_SHARE = 1e-7  # by which a length may be rounded and still is that of a known unit: the two feet differ by 2e-6
+SAME_SHARE = 1e-7  # relative rounding tolerance of a known unit: the two feet differ by 2e-6
 _silenced: ContextVar[tuple[type[Warning], ...]] = ContextVar("silenced", default=())
-_NEAR_SHARE = 1e-5  # by which a length of few digits may differ from that of the unit which the same place names
+_NEAR_SHARE = 1e-5  # relative tolerance of a rounded length against the unit named with it
 
 
-_FOR_USERS = ("pointloom.app.", "pointloom.bridge.")  # houses that do what a user asks for, word by word
+_FOR_USERS = ("pointloom.app.", "pointloom.bridge.")  # packages that only forward user calls
 _AROUND_CALLS = ("pointloom.core.dropped_results", "pointloom.core.told_arguments")  # decorators of operations
-_PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules in which no warning is the user's
+_PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules where warnings are never the user's
 
 
 class UnitWarning(UserWarning):
-    """Lengths of two units meet, such as those of a cloud in feet and of one in metres; or most likely do, since a
-    radius, a scale or a limit leaves nothing of the data or cannot part it, or two clouds lie far from each other.
+    """Lengths of different units are mixed, or probably are: a radius, scale or limit does not match the data.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -42,7 +39,7 @@ class UnitWarning(UserWarning):
 
 
 class NonFiniteWarning(UserWarning):
-    """Normals, covariances, colors or speeds of some points are NaN or infinite, so that these points are not used.
+    """Normals, covariances, colors or speeds of some points are NaN or infinite; these points are not used.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -54,16 +51,16 @@ class NonFiniteWarning(UserWarning):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class LengthUnit:
-    """The unit of coordinates. It is equal to its name: `cloud.unit == "foot"`.
+    """The unit of coordinates. It equals its name: `cloud.unit == "foot"`.
 
     Attributes:
         name: Such as "foot".
-        symbol: What stands behind numbers.
-        metres: Of one unit [m]; None of degrees of longitude and latitude, which are no lengths.
+        symbol: The suffix of numbers.
+        metres: Length of one unit [m]; None for degrees of longitude and latitude.
 
     Raises:
-        TypeError: The name or the symbol is no text, or the length no number.
-        ValueError: The name or the symbol is empty, or no line of ASCII, or the length is not above zero.
+        TypeError: Name or symbol is no string, or the length is no number.
+        ValueError: Name or symbol is empty or not one line of ASCII, or the length is not positive.
 
     Example:
         >>> import pointloom as loom
@@ -94,11 +91,11 @@ class LengthUnit:
 
     @property
     def json_value(self) -> str:
-        """Its name, as reports contain it."""
+        """Its name, for reports."""
         return self.name
 
     def in_words(self) -> str:
-        """Its name, and what one of it is."""
+        """Its name and length in words."""
         if self.metres is None:
             return f"{self.name}, of longitude and latitude"
         return self.name if self.metres == 1 else f"{self.name} ({self.metres:.12g} m)"
@@ -121,7 +118,7 @@ KNOWN = (
     LengthUnit("millimetre", "mm", 0.001), LengthUnit("inch", "in", 0.0254), LengthUnit("yard", "yd", 0.9144),
 )  # fmt: skip
 
-# Other names, as people and files of coordinate systems write them, in small letters without `_` and `-`.
+# Other spellings, lower case without `_` and `-`.
 _OTHER_NAMES = {
     "meter": "metre", "meters": "metre", "metres": "metre", "kilometer": "kilometre", "centimeter": "centimetre",
     "millimeter": "millimetre", "feet": "foot", "international foot": "foot", "foot intl": "foot",
@@ -134,17 +131,11 @@ _BY_NAME |= {other: _BY_NAME[name.lower()] for other, name in _OTHER_NAMES.items
 
 
 def unit_by_name(name: str) -> LengthUnit | None:
-    """The known unit with this name or symbol, in any spelling that is in use; None without."""
+    """The unit with this name or symbol in any common spelling, or None."""
     return _BY_NAME.get(" ".join(name.lower().replace("_", " ").replace("-", " ").split()))
 
 
 def check_unit(name: str, value: Any) -> LengthUnit | None:
-    """A unit from its name, or None for an unknown one.
-
-    Raises:
-        TypeError: Neither text, nor a unit, nor None.
-        ValueError: No unit has this name.
-    """
     if value is None or isinstance(value, LengthUnit):
         return value
     if not isinstance(value, str):
@@ -157,7 +148,7 @@ def check_unit(name: str, value: Any) -> LengthUnit | None:
 
 
 def unit_by_length(name: str, metres: float) -> LengthUnit | None:
-    """The unit that a file describes by its name and its length [m]; None where these two contradict each other."""
+    """The unit with this name and length [m]; None if they contradict each other."""
     if not (math.isfinite(metres) and metres > 0):
         return None
     named = unit_by_name(name)
@@ -174,13 +165,13 @@ def unit_by_length(name: str, metres: float) -> LengthUnit | None:
 
 
 def text_of(unit: LengthUnit) -> str:
-    """A unit in one line of a file: its name, and behind it its length where that is not known by name."""
+    """A unit as one line for files: its name, and its length if the name is not known."""
     is_known = unit.metres is None or unit_by_name(unit.name) == unit
     return unit.name if is_known else f"{unit.name} = {unit.metres!r} m"
 
 
 def unit_of_text(text: str) -> LengthUnit | None:
-    """What `text_of` has written; None of any other text."""
+    """Inverse of `text_of`; None for other text."""
     name, is_told, length = text.strip().rpartition(" = ")
     if not is_told:
         unit = unit_by_name(text)
@@ -193,22 +184,15 @@ def unit_of_text(text: str) -> LengthUnit | None:
 
 
 def is_same(a: LengthUnit | None, b: LengthUnit | None) -> bool:
-    """Whether lengths in the two may meet: they are one unit, or one of them is unknown."""
     return a is None or b is None or a.metres == b.metres
 
 
 def symbol_of(unit: LengthUnit | None) -> str:
-    """What stands behind lengths: "m" where the unit is not known."""
     return "m" if unit is None else unit.symbol
 
 
 def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | None:
-    """The unit of things that meet: that of those whose unit is known; None, with a warning, where these differ.
-
-    Args:
-        name: What meets, for the warning.
-        units: Theirs; one that is unknown is taken for that of the others.
-    """
+    """The common unit; unknown units adopt that of the others. Returns None with a warning if units differ."""
     known = [unit for unit in units if unit is not None]
     other = next((unit for unit in known if not is_same(unit, known[0])), None)
     if other is None:
@@ -222,10 +206,7 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
 
 @contextlib.contextmanager
 def without_warnings(category: type[Warning]) -> Iterator[None]:
-    """Silence a category of `warn_of_units` in the block, for this thread only.
-
-    `warnings.catch_warnings` would change the filters of all threads.
-    """
+    """Silence a category of `warn_of_units` in this thread; `warnings.catch_warnings` would affect all threads."""
     token = _silenced.set((*_silenced.get(), category))
     try:
         yield
@@ -234,13 +215,13 @@ def without_warnings(category: type[Warning]) -> Iterator[None]:
 
 
 def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
-    """Warn, at the line of the user's that led here, unless `without_warnings` encloses the call."""
+    """Warn at the user's line, unless `without_warnings` encloses the call."""
     if not issubclass(category, _silenced.get()):
         warnings.warn(escaped(message), category, stacklevel=_user_level())
 
 
 def asked_by_user() -> bool:
-    """Whether the operation that asks was called by a user's code or a command, and by no other operation."""
+    """True if the calling operation was called by user code or a command, not by another operation."""
     frame = sys._getframe(2)
     own = frame.f_globals.get("__name__", "")
     while frame.f_back is not None and frame.f_globals.get("__name__", "") in (own, *_AROUND_CALLS):
@@ -250,7 +231,7 @@ def asked_by_user() -> bool:
 
 
 def _user_level() -> int:
-    """The level in the stack of `warn_of_units` at which the user's own code stands."""
+    """The stack level of the user's code, as seen from `warn_of_units`."""
     level, frame = 2, sys._getframe(2)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(_PASSED_OVER):
         level, frame = level + 1, frame.f_back

@@ -1,4 +1,4 @@
-"""Which way is up: `check_up`, `up_under`."""
+"""The up axis: `check_up`, `up_under`."""
 
 from __future__ import annotations
 
@@ -12,17 +12,12 @@ from .checks import check_direction, shown
 
 Direction = tuple[float, float, float]
 
-UP: Direction = (0.0, 0.0, 1.0)  # where nothing says otherwise
+UP: Direction = (0.0, 0.0, 1.0)  # default
 AXES: dict[str, Direction] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": UP}
 
 
 def check_up(up: Any) -> Direction:
-    """The direction that is up, of length 1.
-
-    Raises:
-        TypeError: No text and no numbers.
-        ValueError: Another text than x, y and z, another shape, or no length.
-    """
+    """The up direction as a unit vector, from "x", "y", "z" or a vector."""
     if isinstance(up, str):
         if up not in AXES:
             raise ValueError(f"up: expected x, y, z or a direction, got {shown(up)}")
@@ -32,7 +27,7 @@ def check_up(up: Any) -> Direction:
 
 
 def up_under(up: Direction | None, A: NDArray[Any]) -> Direction | None:
-    """What is up behind a map with the 3x3 part A.
+    """The up direction after a map with the 3x3 part A.
 
     Example:
         >>> up_under((0.0, 1.0, 0.0), np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]))

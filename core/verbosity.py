@@ -1,8 +1,7 @@
-"""What the library says while it works: one logger, "pointloom", and how much of it is shown.
+"""Logging: the logger "pointloom" and its verbosity level.
 
-What is compiled for the first time on a machine, and how far a call is that takes long, are records at level INFO.
-Where nobody has configured Python's logging they are shown on stderr, which a notebook shows below its cell; where
-somebody has, they are his, and nothing is printed besides. POINTLOOM_VERBOSITY=warning silences a process from outside.
+First compilations and the progress of long calls are logged at INFO: on stderr, unless the program has configured
+logging. POINTLOOM_VERBOSITY=warning silences a process.
 """
 
 from __future__ import annotations
@@ -20,11 +19,11 @@ from .escaped_text import escaped
 from .standard_streams import write_to_stderr
 
 LOGGER = logging.getLogger("pointloom")
-PATIENCE = 3.0  # [s] before a call says how far it is, and between two times
+PATIENCE = 3.0  # [s] before a call reports progress, and between reports
 
 
 class VerbosityLevel(enum.Enum):
-    """How much is said, as in Open3D: each level what those before it say, and more.
+    """Verbosity levels, as in Open3D; each includes the previous ones.
 
     Example:
         >>> import pointloom as loom
@@ -45,16 +44,16 @@ LEVELS = {
 }
 
 
-VARIABLE = "POINTLOOM_VERBOSITY"  # error, warning, info or debug: for a process whose script says nothing of it
+VARIABLE = "POINTLOOM_VERBOSITY"  # error, warning, info or debug: the default level of a process
 _BY_NAME = {level.name.lower(): number for level, number in LEVELS.items()}
 
 
 class Lines(logging.Handler):
-    """Lines on stderr, where no other handler would show them."""
+    """Handler for stderr, used if there is no other handler."""
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Write one line to what stderr is now: notebooks and tests put their own in its place."""
-        if record.name != LOGGER.name:  # the viewer's, of what visitors do: for who asks for them
+        """Write to the current stderr, which notebooks and tests replace."""
+        if record.name != LOGGER.name:  # the viewer's log of visitor actions: only on request
             return
         if logging.root.handlers or any(handler is not self for handler in LOGGER.handlers):
             return
@@ -69,7 +68,7 @@ _lines = Lines()
 
 
 def start() -> None:
-    """Show what the library says on stderr, unless the program has its own logging already."""
+    """Log to stderr, unless the program has configured logging."""
     if _lines not in LOGGER.handlers:
         LOGGER.addHandler(_lines)
         if LOGGER.level == logging.NOTSET and not logging.root.handlers:
@@ -77,10 +76,10 @@ def start() -> None:
 
 
 def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
-    """Say more or less, for the whole process: the level of the logger "pointloom".
+    """Set the level of the logger "pointloom" for the process.
 
     Args:
-        verbosity_level: Error, Warning, Info (unless set) or Debug, which also says each stage as it begins.
+        verbosity_level: Error, Warning, Info (default) or Debug, which also logs the start of each stage.
 
     Raises:
         TypeError: Not a VerbosityLevel.
@@ -101,7 +100,7 @@ def set_verbosity_level(verbosity_level: VerbosityLevel) -> None:
 
 
 def get_verbosity_level() -> VerbosityLevel:
-    """How much is said; see `set_verbosity_level`.
+    """The current verbosity level.
 
     Example:
         >>> import pointloom as loom
@@ -116,7 +115,7 @@ def get_verbosity_level() -> VerbosityLevel:
 
 
 class VerbosityContextManager:
-    """Say more or less inside a `with` block, and what was said before after it.
+    """Set the verbosity level inside a `with` block and restore it afterwards.
 
     Args:
         level: A VerbosityLevel.
@@ -148,7 +147,7 @@ class VerbosityContextManager:
 
 @contextlib.contextmanager
 def told_time(what: str, wanted: bool) -> Iterator[None]:
-    """Print what is done and how long it took, where a caller wants to see progress and there are no steps to count."""
+    """Print a step and its duration if requested, for steps without a count."""
     if not wanted:
         yield
         return
@@ -159,17 +158,13 @@ def told_time(what: str, wanted: bool) -> Iterator[None]:
 
 
 class LoggedProgress:
-    """A `ReportProgress` for calls that were given none: says how far they are where they take long.
-
-    Level INFO: not before `PATIENCE`, and not more often. Level DEBUG: each stage as it begins.
-    """
+    """The default `ReportProgress`: logs slow calls at INFO, at most every `PATIENCE`, and each stage at DEBUG."""
 
     def __init__(self) -> None:
         self._began = self._said = time.monotonic()
         self._stage = ""
 
     def __call__(self, stage: str, done: int, total: int) -> None:
-        """Say it, if it is time."""
         now = time.monotonic()
         text = f"{stage} {done:,} of {total:,}" if total else f"{stage} {done:,}" if done else stage
         if now - self._said >= PATIENCE:

@@ -1,7 +1,6 @@
-"""What algorithms tell while they run, for those who watch: `report` in the algorithm, `watch` around the call.
+"""Progress events of algorithms for observers: `report` in the algorithm, `watch` around the call.
 
-Nobody watches as a rule: then `report` is a look at an empty tuple, and what would cost more stands behind `watched`.
-Events carry references, never copies: who wants to keep something that may change takes its own copy.
+Without observers `report` is almost free; guard expensive data with `watched`. Events pass references, not copies.
 """
 
 from __future__ import annotations
@@ -21,16 +20,10 @@ _standing: contextvars.ContextVar[dict[str, Any] | None] = contextvars.ContextVa
 
 @contextlib.contextmanager
 def watch(callback: Watcher) -> Iterator[None]:
-    """Call `callback(event, data)` for what algorithms report inside the block, in this thread alone.
+    """Call `callback(event, data)` for events reported inside the block, in this thread.
 
-    Watchers nest: all are told, the outermost first. What one raises ends the algorithm with that error. What it calls
-    itself is not reported.
-
-    Args:
-        callback: Takes the event's name and a dict of what belongs to it.
-
-    Raises:
-        TypeError: No function.
+    Observers nest, the outermost is called first. An exception in a callback ends the algorithm; algorithms called by
+    it report nothing. `data` is a dict.
 
     Example:
         >>> import pointloom as loom
@@ -51,10 +44,7 @@ def watch(callback: Watcher) -> Iterator[None]:
 
 @contextlib.contextmanager
 def standing_for(**data: Any) -> Iterator[None]:
-    """Have what is reported inside the block carry this data, in place of its own of the same names.
-
-    ICP of thinned clouds so reports the clouds that they were made of. Of blocks in blocks the outer one counts.
-    """
+    """Override data of events inside the block, such as clouds before downsampling; the outer block wins."""
     token = _standing.set(data | (_standing.get() or {}))
     try:
         yield
@@ -64,7 +54,7 @@ def standing_for(**data: Any) -> Iterator[None]:
 
 @contextlib.contextmanager
 def unwatched() -> Iterator[None]:
-    """Report nothing inside the block: for algorithms inside others, whose steps nobody asked for."""
+    """Report nothing inside the block: for algorithms inside others."""
     token = _watchers.set(())
     try:
         yield
@@ -73,16 +63,15 @@ def unwatched() -> Iterator[None]:
 
 
 def watched() -> bool:
-    """Whether anybody watches: guards what is only computed to be reported."""
+    """True if there are observers: guards data computed only for events."""
     return bool(_watchers.get())
 
 
 def report(event: str, **data: Any) -> None:
-    """Tell all watchers of an event; nothing where there are none."""
     watchers = _watchers.get()
     if not watchers:
         return
     told = data | (_standing.get() or {})
-    with unwatched():  # a watcher may call algorithms itself
+    with unwatched():  # an observer may call algorithms itself
         for watcher in watchers:
             watcher(event, told)

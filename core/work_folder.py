@@ -1,4 +1,4 @@
-"""The folder in which a job leaves the files of its stages: nothing in it is lost that somebody wants to keep."""
+"""The folder of a job's stages, protected against accidental replacement."""
 
 from __future__ import annotations
 
@@ -17,25 +17,14 @@ except ImportError:  # Windows
 
 
 def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite: bool) -> Path:
-    """The folder of the stages, once it is sure that nothing in it is replaced that somebody wants to keep.
-
-    Args:
-        folder: The folder; its parent is there.
-        marker: The file that each run of the job leaves in it, and first of all.
-        resume: Whether an earlier run is gone on with.
-        overwrite: Whether one is replaced.
-
-    Raises:
-        FileError: It is a file, its parent is missing, it holds an earlier run and is neither to be kept nor replaced,
-            or it holds something else.
-    """
+    """Check that a job folder, identified by its `marker` file, can be created, resumed or overwritten."""
     folder = path_of(folder, "folder")
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder with --work")
     if not folder.absolute().parent.is_dir():
         raise FileError(folder, f"the folder {folder.parent} does not exist", remedy="Make the folder first")
     if not folder.exists() or not any(path.is_file() for path in folder.rglob("*")):
-        return folder  # it may hold empty folders, of a run that was interrupted at its very beginning
+        return folder  # it may contain empty folders of a run that was interrupted at the start
     if not (folder / marker).is_file():
         raise FileError(folder, "holds other files than those of a run", remedy="Give another folder with --work")
     if not resume and not overwrite:
@@ -46,11 +35,7 @@ def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite:
 
 @contextlib.contextmanager
 def held(folder: FilePath) -> Iterator[None]:
-    """Keep other processes from working in a folder meanwhile; one that ends in whatever way lets go of it.
-
-    Raises:
-        FileError: Another does.
-    """
+    """Lock a folder against other processes; the lock ends with the process. Raises `FileError` if it is locked."""
     if fcntl is None:
         yield
         return

@@ -1,10 +1,10 @@
-"""A truth value that may be called, too: `cloud.has_normals` and, as in Open3D, `cloud.has_normals()`."""
+"""A callable truth value: `cloud.has_normals` and, as in Open3D, `cloud.has_normals()`."""
 
 from __future__ import annotations
 
 
 class YesOrNo(int):
-    """1 or 0, shown as True or False; calling it gives the bool."""
+    """1 or 0, printed as True or False; calling it returns the bool."""
 
     def __new__(cls, value: object) -> YesOrNo:
         return super().__new__(cls, bool(value))

@@ -1,6 +1,4 @@
-"""Data to learn and to measure with: scenes made here whose truth is known, and public sets by name.
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""Synthetic scenes with ground truth, and public data sets by name; names are loaded on first use.
 
 Example:
     >>> import pointloom as loom

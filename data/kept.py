@@ -1,9 +1,7 @@
-"""Arrays that took long to make, kept in the user's cache folder for the next process.
+"""Disk cache for generated arrays in the user's cache folder.
 
-A file is named by its maker, the parameters and the sources that it was made by, and holds all three; another version
-makes its own. It is written whole or not at all, and one that is damaged is made anew: the archive has a checksum of
-each array. Where the folder cannot be written to, nothing is kept. What was not used for longest goes when all of it
-passes a gigabyte.
+File names contain generator, parameters and a source digest. Files are atomic and checksummed; damaged ones are
+regenerated, and the least recently used are removed above 1 GB.
 """
 
 from __future__ import annotations
@@ -26,8 +24,8 @@ from ..core.atomic import atomic_write
 from ..core.errors import PointloomError
 from ..kernels.language.cache_folders import cache_folder
 
-LEAST_SECONDS = 0.5  # what is made faster is made again
-SOURCES = ("kernels", "cameras", "pcd", "meshing", "data")  # houses whose code makes the data
+LEAST_SECONDS = 0.5  # [s] faster results are not cached
+SOURCES = ("kernels", "cameras", "pcd", "meshing", "data")  # packages whose code affects the data
 FORM = 1  # of the files
 MOST_BYTES = 1 << 30  # of all that is kept
 
@@ -35,18 +33,12 @@ Arrays = dict[str, Any]  # NumPy arrays by name
 
 
 def data_folder() -> Path:
-    """Where made data and public sets are kept: `pointloom/data` in the user's cache folder (XDG_CACHE_HOME)."""
+    """The folder of generated and public data: `pointloom/data` in the user's cache folder (XDG_CACHE_HOME)."""
     return cache_folder() / "pointloom" / "data"
 
 
 def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[str, Any]]) -> Arrays:
-    """What `make` gives: arrays by name, from the disk where an earlier call with these parameters left them there.
-
-    Args:
-        maker: Name of the function.
-        parameters: All that the arrays depend on, as JSON has it.
-        make: Makes them; the same bits each time.
-    """
+    """Arrays by name from the cache, or from `make`, which must be deterministic in the JSON `parameters`."""
     key = json.dumps([FORM, maker, dict(parameters), source_digest()], sort_keys=True)
     path = data_folder() / f"{maker}-{hashlib.sha256(key.encode()).hexdigest()[:16]}.npz"
     found = _read(path, key)
@@ -61,7 +53,6 @@ def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[s
 
 @functools.cache
 def source_digest() -> str:
-    """A digest of all code that made data depend on."""
     root, digest = Path(__file__).parents[1], hashlib.sha256(np.__version__.encode())
     for house in SOURCES:
         for path in sorted((root / house).rglob("*.py")):
@@ -70,7 +61,6 @@ def source_digest() -> str:
 
 
 def _read(path: Path, key: str) -> Arrays | None:
-    """The arrays of a file; None where there is none, or none that is whole and of this key."""
     try:
         with path.open("rb") as held, np.load(held, allow_pickle=False) as file:
             if str(file["key"]) != key:
@@ -79,12 +69,12 @@ def _read(path: Path, key: str) -> Arrays | None:
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, NotImplementedError):
         return None
     with contextlib.suppress(OSError):
-        os.utime(path)  # used now
+        os.utime(path)  # mark as used
     return found
 
 
 def _write(path: Path, key: str, arrays: Arrays) -> None:
-    """Keep the arrays; a disk that is full or read-only keeps nothing."""
+    """Store the arrays, unless the disk is full or read-only."""
     with contextlib.suppress(OSError, PointloomError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with atomic_write(path) as file:
@@ -93,7 +83,7 @@ def _write(path: Path, key: str, arrays: Arrays) -> None:
 
 
 def _make_room(newest: Path) -> None:
-    """Remove what was not used for longest, until the rest is within bounds; the newest stays."""
+    """Remove the least recently used files until the limit holds; the newest stays."""
     found = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
     total = 0
     for _, file in found:

@@ -1,1 +1,1 @@
-"""Strict readers, which never invent data, and writers, which write whole or not at all."""
+"""Strict readers, which never invent data, and atomic writers."""

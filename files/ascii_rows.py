@@ -1,7 +1,6 @@
-"""Rows of numbers as text, shared by the ASCII forms of PLY and PCD and by the XYZ family.
+"""Rows of numbers as text, for ASCII PLY, PCD and XYZ; blank lines are ignored.
 
-One row is one line; blank lines count as nothing. Reading takes two vectorised passes: one finds the tokens of each
-line, one parses all of them at once; only a file that fails is walked line by line, to name the first bad one.
+Two vectorized passes find and parse the tokens; only on failure are lines scanned to report the first error.
 """
 
 from __future__ import annotations
@@ -16,30 +15,22 @@ from numpy.typing import NDArray
 
 from ..core.errors import FileError
 
-# Rows formatted or packed at a time: large enough to amortise Python, small enough to stay out of memory's way.
+# Rows formatted or packed at a time: large enough to amortize Python, small enough to limit memory.
 CHUNK_ROWS = 1 << 16
 
 _NUMBER = re.compile(rb"[+-]?(?:\d++(?:\.\d*+)?(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?|inf(?:inity)?|nan(?:\(\w*\))?)", re.I)
 
 
 def unix_lines(body: bytes) -> bytes:
-    """A text whose lines end in LF, of one with LF, CRLF or CR."""
     return body.replace(b"\r\n", b"\n").replace(b"\r", b"\n") if b"\r" in body else body
 
 
 def is_number(word: bytes) -> bool:
-    """Whether a word is a number as these rows have them."""
     return _NUMBER.fullmatch(word) is not None
 
 
 class AsciiRows:
-    """The non-blank lines of a text body and the numbers in them.
-
-    Args:
-        path: The file, for errors.
-        body: The text behind the header; line ends may be LF, CRLF or CR.
-        first_line: The line number of the body's first line, from 1.
-    """
+    """The non-blank lines of a text and their numbers; `first_line` is the line number of the first line, from 1."""
 
     def __init__(self, path: Any, body: bytes, first_line: int):
         body = unix_lines(body)
@@ -57,20 +48,15 @@ class AsciiRows:
         self.row_count = len(self._lines)
 
     def where(self, row: int) -> str:
-        """The place of a row (or of the end of the text), for errors."""
+        """The location of a row, or of the end, for errors."""
         line = self._lines[row] if row < self.row_count else self._body.rstrip().count(b"\n")
         return f"line {self._first_line + int(line)}"
 
     def widths(self) -> NDArray[np.int64]:
-        """Tokens of each row, shape [rows]."""
+        """Number of tokens of each row, shape (rows,)."""
         return np.diff(self.first)
 
     def check_width(self, begin: int, end: int, width: int) -> None:
-        """Hold that rows begin..end have `width` values each.
-
-        Raises:
-            FileError: The first row that does not, with its line.
-        """
         wrong = np.flatnonzero(self.widths()[begin:end] != width)
         if len(wrong):
             row = begin + int(wrong[0])
@@ -78,12 +64,8 @@ class AsciiRows:
             raise FileError(self._path, f"expected {width} values, found {found}", where=self.where(row))
 
     def is_parted_by(self, marks: NDArray[np.int64], width: int) -> bool:
-        """Whether each row has `width` values with one mark between each two of them, and none elsewhere.
-
-        Args:
-            marks: Where the separators stood that are blanks now: places in the body, ascending.
-            width: Values of a row.
-        """
+        """True if each row has `width` values with exactly one separator between them.
+        `marks` are the positions of the separators, now blanks, ascending."""
         if len(self._tokens) != self.row_count * width or len(marks) != self.row_count * (width - 1):
             return False
         values, between = self._tokens.reshape(-1, width), marks.reshape(-1, width - 1)
@@ -91,11 +73,7 @@ class AsciiRows:
         return bool(in_rows and (values[:, :-1] < between).all() and (between < values[:, 1:]).all())
 
     def numbers(self) -> NDArray[np.float64]:
-        """Every token as float64, flat; all integers up to 2^53 are exact.
-
-        Raises:
-            FileError: A token that is no number, or one beyond float64, with its line.
-        """
+        """All tokens as flat float64, exact for integers up to 2^53; raises `FileError` with the line."""
         if not len(self._tokens):
             return np.empty(0)
         try:
@@ -108,7 +86,7 @@ class AsciiRows:
         return values
 
     def words(self) -> list[bytes]:
-        """Every token as it stands, flat, for integers beyond 2^53."""
+        """All tokens as bytes, for integers beyond 2^53."""
         return self._body.split()
 
     def _check_infinities(self, values: NDArray[np.float64]) -> None:
@@ -134,11 +112,7 @@ class AsciiRows:
     def cast(
         self, values: NDArray[np.float64], dtype: np.dtype[Any], what: str, rows: int | NDArray[np.int64]
     ) -> NDArray[Any]:
-        """Parsed values in the type that the header declares; `rows` is the first one's row, or the row of each.
-
-        Raises:
-            FileError: A value that the type cannot hold, with its line.
-        """
+        """Cast values to the declared type; `rows` is the first row or the row of each value, for errors."""
         if dtype.kind == "f":
             with np.errstate(over="ignore"):
                 column = values.astype(dtype)
@@ -157,14 +131,7 @@ class AsciiRows:
 
 
 def write_rows(file: IO[bytes], columns: Sequence[NDArray[Any]], *, line: str | None = None) -> None:
-    """Write columns of shape [n] as lines of text.
-
-    Args:
-        file: Where to.
-        columns: One array a column.
-        line: The %-format of a line, its line end included; by default the values parted by blanks, with digits enough
-            to read the same bits back.
-    """
+    """Write columns (n,) as lines; `line` is a %-format with line end, by default lossless."""
     line = row_format(columns) if line is None else line
     for begin in range(0, len(columns[0]), CHUNK_ROWS):
         parts = [column[begin : begin + CHUNK_ROWS].tolist() for column in columns]
@@ -172,12 +139,12 @@ def write_rows(file: IO[bytes], columns: Sequence[NDArray[Any]], *, line: str | 
 
 
 def row_format(columns: Sequence[NDArray[Any]]) -> str:
-    """The %-format of a line of these columns, with digits enough to read the same bits back."""
+    """A lossless %-format for a line of these columns."""
     return " ".join(_format(column.dtype) for column in columns) + "\n"
 
 
 def _format(dtype: np.dtype[Any]) -> str:
-    """9 and 17 significant digits tell every float32 and float64 apart."""
+    """9 and 17 significant digits identify every float32 and float64."""
     if dtype.kind != "f":
         return "%d"
     return "%.9g" if dtype.itemsize <= 4 else "%.17g"

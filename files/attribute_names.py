@@ -1,7 +1,7 @@
-"""Names under which formats hold attributes, by one rule for all formats.
+"""Attribute names for file formats.
 
-A character that a format cannot hold becomes "_". A name that is empty, too long, in use, or would be read as something
-else is cut where it is too long and gets "_2", "_3", ... at its end. Names that a format can hold stay as they are.
+Unsupported characters become "_". Names that are empty, too long, in use or ambiguous are cut and get the suffix "_2",
+"_3", ...
 """
 
 from __future__ import annotations
@@ -19,16 +19,9 @@ from ..core.escaped_text import escaped
 
 @dataclass(frozen=True)
 class NameRules:
-    """What a format allows as names.
-
-    Attributes:
-        holds: True for a character that names may have.
-        used: Names that the format has for something else.
-        roles: Names that are read as something else if all of a tuple are there.
-        max_bytes: Of a name in UTF-8.
-        in_parts: True if an attribute of shape (n, c) is written as `name_0`, `name_1`, ...
-        instead: Names of attributes whose values the format cannot hold under their own name, and the names to try.
-    """
+    """The names that a format allows: characters (`holds`), reserved names (`used`) and bytes in UTF-8 (`max_bytes`).
+    `roles` are tuples of names with another meaning if all are present. `in_parts` writes an attribute (n, c) as
+    `name_0`, ... `instead` gives alternative names for attributes whose values do not fit under their own."""
 
     holds: Callable[[str], bool]
     used: Collection[str] = ()
@@ -39,12 +32,11 @@ class NameRules:
 
 
 def is_word(character: str) -> bool:
-    """True for printable ASCII but the blank: what headers of text hold."""
+    """True for printable ASCII except the blank."""
     return "!" <= character <= "~"
 
 
 def new_names(attributes: dict[str, NDArray[Any]], rules: NameRules) -> dict[str, str]:
-    """The names of attributes that have to be renamed, and their new ones."""
     used, later = {*rules.used}, []
     renamed = {}
     for name, values in attributes.items():
@@ -63,14 +55,13 @@ def new_names(attributes: dict[str, NDArray[Any]], rules: NameRules) -> dict[str
 
 
 def _with_number(name: str, number: int, values: NDArray[Any], rules: NameRules) -> str:
-    """A name in the format's characters and bytes, with a number at its end from 2 on."""
+    """A valid name with a number suffix from 2 on."""
     end = "" if number == 1 else f"_{number}"
     longest = max((len(part) for part in _parts("", values, rules)), default=0)
     return _clean(name, rules, longest + len(end)) + end
 
 
 def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel: int = 3) -> None:
-    """Warn that attributes have other names than they had."""
     told = ", ".join(f"{old!r} as {new!r}" for old, new in renamed.items())
     message = f"{path}: attributes are {reason}: {told}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
@@ -79,7 +70,7 @@ def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel
 def rename(
     path: Any, format: str, attributes: dict[str, NDArray[Any]], rules: NameRules, *, stacklevel: int = 3
 ) -> dict[str, NDArray[Any]]:
-    """The attributes under names that a format can hold; warns of those that have other names then."""
+    """The attributes with valid names; warns of changes."""
     renamed = new_names(attributes, rules)
     if not renamed:
         return attributes
@@ -101,7 +92,7 @@ def _is_taken(parts: Iterable[str], used: set[str], rules: NameRules) -> bool:
 
 
 def _clean(name: str, rules: NameRules, reserved: int) -> str:
-    """A name in the format's characters, which leaves so many bytes for what is put behind it."""
+    """A valid name that leaves `reserved` bytes for a suffix."""
     name = "".join(letter if rules.holds(letter) else "_" for letter in name) or "_"
     if rules.max_bytes is None:
         return name

@@ -1,4 +1,4 @@
-"""Columns of a file and the arrays of a table: stacking triples, colours, and which types a file can hold."""
+"""Convert between file columns and table arrays: vectors, colors, supported types."""
 
 from __future__ import annotations
 
@@ -13,23 +13,19 @@ from ..core.coordinates import choose_origin, quiet
 from ..core.errors import FileError
 from ..core.escaped_text import escaped
 
-# Colours that arithmetic has pushed out of 0..1 by no more than this are clipped; anything further is a mistake.
+# Rounding errors of colors up to this are clipped; larger ones are errors.
 COLOR_SLACK = 1e-3
 
 
 @quiet()
 def stack_points(columns: Sequence[NDArray[Any]]) -> NDArray[Any]:
-    """Three columns as positions [n, 3]: float32 where all are, float64 otherwise."""
+    """Three columns as positions (n, 3): float32 if all are, else float64."""
     single = all(column.dtype.kind == "f" and column.dtype.itemsize == 4 for column in columns)
     return _stack(columns, np.float32 if single else np.float64)
 
 
 def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
-    """Three columns as normals, float32 [n, 3].
-
-    Raises:
-        FileError: A finite component beyond float32.
-    """
+    """Three columns as normals, float32 (n, 3); raises `FileError` beyond float32."""
     with quiet():
         normals = _stack(columns, np.float32)
     for axis, column in enumerate(columns):
@@ -41,13 +37,8 @@ def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.floa
 
 
 def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
-    """Columns as colors in 0..1, float32 [n, 3]; or [n, 4] with an alpha.
-
-    16-bit unsigned integers count as parts of 65535, other integers as parts of 255, floating point as it stands.
-
-    Raises:
-        FileError: A colour outside its range, with its row.
-    """
+    """Columns as colors in 0..1, float32 (n, 3 or 4).
+    uint16 is divided by 65535, other integers by 255, floats are unchanged; out of range raises `FileError`."""
     kinds = {(column.dtype.kind, column.dtype.itemsize) for column in columns}
     if len(kinds) > 1:
         raise FileError(path, "the three colour channels have different types")
@@ -69,14 +60,8 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
 def colors_or_loss(
     path: Any, columns: Sequence[NDArray[Any]], *, what: str = "colors", stacklevel: int = 3
 ) -> NDArray[np.float32] | None:
-    """Stack the color channels of a mesh, which is read whatever its colors are.
-
-    Colors outside their range are scaled or clamped with a warning. They are left behind with a warning if one is NaN
-    or infinite, or if the channels have different types.
-
-    Returns:
-        Colors in 0..1, float32 [n, 3], or None.
-    """
+    """Color channels of a mesh, float32 (n, 3) in 0..1, or None.
+    Out-of-range colors are scaled or clamped; NaN, infinity or mixed types drop all colors; both with a warning."""
     try:
         return stack_colors(path, columns)
     except FileError as error:
@@ -95,12 +80,8 @@ def colors_or_loss(
 
 
 def color_scale(columns: Sequence[NDArray[Any]]) -> int:
-    """The value of a full channel of colors.
-
-    Returns:
-        65535 for 16-bit unsigned integers and 255 for other integers. Floating-point numbers: 255 if one is above 2,
-        or one is above 1 and all are whole numbers; else 1.
-    """
+    """Maximum channel value: 65535 for uint16, 255 for other integers.
+    Floats: 255 if one is above 2, or one is above 1 and all are integers; else 1."""
     if columns[0].dtype.kind != "f":
         return 65535 if columns[0].dtype.kind == "u" and columns[0].dtype.itemsize == 2 else 255
     high = max((float(column.max()) for column in columns if len(column)), default=0.0)
@@ -108,12 +89,7 @@ def color_scale(columns: Sequence[NDArray[Any]]) -> int:
 
 
 def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.float32] | None, str]:
-    """Divide channels by `full` and clamp them to 0..1.
-
-    Returns:
-        The colors, float32 [n, c], and a note on what was clamped, empty if nothing was; or None and the reason if a
-        color is NaN or infinite.
-    """
+    """Divide channels by `full` and clamp to 0..1: float32 (n, c) and a note, or None and the reason if not finite."""
     with quiet():
         values = np.stack([column.astype(np.float64) for column in columns], axis=1) / full
     wild = ~np.isfinite(values).all(axis=1)
@@ -125,24 +101,20 @@ def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.f
 
 
 def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
-    """Warn that something of a file is left behind, for a reason; by default in the name of a reader's caller."""
+    """Warn that content of a file is dropped, by default at the reader's caller."""
     message = f"{path}: the {what} are left behind, since {reason}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
-    """Warn, in the name of a writer's caller, that a file lacks what its format cannot hold; say nothing of nothing."""
+    """Warn at the writer's caller of content that the format cannot store; no-op without names."""
     if names:
         message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def check_reach(path: Any, points: NDArray[Any]) -> None:
-    """Hold that float32 can hold the vertices of a mesh about some origin.
-
-    Raises:
-        FileError: It cannot, with the vertex that lies farthest out.
-    """
+    """Raise `FileError` if mesh vertices are too far apart for float32."""
     try:
         choose_origin(points)
     except ValueError as error:
@@ -154,33 +126,18 @@ def check_reach(path: Any, points: NDArray[Any]) -> None:
 
 
 def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:
-    """Colours in 0..1 rounded to 8 bits a channel, shape [n, 3].
-
-    Raises:
-        FileError: A colour that is NaN or outside 0..1, with its row.
-    """
+    """Round colors in 0..1 to 8 bits, shape (n, 3); raises `FileError` if out of range."""
     _refuse_colors(path, _outside(colors), "0..1")
     return np.rint(np.clip(colors, 0, 1) * np.float32(255)).astype(np.uint8)
 
 
 def own(column: NDArray[Any]) -> NDArray[Any]:
-    """A copy of a column that no longer looks into the file, in the machine's byte order."""
+    """A copy of a column in native byte order that does not reference the file."""
     return column.astype(column.dtype.newbyteorder("="), order="C", copy=True)
 
 
 def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy: str) -> None:
-    """Hold that a format can store this attribute in its own type.
-
-    Args:
-        path: The file, for errors.
-        name: The attribute.
-        values: The attribute's array.
-        allowed: NumPy type codes such as "i1", separated by blanks.
-        remedy: What the user can do instead.
-
-    Raises:
-        FileError: It cannot.
-    """
+    """Raise `FileError` if a format cannot store the type; `allowed` are NumPy type codes separated by blanks."""
     if f"{values.dtype.kind}{values.dtype.itemsize}" not in allowed.split():
         raise FileError(path, f"attribute {name!r}: the format has no type for {values.dtype}", remedy=remedy)
     if values.ndim == 2 and values.shape[1] == 0:
@@ -188,7 +145,7 @@ def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy:
 
 
 def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
-    """Integers of 64 bits in 32 bits or as float64 if that changes none, else None; other values as they are."""
+    """64-bit integers as 32 bits or float64 if lossless, else None; other values unchanged."""
     if values.dtype.kind not in "iu" or values.dtype.itemsize < 8:
         return values
     low, high = (int(values.min()), int(values.max())) if len(values) else (0, 0)
@@ -199,11 +156,6 @@ def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
 
 
 def check_name(path: Any, name: str) -> None:
-    """Hold that an attribute's name can stand as one word in a header.
-
-    Raises:
-        FileError: It is empty, or holds blanks or anything but printable ASCII.
-    """
     if not name or not name.isascii() or not name.isprintable() or " " in name:
         raise FileError(
             path, f"attribute {name!r} cannot be named in this format", remedy="Use printable ASCII without blanks"
@@ -211,7 +163,7 @@ def check_name(path: Any, name: str) -> None:
 
 
 def _outside(colors: NDArray[Any]) -> NDArray[np.bool_]:
-    """Which rows have a channel that is NaN or beyond 0..1, shape [n]."""
+    """Mask (n,) of rows with a channel that is NaN or outside 0..1."""
     with np.errstate(invalid="ignore"):
         inside = (colors >= -COLOR_SLACK) & (colors <= 1 + COLOR_SLACK)
     return np.logical_or.reduce(~inside.T)
@@ -228,7 +180,7 @@ def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
 
 
 def _stack(columns: Sequence[NDArray[Any]], dtype: Any) -> NDArray[Any]:
-    """Columns side by side; columns that already lie so in the file are copied in one pass."""
+    """Stack columns; columns that are already adjacent in the file are copied in one pass."""
     rows = np.empty((len(columns[0]), len(columns)), dtype)
     first = columns[0]
     step = first.dtype.itemsize

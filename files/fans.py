@@ -1,23 +1,9 @@
-"""Faces of any number of corners as triangles.
+"""Triangulate polygonal faces.
 
-A face becomes the fan around its first corner where all triangles of that fan turn as the face does. A quad that does
-not is parted along its other diagonal, a larger face by clipping ears, so that n corners give n - 2 triangles
-that do not overlap. A quad that is not flat is parted along its shorter diagonal. A face that crosses itself has no
-triangles of its own; it stays a fan, with a warning.
-
-Cost: meshes of triangles pay nothing, quads and larger faces some 70 operations a triangle, in pieces that fit into the
-cache; only faces that are no fans pay more.
-
-Simple polygons as triangles by clipping ears, many polygons of one size at a time. An ear is a corner whose triangle
-with its two neighbours holds no other corner. Clipping one leaves a polygon of one corner less, so that n corners give
-n - 2 triangles. As the triangles add up to the polygon, none overlap where all turn as it does: that is held at the
-end, not assumed. Corners on an edge, repeated ones and edges that are walked both ways (to a hole and back) are taken;
-a corner without area is clipped only where nothing else is left.
-
-Each step tests one corner of each polygon against its corners that turn inwards: n corners take some 2 n steps of n
-tests. Deterministic.
-
-Source: Meisters, "Polygons Have Ears" (1975); Held, "FIST" (2001), for what to do where no ear is left.
+A face becomes a fan around its first corner if all triangles have its orientation. Otherwise a quad is split along its
+other diagonal (nonplanar quads: the shorter one), a larger face by ear clipping, in lockstep for many polygons and
+deterministic. Self-intersecting faces stay fans, with a warning. Meisters, "Polygons have ears" (1975); Held, "FIST"
+(2001).
 """
 
 from __future__ import annotations
@@ -31,22 +17,22 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from ..core.escaped_text import escaped
 
-# Corners that a polygon may have: the work grows with the square of them, and 10,000 take some five seconds.
+# Maximum corners of a polygon: the cost is quadratic, and 10,000 take about 5 s.
 MOST_CORNERS = 10_000
 
-# Polygons of more corners are not looked through for crossings one edge against each; their triangles tell most.
+# Polygons with more corners skip the pairwise edge test; their triangles reveal most intersections.
 _MOST_CROSSED = 2_048
 
 _PAIRS_AT_A_TIME = 1 << 21
 _NUMBERS_AT_A_TIME = 1 << 18
 
-# What turns by less than this part of the products that it is the difference of does not turn.
+# Turns below this fraction of the products that they are differences of count as zero (rounding).
 _STRAIGHT = 1e-12
 
-# How the search for an ear gives way: no corner in or on its triangle, none in it, no area needed, nothing asked.
+# Relaxation levels of an ear: no corner in or on its triangle, none inside, zero area accepted, no condition.
 _OPEN, _FLAT, _ANY = 1, 2, 3
 
-# Steps a corner until a polygon is given up, and a large one, so that one that crosses itself ends too; most take two.
+# Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate; most take two.
 _MOST_STEPS = 12
 _MOST_STEPS_OF_LARGE = 4
 
@@ -55,16 +41,8 @@ Places = NDArray[np.int64]
 
 
 def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
-    """Triangles of polygons with n corners each, given counterclockwise.
-
-    Args:
-        x: Coordinates of the corners, shape [p, n].
-        y: The same.
-
-    Returns:
-        The triangles as places in the polygon, shape [p, n - 2, 3], each turned as the polygon, and which polygons have
-        such; those of the others, which cross themselves, mean nothing.
-    """
+    """Triangulate counterclockwise polygons, coordinates (p, n).
+    Returns corner indices (p, n - 2, 3) and a mask; triangles of self-intersecting polygons are invalid."""
     count, n = x.shape
     triangles, good = np.zeros((count, n - 2, 3), np.int64), np.zeros(count, bool)
     if n > MOST_CORNERS:
@@ -76,7 +54,7 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
         todo = todo[~_cross_themselves(x[part], y[part]) & ~_wind_twice(x[part], y[part])]
         for start in (
             (0,) if n > _MOST_CROSSED else {0: 0, n // 3: 0, 2 * n // 3: 0}
-        ):  # where one order of clipping is stuck, another may go on
+        ):  # another clipping order may succeed
             if not len(todo):
                 break
             triangles[todo], good[todo] = _Clipping(x[todo], y[todo], start).run()
@@ -87,14 +65,14 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
 
 
 def _turn(ax: Floats, ay: Floats, bx: Floats, by: Floats, cx: Floats, cy: Floats) -> Floats:
-    """Twice the area of a, b, c, above 0 where they turn to the left; exactly 0 where rounding may decide."""
+    """Twice the signed area of a, b, c, > 0 for a left turn; exactly 0 within rounding."""
     left, right = (bx - ax) * (cy - ay), (by - ay) * (cx - ax)
     area = left - right
     return np.where(np.abs(area) <= _STRAIGHT * (np.abs(left) + np.abs(right)), 0.0, area)
 
 
 def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
-    """Which polygons have two edges that cross at a point inside both, shape [p]."""
+    """Mask (p,) of polygons with two edges that cross in their interiors."""
     count, n = x.shape
     crossed = np.zeros(count, bool)
     if n > _MOST_CROSSED:
@@ -111,10 +89,7 @@ def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
 
 
 def _wind_twice(x: Floats, y: Floats) -> NDArray[np.bool_]:
-    """Which polygons turn by more or less than once about themselves, shape [p]; those with repeated corners pass.
-
-    Such cross themselves, at corners if not at edges. The tip of a spike may turn either way.
-    """
+    """Mask (p,) of polygons without duplicate corners whose turning number is not 1; they intersect themselves."""
     along_x, along_y = np.roll(x, -1, 1) - x, np.roll(y, -1, 1) - y
     next_x, next_y = np.roll(along_x, -1, 1), np.roll(along_y, -1, 1)
     zero = np.zeros_like(x)
@@ -126,7 +101,7 @@ def _wind_twice(x: Floats, y: Floats) -> NDArray[np.bool_]:
 
 
 def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
-    """Which polygons have a triangle whose middle lies in another one, shape [p]: they cross themselves at corners."""
+    """Mask (p,) of polygons with a triangle whose centroid is inside another one."""
     count, n = x.shape
     found = np.zeros(count, bool)
     if n > _MOST_CROSSED:
@@ -146,13 +121,7 @@ def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
 
 
 class _Clipping:
-    """Polygons that are clipped in step, each until it is a triangle or given up.
-
-    Args:
-        x: Coordinates, shape [p, n].
-        y: The same.
-        start: The corner at which the search begins.
-    """
+    """Ear clipping of polygons (p, n) in lockstep; the search begins at corner `start`."""
 
     def __init__(self, x: Floats, y: Floats, start: int):
         count, n = x.shape
@@ -178,7 +147,7 @@ class _Clipping:
         return self.triangles, self.good
 
     def _step(self, rows: Places) -> Places:
-        """Try the corner of each polygon that is next; the polygons that are not done."""
+        """Test the next corner of each polygon; returns the unfinished polygons."""
         b = self.at[rows]
         a, c = self.before[rows, b], self.after[rows, b]
         area = self._turn_at(rows, a, b, c)
@@ -204,15 +173,15 @@ class _Clipping:
         return _turn(x[rows, a], y[rows, a], x[rows, b], y[rows, b], x[rows, c], y[rows, c])
 
     def _turns_back(self, rows: Places, a: Places, b: Places, c: Places) -> NDArray[np.bool_]:
-        """Whether corners without area are repeated, or tips of spikes: their triangles have none whatever is done."""
+        """True for zero-area corners that are duplicates or tips of spikes, which have no area in any triangulation."""
         x, y = self.x, self.y
         at_x, at_y = x[rows, b], y[rows, b]
         return (x[rows, a] - at_x) * (x[rows, c] - at_x) + (y[rows, a] - at_y) * (y[rows, c] - at_y) >= 0
 
     def _is_filled(self, rows: Places, a: Places, b: Places, c: Places, way: Places) -> NDArray[np.bool_]:
-        """Whether a corner that turns inwards lies in the triangle, or on it where `way` asks for that too."""
+        """True if a reflex corner is inside the triangle, or on its boundary if `way` includes it."""
         x, y, inward = self.x[rows], self.y[rows], self.inward[rows]
-        if len(rows) == 1:  # one large polygon: those corners alone
+        if len(rows) == 1:  # one large polygon: only those corners
             kept = np.flatnonzero(inward[0])
             x, y, inward = x[:, kept], y[:, kept], inward[:, kept]
         ax, bx, cx = (self.x[rows, k][:, None] for k in (a, b, c))
@@ -230,17 +199,17 @@ class _Clipping:
         self.inward[rows, b] = False
         self.left[rows] -= 1
         self.failed[rows] = self.way[rows] = 0
-        self.at[rows] = self.after[rows, c]  # not the neighbour: its triangle would be a sliver beside this one
+        self.at[rows] = self.after[rows, c]  # not the neighbor: its triangle would be a sliver beside this one
         for k in (a, c):
             turns = self._turn_at(rows, self.before[rows, k], k, self.after[rows, k])
             self.inward[rows, k] &= turns <= 0
 
 
-# A quad is bent where its diagonals pass each other at more than this part of the longer one: well above what seven
-# digits do to flat quads, well below what one sees.
+# A quad is nonplanar if its diagonals miss each other by more than this fraction of the longer one: above the
+# rounding of seven digits, below what is visible.
 _BENT = 1e-3
 
-# The same for areas: a triangle of less than this part of its face has none.
+# Triangles below this fraction of their face's area count as degenerate.
 _NO_AREA = 1e-12
 
 _CORNERS_AT_A_TIME = 1 << 15
@@ -251,20 +220,7 @@ Mask = NDArray[np.bool_]
 
 
 def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDArray[Any]) -> Places:
-    """The triangles of faces, as places in the list of all corners, shape [t, 3]; a face of n corners has n - 2.
-
-    Args:
-        path: The file, for errors.
-        lengths: Corners of each face, shape [f].
-        corners: The vertex of each corner, one face after another.
-        vertices: Positions, shape [m, 3].
-
-    Raises:
-        FileError: A face of fewer than three corners, with its number.
-
-    Warns:
-        UserWarning: Faces that cross themselves.
-    """
+    """Triangles as indices into all corners, shape (t, 3); warns of self-intersecting faces."""
     small = np.flatnonzero(lengths < 3)
     if len(small):
         row = int(small[0])
@@ -279,7 +235,7 @@ def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDA
         at_a_time = max(1, _CORNERS_AT_A_TIME // length)
         for begin in range(0, len(rows), at_a_time):
             some = rows[begin : begin + at_a_time]
-            if len(rows) == len(lengths):  # all of one length
+            if len(rows) == len(lengths):  # equal lengths
                 of_corners = corners[begin * length : (begin + len(some)) * length].reshape(-1, length)
             else:
                 of_corners = corners[firsts[some][:, None] + np.arange(length)]
@@ -296,7 +252,6 @@ def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDA
 
 
 def _fans(lengths: Places) -> Places:
-    """The fan of each face around its first corner."""
     if (lengths == lengths[0]).all():
         length = int(lengths[0])
         begins, fans = np.arange(0, len(lengths) * length, length), np.empty((len(lengths), length - 2, 3), np.int64)
@@ -319,7 +274,7 @@ def _by_length(lengths: Places, largest: int) -> list[tuple[int, Places]]:
 
 
 def _scaled(vertices: NDArray[Any]) -> NDArray[Any]:
-    """The vertices, by a power of 2 where they are so far out or so close that products of four would leave float64."""
+    """Vertices scaled by a power of 2 so that products of four stay within float64."""
     if vertices.dtype == np.float32:
         return vertices
     with np.errstate(invalid="ignore"):
@@ -337,11 +292,9 @@ def _dot(a: list[Floats], b: list[Floats]) -> Floats:
 
 @np.errstate(all="ignore")
 def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
-    """Which of the quads [q, 4, 3] are parted from corner 1 to 3, the triangles for those, and which cross themselves.
-
-    With the diagonals d and e, the normal n = d x e and s = p1 - p0, the fan's triangles have along n the parts
-    (s x d) n and n n less that, those along the other diagonal (s x e) n and n n less that.
-    """
+    """Quads (q, 4, 3) to split from corner 1 to 3, their triangles, and a mask of self-intersecting ones.
+    With diagonals d, e, normal n = d x e and s = p1 - p0, the areas along n are (s x d) n and n n - (s x d) n for the
+    fan, and (s x e) n and n n - (s x e) n for the other split."""
     xyz = np.ascontiguousarray(p.transpose(1, 2, 0))
     d, e, s = (list(xyz[k] - xyz[j]) for k, j in ((2, 0), (3, 1), (1, 0)))
     n = _cross(d, e)
@@ -356,7 +309,7 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
     if len(rest):
         rest = rest[np.isfinite(p[rest]).all(axis=(1, 2))]
         weak = [(part[rest] >= -none[rest]) & (nn - part >= -none)[rest] for part in (fan, other)]
-        flat = nn[rest] <= (_NO_AREA * dd * ee)[rest]  # no normal: on one line, or two triangles that cancel out
+        flat = nn[rest] <= (_NO_AREA * dd * ee)[rest]  # no normal: collinear, or two triangles that cancel
         wide = _dot(*[[side[rest] for side in _cross(s, d)]] * 2) > (_NO_AREA * _dot(s, s) * dd)[rest]
         swapped[rest] = weak[1] & ~weak[0] & ~flat
         crossed[rest] = np.where(flat, wide, ~weak[0] & ~weak[1])
@@ -366,7 +319,7 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
 
 @np.errstate(all="ignore")
 def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
-    """Which of the polygons [q, n, 3] are no fans but have triangles, those, and which cross themselves."""
+    """Polygons (q, n, 3) that need ear clipping, their triangles, and a mask of self-intersecting ones."""
     arms = np.ascontiguousarray((p[:, 1:] - p[:, :1]).transpose(2, 0, 1))
     sides = _cross([*arms[:, :, :-1]], [*arms[:, :, 1:]])
     n = [side.sum(axis=1) for side in sides]
@@ -379,7 +332,7 @@ def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
         return rest, np.empty((0, p.shape[1] - 2, 3), np.int64), crossed
     x, y, area = _flattened(p[rest], np.stack(n)[:, rest])
     widest = np.sqrt(_dot(sides, sides)[rest].max(axis=1))
-    is_thin = area <= _NO_AREA * widest  # no normal: on one line, or parts that cancel out
+    is_thin = area <= _NO_AREA * widest  # no normal: collinear, or parts that cancel
     triangles, good = clip_ears(x[~is_thin], y[~is_thin])
     reach = (p[rest].max(axis=1) - p[rest].min(axis=1)).max(axis=1)
     crossed[rest] = is_thin & (widest > _NO_AREA * reach**2)
@@ -388,14 +341,14 @@ def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
 
 
 def _goes_round(arms: Floats, n: list[Floats]) -> Mask:
-    """Whether the arms [3, q, n - 1] from the first corner to the others turn by more than once about it."""
+    """True if the arms (3, q, n - 1) from the first corner turn more than once around it."""
     first = [arm[:, :1] for arm in arms]
     side = _dot(_cross(first, [*arms]), [part[:, None] for part in n])
     return np.asarray(((side[:, 1:-1] < 0) & (side[:, 2:] >= 0)).any(axis=1))
 
 
 def _flattened(p: Floats, n: Floats) -> tuple[Floats, Floats, Floats]:
-    """The polygons along the axis that their normal [3, q] is nearest to, counterclockwise, and that part of it."""
+    """Project polygons along the axis nearest to their normal (3, q), counterclockwise, with that normal component."""
     axis = np.abs(n).argmax(axis=0)
     rows = np.arange(len(p))
     part = n[axis, rows]

@@ -1,4 +1,4 @@
-"""Other packages that read and write files for us: loaded where they are needed, their errors made ours."""
+"""Optional packages for file formats: loaded on demand, with their errors converted."""
 
 from __future__ import annotations
 
@@ -14,16 +14,7 @@ from ..core.interrupts import signal_exception
 
 
 def import_for(path: Any, module: str, extra: str) -> Any:
-    """A module of an optional package, which is loaded only where such a file is used.
-
-    Args:
-        path: The file, for errors.
-        module: The module's name.
-        extra: The extra of pointloom that installs the package.
-
-    Raises:
-        FileError: The package is missing.
-    """
+    """Import a module of an optional package for a file; raises `FileError` naming the `extra` that installs it."""
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -33,20 +24,9 @@ def import_for(path: Any, module: str, extra: str) -> Any:
 
 @contextlib.contextmanager
 def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
-    """Turn the errors that another package raises for a file into a FileError.
-
-    Exceptions that are no errors of the package pass unchanged: a FileError, a MemoryError, everything that is no
-    Exception (KeyboardInterrupt, time limits of test runners), and everything that a signal handler raised. The panics
-    of packages in Rust are no Exception either, but they are errors.
-
-    Args:
-        path: The file, for errors.
-        what: The beginning of the reason.
-        remedy: What the user can do.
-
-    Raises:
-        FileError: The package raised an error.
-    """
+    """Convert errors of another package to FileError; `what` starts the reason.
+    FileError, MemoryError, non-Exception (KeyboardInterrupt, test time limits) and exceptions of signal handlers pass
+    unchanged. Panics of Rust packages are converted, although they are no Exception."""
     handled = sys.exception()
     try:
         yield
@@ -66,10 +46,7 @@ def foreign_errors(path: Any, what: str, *, remedy: str = "") -> Iterator[None]:
 
 @contextlib.contextmanager
 def ignored_errors() -> Iterator[None]:
-    """Ignore the errors that another package raises for a part of a file that is not needed.
-
-    As with `foreign_errors`, a MemoryError and what a signal handler raised pass.
-    """
+    """Ignore errors of another package on an optional part of a file, except MemoryError and signal handlers'."""
     handled = sys.exception()
     try:
         yield
@@ -81,5 +58,5 @@ def ignored_errors() -> Iterator[None]:
 
 
 def _is_panic(error: BaseException) -> bool:
-    """True for a panic of a package in Rust. Each package has its own class of this name."""
+    """True for a panic of a Rust package; each package has its own class of this name."""
     return (type(error).__module__, type(error).__name__) == ("pyo3_runtime", "PanicException")

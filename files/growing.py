@@ -1,7 +1,6 @@
-"""Columns that grow with what a file delivers, where its header's count is not to be trusted with memory.
+"""Columns that grow with the delivered data, as a header's count is not trusted with memory.
 
-Memory: at most twice what was delivered, and never more than the count itself; growing reallocates in place, so no two
-copies of a large column are held (the system moves its pages).
+Memory: at most twice the delivered data and never more than the count; arrays are reallocated in place.
 """
 
 from __future__ import annotations
@@ -12,17 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-# Memory that is taken on the header's word alone, some million rows of usual ones.
+# Memory allocated on the header's count alone, about a million typical rows.
 _FIRST_BYTES = 1 << 26
 
 
 class GrowingColumns:
-    """Arrays of a common length by name, filled block by block.
-
-    Args:
-        count: Rows that the header says will come.
-        is_proven: Whether the file was found large enough for them; then all memory is taken at once.
-    """
+    """Named arrays of common length, filled by block; `is_proven` allocates all `count` rows at once."""
 
     def __init__(self, count: int, *, is_proven: bool):
         self._count, self._is_proven = count, is_proven
@@ -31,7 +25,7 @@ class GrowingColumns:
         self._filled = 0
 
     def append(self, block: dict[str, NDArray[Any]]) -> None:
-        """Add rows; every block has the same columns, the first of them (which may be empty) says their types."""
+        """Add rows; the first block, possibly empty, defines the types."""
         added = len(next(iter(block.values())))
         if not (self._arrays or self._is_proven):
             width = sum(values.dtype.itemsize * math.prod(values.shape[1:]) for values in block.values())
@@ -45,7 +39,6 @@ class GrowingColumns:
         self._filled += added
 
     def finish(self) -> dict[str, NDArray[Any]]:
-        """The columns, as long as what was added."""
         if self._filled != self._capacity:
             self._resize(self._filled)
         return self._arrays
@@ -53,4 +46,4 @@ class GrowingColumns:
     def _resize(self, rows: int) -> None:
         self._capacity = rows
         for array in self._arrays.values():
-            array.resize((rows, *array.shape[1:]), refcheck=False)  # nobody else has seen it yet
+            array.resize((rows, *array.shape[1:]), refcheck=False)  # no other reference exists yet

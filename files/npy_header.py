@@ -1,8 +1,6 @@
-"""The header of an array in NumPy's .npy format, checked before NumPy evaluates it as Python.
+"""Validate .npy headers before NumPy evaluates them, since Python warns for damaged literals.
 
-Python warns for some damaged literals. Such warnings could be silenced for all threads only.
-
-Source: NEP 1, "A simple file format for NumPy arrays".
+Only a process-wide filter could silence these warnings. NEP 1, "A simple file format for NumPy arrays".
 """
 
 from __future__ import annotations
@@ -14,18 +12,14 @@ from typing import IO
 import numpy as np
 
 _LENGTHS = {(1, 0): "<H", (2, 0): "<I"}
-_MAX_LENGTH = 10_000  # [B] as NumPy itself allows for files of unknown origin
+_MAX_LENGTH = 10_000  # [B] NumPy's own limit for untrusted files
 _VALUE = r"'[^'\\]*'|True|False|\((?:\s*(?:[0-9]+L?|True|False)\s*,?)*\s*\)"
 _HEADER = re.compile(rf"\s*\{{(?:\s*'\w+'\s*:\s*(?:{_VALUE})\s*,?)*\s*\}}\s*")
 _STRUCTURED = re.compile(r"\s*\{\s*'descr'\s*:\s*\[")
 
 
 def read_npy_header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype]:
-    """Shape, Fortran order and type of an array whose data follow. Of a structured type only `void` is returned.
-
-    Raises:
-        Exception: It is no header of version 1 or 2, or damaged; NumPy's own error, which can be of many classes.
-    """
+    """Shape, Fortran order and type of the next array (`void` if structured); raises NumPy's errors of any class."""
     begin = stream.tell()
     version = np.lib.format.read_magic(stream)
     if version not in _LENGTHS:

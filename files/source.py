@@ -1,4 +1,4 @@
-"""The bytes of an input file, mapped once it is known to be a readable, regular, non-empty file."""
+"""Memory-mapped input files."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from ..core.errors import FileError, PointloomError
 from ..core.interrupts import signal_exception
 from ..core.paths import path_of
 
-# A header without an end would otherwise be searched through gigabytes of payload; real ones stay below 100 KiB.
+# A header without an end would otherwise be searched in gigabytes of payload; real ones are below 100 KiB.
 MAX_HEADER_BYTES = 1 << 20
 
-# More digits than any count that a file can hold; int() of a longer text would be slow or refused by Python itself.
+# More digits than any count needs; int() of longer text would be slow or rejected by Python.
 _MAX_DIGITS = 19
 
 Source = bytes | mmap.mmap
@@ -30,11 +30,8 @@ _Table = TypeVar("_Table")
 
 @contextlib.contextmanager
 def content_errors(path: Any) -> Iterator[None]:
-    """Turn what the content of a file makes our own code and NumPy raise into a FileError that names the file.
-
-    The readers say themselves what is wrong and where; this is the net below them. A bug shows as it is: an IndexError
-    or a TypeError passes.
-    """
+    """Convert errors that damaged content causes in our code or NumPy to FileError: a safety net below the readers.
+    IndexError and TypeError pass, as they indicate bugs."""
     handled = sys.exception()
     try:
         yield
@@ -50,7 +47,7 @@ def content_errors(path: Any) -> Iterator[None]:
 
 
 def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
-    """A reader whose first argument is the path, above `content_errors`."""
+    """Wrap a reader, whose first argument is the path, in `content_errors`."""
 
     @functools.wraps(reader)
     def read(*args: _Given.args, **kwargs: _Given.kwargs) -> _Table:
@@ -61,14 +58,7 @@ def netted(reader: Callable[_Given, _Table]) -> Callable[_Given, _Table]:
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:
-    """Map a file into memory for reading.
-
-    Returns:
-        A read-only map: slices of it are `bytes`, and NumPy can look into it without a copy.
-
-    Raises:
-        FileError: Missing, a folder, a pipe or device, unreadable, or empty.
-    """
+    """Map a regular, non-empty file read-only; slices are `bytes`, and NumPy can view it without a copy."""
     path = path_of(path)
     restore_folder(path.parent)
     handled = sys.exception()
@@ -83,7 +73,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
         with path.open("rb") as file:
             try:
                 return mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-            except (OSError, ValueError):  # file systems that cannot map
+            except (OSError, ValueError):  # file systems without mmap
                 return file.read()
     except FileNotFoundError as error:
         raise FileError(path, "does not exist") from error
@@ -95,17 +85,13 @@ def open_source(path: str | os.PathLike[str]) -> Source:
 
 
 def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
-    """Raise what a signal handler raised, if an error follows from that."""
+    """Re-raise an exception of a signal handler if it caused this error."""
     if (stopped := signal_exception(error, handled)) is not None:
         raise stopped from None
 
 
 def parse_whole(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
-    """A count in a header: decimal digits alone, at most `maximum`.
-
-    Raises:
-        FileError: Anything else, with the line.
-    """
+    """A decimal count in a header, at most `maximum`; raises `FileError` with the line otherwise."""
     where = f"line {line}"
     if text.startswith("-") and text[1:].isdigit():
         raise FileError(path, f"{what} is negative: {text[:40]}", where=where)

@@ -1,4 +1,4 @@
-"""What a file holds, in NumPy: the one shape that every reader returns and every writer takes."""
+"""Tables of points and meshes in NumPy: the common result of readers and input of writers."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from ..core.units import LengthUnit
 
 @dataclass
 class PointTable:
-    """The points of one file.
+    """The points of a file.
 
     Attributes:
-        points: Positions, shape [n, 3], float32 or float64 as the file has them.
-        normals: Unit normals as stored, float32 [n, 3], or None.
-        colors: Colours in 0..1, float32 [n, 3], or None.
-        attributes: Every other per-point value by name, in its own type, shape [n] or [n, c].
-        grid: (height, width) of an organised cloud, whose points then run row by row; None otherwise.
-        steps: Steps of the coordinates where the file holds whole multiples of such, float64 [3]; None otherwise.
-        is_geographic: Whether the file says that x and y are longitude and latitude.
-        unit: Of the coordinates, where the file tells it.
-        unit_doubt: What the file says against that unit, in a sentence, or None.
-        viewpoint: Position and quaternion w x y z of the sensor, not applied to the points (PCD); None at the origin.
+        points: Positions (n, 3), float32 or float64 as stored.
+        normals: Normals as stored, float32 (n, 3), or None.
+        colors: Colors in 0..1, float32 (n, 3), or None.
+        attributes: Other values per point by name, in their own type, shape (n,) or (n, c).
+        grid: (height, width) of an organized cloud, row by row, or None.
+        steps: Coordinate steps of the file, float64 (3,), or None.
+        is_geographic: True if x and y are longitude and latitude.
+        unit: Unit of the coordinates, or None.
+        unit_doubt: A sentence on what contradicts the unit, or None.
+        viewpoint: Position and quaternion w x y z of the sensor, not applied (PCD), or None.
     """
 
     points: NDArray[Any]
@@ -41,12 +41,7 @@ class PointTable:
     viewpoint: tuple[float, ...] | None = None
 
     def checked(self) -> PointTable:
-        """The same table with every array checked, as the writers need it.
-
-        Raises:
-            TypeError: An array that is not numeric.
-            ValueError: An array whose shape does not go with the number of points, or a grid that does not.
-        """
+        """The table with validated arrays, for writers; raises `TypeError` or `ValueError`."""
         points = _floating(check_rows("points", self.points, 3))
         count = len(points)
         if self.grid is not None and (min(self.grid) < 1 or self.grid[0] * self.grid[1] != count):
@@ -67,19 +62,19 @@ class PointTable:
 
 @dataclass
 class MeshTable:
-    """The triangle mesh of one file.
+    """The triangle mesh of a file.
 
     Attributes:
-        vertices: Positions, shape [m, 3], float32 or float64 as the file has them.
-        triangles: Rows of three vertex indices, int32 or int64 [t, 3].
-        vertex_normals: As stored, float32 [m, 3], or None.
-        vertex_colors: In 0..1, float32 [m, 3], or None.
-        attributes: Every other per-vertex value by name, in its own type, shape [m] or [m, c].
-        triangle_attributes: The same for triangles, shape [t] or [t, c]; "colors": 0..1, float32 [t, 3] or [t, 4].
-        triangle_uvs: Texture coordinates of corners, float32 [3 t, 2], (0, 0) the lower left corner; or None.
-        triangle_material_ids: Which of the textures each triangle has, int32 [t]; None where all have the first.
-        textures: Pictures, uint8 [height, width, 3 or 4], top row first.
-        unit: Of the positions, where the file tells it.
+        vertices: Positions (m, 3), float32 or float64 as stored.
+        triangles: Vertex indices, int32 or int64 (t, 3).
+        vertex_normals: As stored, float32 (m, 3), or None.
+        vertex_colors: In 0..1, float32 (m, 3), or None.
+        attributes: Other values per vertex by name, in their own type, shape (m,) or (m, c).
+        triangle_attributes: As `attributes` for triangles; "colors" is in 0..1, float32 (t, 3 or 4).
+        triangle_uvs: Texture coordinates of corners, float32 (3 t, 2), origin at the lower left; or None.
+        triangle_material_ids: Texture index of each triangle, int32 (t,); None: all use the first.
+        textures: Images, uint8 (height, width, 3 or 4), top row first.
+        unit: Unit of the positions, or None.
     """
 
     vertices: NDArray[Any]
@@ -94,12 +89,7 @@ class MeshTable:
     unit: LengthUnit | None = field(default=None, kw_only=True)
 
     def checked(self) -> MeshTable:
-        """The same mesh with every array checked, as the writers need it.
-
-        Raises:
-            TypeError: An array that is not numeric, or triangles that are not whole numbers.
-            ValueError: An array of another shape, or a triangle that names a vertex which does not exist.
-        """
+        """The mesh with validated arrays, for writers; raises `TypeError` or `ValueError`."""
         vertices = _floating(check_rows("vertices", self.vertices, 3))
         count = len(vertices)
         triangles = check_rows("triangles", self.triangles, 3)
@@ -124,7 +114,6 @@ class MeshTable:
         )
 
     def without_texture(self) -> MeshTable:
-        """The mesh without texture coordinates, material numbers and pictures."""
         return replace(self, triangle_uvs=None, triangle_material_ids=None, textures=())
 
 
@@ -147,12 +136,11 @@ def _material_ids(values: Any, count: int, picture_count: int) -> NDArray[np.int
 
 
 def _index_type(vertex_count: int) -> Any:
-    """The integer type for triangles: 32 bits wherever they reach."""
     return np.int32 if vertex_count <= 2**31 else np.int64
 
 
 def _floating(points: NDArray[Any]) -> NDArray[Any]:
-    """Positions in float32 where they are, in float64 otherwise; always in the machine's byte order."""
+    """Positions as float32 if stored so, else float64, in native byte order."""
     return points.astype(np.float32 if points.dtype in (np.float32, np.float16) else np.float64, copy=False)
 
 

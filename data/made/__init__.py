@@ -1,1 +1,1 @@
-"""Frames, clouds, scans, pictures and meshes of made scenes, each with its truth, as `loom.data` hands them out."""
+"""Synthetic frames, clouds, scans, images and meshes with ground truth for `loom.data`."""

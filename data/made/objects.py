@@ -1,4 +1,4 @@
-"""A figure on a turntable: its true mesh, and scans of it from all round."""
+"""A synthetic figure: its mesh, and scans of it from all sides."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from .results import PosedScans
 from .views import ring, scene_of, view_mesh
 
 CAMERA = PinholeCameraIntrinsic(320, 240, 400.0, 400.0, 159.5, 119.5)
-DISTANCE = 0.6  # [m] from the camera to the figure's middle
-HEIGHTS = (math.radians(15), math.radians(35))  # of the camera, by turns
-STEEPEST = 0.2  # cosine to the normal below which nothing comes back
+DISTANCE = 0.6  # [m] from the camera to the center of the figure
+HEIGHTS = (math.radians(15), math.radians(35))  # elevations of the camera, alternating
+STEEPEST = 0.2  # minimum cosine to the normal of a return
 RANGE_NOISE = 0.0005  # [m] standard deviation, as of a close-range structured-light scanner
 COLOR_NOISE = 2.0 / 255
 
 
 def object_mesh() -> TriangleMesh:
-    """An owl on a stump: a closed, coloured mesh with detail from a centimetre down to three millimetres.
+    """An owl on a stump: a closed, colored mesh with details of 3 to 10 mm.
 
-    It is 0.30 m tall and 0.19 m wide, its middle at zero, z up, and looks along -y.
+    It is 0.30 m tall and 0.19 m wide, centered at zero, z up, facing -y.
 
     Returns:
-        A watertight, manifold mesh of one part with some 84,000 triangles, colours and normals at its vertices.
+        A watertight, manifold mesh of one component with about 84,000 triangles, vertex colors and normals.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making it took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom
@@ -49,26 +49,27 @@ def object_mesh() -> TriangleMesh:
 
 
 def object_scans(count: int = 10, *, noise: bool = True, seed: int = 0) -> PosedScans:
-    """Scans of the owl of `object_mesh` from all round, as of a depth camera 0.6 m away.
+    """Scans of the owl of `object_mesh` from all sides by a depth camera 0.6 m away.
 
-    The camera goes round once, by turns 15 and 35 degrees above; scans of 36 degrees and less to the next share most of
-    what they see. What it sees at more than 78 degrees to the normal is left out.
+    The camera circles once, alternating between 15 and 35 degrees above. Surfaces seen at more than 78 degrees to the
+    normal are missing.
 
     Args:
-        count: Scans, evenly round.
-        noise: 0.5 mm of noise along each ray, and 2 of 255 in colours. Without it points lie on the mesh.
-        seed: Chooses the noise.
+        count: Number of scans, evenly spaced.
+        noise: Add 0.5 mm of noise along each ray and 2 of 255 to colors. Without it points are on the mesh.
+        seed: Seed of the noise.
 
     Returns:
-        `scans`: clouds of some 15,000 points [m], each in the frame of its own camera (x right, y down, z forward),
-        with `colors`. `poses`: T_object_camera, float64 [n, 4, 4] [m], in the frame of `object_mesh`.
+        `scans`: clouds of about 15,000 points [m] in the camera frame (x right, y down, z forward), with `colors`.
+            `poses`:
+        T_object_camera, float64 (n, 4, 4) [m], in the frame of `object_mesh`.
 
     Raises:
-        TypeError: A count that is not a whole number.
+        TypeError: A count that is not an integer.
         ValueError: A count below 1.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making them took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Photographs round the owl on a patterned cloth, for structure from motion, stereo and texturing."""
+"""Synthetic photographs of the owl on a patterned cloth, for structure from motion, stereo and texturing."""
 
 from __future__ import annotations
 
@@ -22,35 +22,36 @@ from .views import MeshView, ring, scene_of, view_mesh
 
 CAMERA = PinholeCameraIntrinsic(640, 480, 720.0, 720.0, 319.5, 239.5)
 DISTANCE = 0.62  # [m]
-HEIGHTS = (math.radians(22), math.radians(34))  # of the camera, by turns
-CLOTH, CLOTH_STEP, CHECK = 0.8, 0.01, 0.06  # [m] edge of the cloth, of its cells, of its pattern's squares
-GRAIN_SCALE = 10.0  # the grain of rooms, 12 cm to 15 mm, becomes 12 to 1.5 mm
+HEIGHTS = (math.radians(22), math.radians(34))  # elevations of the camera, alternating
+CLOTH, CLOTH_STEP, CHECK = 0.8, 0.01, 0.06  # [m] side of the cloth, of its cells, of its pattern's squares
+GRAIN_SCALE = 10.0  # the room texture of 12 cm to 15 mm becomes 12 to 1.5 mm
 COLOR_NOISE = 1.0  # [of 255] standard deviation, as of a photograph in good light
 LIGHT = np.array([0.45, -0.55, 0.7]) / np.linalg.norm([0.45, -0.55, 0.7])
 AMBIENT = 0.55
-ABOVE = 0.0008  # [m] off the surface begin the rays that look for the light
+ABOVE = 0.0008  # [m] offset of shadow rays from the surface
 
 
 def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
-    """Photographs of the owl of `object_mesh` on a chequered cloth, from all round.
+    """Synthetic photographs of the owl of `object_mesh` on a checkered cloth, from all sides.
 
-    The light stays while the camera goes round once, by turns 22 and 34 degrees above, 0.62 m from the middle. All
-    surfaces have a grain down to 1.5 mm by which pictures can be matched.
+    The light is fixed. The camera circles once at 0.62 m from the center, alternating between 22 and 34 degrees above.
+    All surfaces have texture down to 1.5 mm.
 
     Args:
-        count: Pictures, evenly round: 12 are 30 degrees apart. Matching by features wants 20 degrees or less.
-        seed: Chooses the sensor's noise, 1 of 255.
+        count: Number of images, evenly spaced: 12 are 30 degrees apart. Feature matching needs 20 degrees or less.
+        seed: Seed of the sensor noise, 1 of 255.
 
     Returns:
-        `pictures`: uint8 RGB [480, 640, 3]; `intrinsic`: the camera, without distortion; and the truth: `poses`,
-        T_object_camera, float64 [n, 4, 4] [m], in the frame of `object_mesh`, and `depths`, float32 [480, 640] [m].
+        `pictures`: uint8 RGB (480, 640, 3); `intrinsic`: the camera, without distortion; ground truth `poses`:
+            T_object_camera,
+        float64 (n, 4, 4) [m], in the frame of `object_mesh`, and `depths`, float32 (480, 640) [m].
 
     Raises:
-        TypeError: A count that is not a whole number.
+        TypeError: A count that is not an integer.
         ValueError: A count below 1.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making them took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom
@@ -73,7 +74,6 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
 
 
 def _stage() -> TriangleMesh:
-    """The owl on its cloth."""
     figure, steps = object_mesh(), round(CLOTH / CLOTH_STEP)
     sides = (np.arange(steps + 1) - steps / 2) * CLOTH_STEP
     x, y = np.meshgrid(sides, sides, indexing="ij")
@@ -89,7 +89,7 @@ def _stage() -> TriangleMesh:
 def _picture(
     view: MeshView, scene: RaycastingScene, T: NDArray[np.float64], seed: int, frame: int
 ) -> NDArray[np.uint8]:
-    """What the sensor measures: colour by light, shadow and grain, with noise."""
+    """The sensor image: color with light, shadow, texture and noise."""
     off = view.points + ABOVE * view.normals
     rays = np.concatenate([off, np.broadcast_to(LIGHT, off.shape)], axis=-1)
     lit = ~scene.test_occlusions(rays)

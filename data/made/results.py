@@ -1,4 +1,4 @@
-"""What the makers give out: frozen records of clouds or pictures with the truth beside them."""
+"""Results of data generators: frozen records with ground truth."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from ...pcd.cloud import PointCloud
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PosedScans:
-    """Scans of one place, each in the frame of its own sensor, and where the sensor truly was.
+    """Scans of one scene in sensor coordinates, with true poses.
 
     Attributes:
         scans: Clouds [m].
-        poses: T_world_sensor of each, float64 [n, 4, 4] [m].
+        poses: T_world_sensor, float64 (n, 4, 4) [m].
 
     Example:
         >>> scans = PosedScans([PointCloud([[1.0, 2.0, 3.0]])], np.eye(4)[None])
@@ -35,19 +35,19 @@ class PosedScans:
         return len(self.scans)
 
     def in_world(self, index: int) -> PointCloud:
-        """A scan where it truly lies."""
+        """A scan in world coordinates."""
         return self.scans[index].transform(self.poses[index])
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PosedPictures:
-    """Pictures of one place by one camera, and where it truly was.
+    """Images of one scene by one camera, with true poses.
 
     Attributes:
-        pictures: uint8 RGB [h, w, 3] each.
+        pictures: uint8 RGB (h, w, 3) each.
         intrinsic: The camera, without distortion.
-        poses: T_world_camera of each, float64 [n, 4, 4] [m].
-        depths: True depth along the optical axis of each, float32 [h, w] [m]; 0 where nothing is.
+        poses: T_world_camera, float64 (n, 4, 4) [m].
+        depths: True depth along the optical axis, float32 (h, w) [m] each; 0 for background.
     """
 
     pictures: list[NDArray[np.uint8]]

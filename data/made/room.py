@@ -1,4 +1,4 @@
-"""The furnished room (scenes/room.py) as frames of a depth camera, as one cloud and as one mesh."""
+"""The furnished room (scenes/room.py) as RGB-D frames, as a cloud and as a mesh."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from ..kept import Arrays, kept
 from ..scenes.furniture import SIZE, furnished_room
 from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, film_pose, look_along, room_pose, room_views, round_pose
 
-FRAMES_OF_A_ROUND = 120  # of `room_frames`: 3 degrees and some 7 cm apart
-FIRST_FRAME = 44  # of the round: looks at the sofa
-GRAIN = 0.25  # share of the surfaces' full grain: enough to match pictures by, and walls still look painted
-VIEWS = 100  # of the cloud and the mesh
+FRAMES_OF_A_ROUND = 120  # frames per circle of `room_frames`: 3 degrees and about 7 cm apart
+FIRST_FRAME = 44  # on the circle: looks at the sofa
+GRAIN = 0.25  # fraction of the full texture contrast: enough for matching, and walls still look painted
+VIEWS = 100  # number of views for the cloud and the mesh
 CORNERS = ((4.5, 3.6), (4.6, 0.5), (0.4, 0.7), (0.4, 3.6))  # [m] x and y of views down from near the corners
 VIEW_SIZE = (320, 240)  # [px]
-FARTHEST = 6.0  # [m] no two walls are farther apart
-SCAN_NOISE = 0.0015  # [m] standard deviation of the cloud's points before they are thinned
-NEAR = 1e-3  # [m] on either side of a surface, where its normal is measured
+FARTHEST = 6.0  # [m] larger than any distance of walls
+SCAN_NOISE = 0.0015  # [m] standard deviation of the cloud's points before downsampling
+NEAR = 1e-3  # [m] finite difference step of normals
 MESH_VOXEL = 0.02  # [m]
 MESH_TRIANGLES = 250_000
 
@@ -38,30 +38,30 @@ MESH_TRIANGLES = 250_000
 def room_frames(
     count: int = 24, *, width: int = 320, height: int = 240, noise: bool = True, seed: int = 0
 ) -> list[RoomFrame]:
-    """RGB-D frames of a camera that is carried through a furnished room, each with its true pose.
+    """Synthetic RGB-D frames of a camera that moves through a furnished room, with true poses.
 
     The room is 5 x 4 x 2.6 m: x along the long wall, y into the room, z up, its corner at the origin. Frames are 3
-    degrees and some 5 cm apart; 120 are a whole round, more go round again.
+    degrees and about 5 cm apart; 120 are a full circle.
 
     Args:
-        count: Frames; of more, the first are the same.
+        count: Number of frames; the first ones do not depend on it.
         width: Columns [px].
         height: Rows [px]; the focal length is 525 px at 640 columns.
-        noise: Depth as of a structured-light camera: 1.2 mm of noise near and 14 mm at 3 m, nothing at grazing angles,
-            whole millimetres; colour with a noise of 2 of 255. Without it both are exact.
-        seed: Chooses the noise.
+        noise: Simulate a structured-light camera: depth noise of 1.2 mm near and 14 mm at 3 m, holes at grazing angles,
+            whole millimeters; color noise of 2 of 255. Without it both are exact.
+        seed: Seed of the noise.
 
     Returns:
-        Frozen records with `color` uint8 [h, w, 3], `depth` float32 [h, w] [m] along the optical axis, 0 where nothing
-        was measured, `intrinsic`, and the truth: `T_world_camera` float64 [4, 4] [m], camera to world, x right, y
-        down, z forward in the camera.
+        Frozen records with `color` uint8 (h, w, 3), `depth` float32 (h, w) [m] along the optical axis, 0 without
+        measurement, `intrinsic`, and the true `T_world_camera` float64 (4, 4) [m], camera to world (x right, y down, z
+        forward).
 
     Raises:
-        TypeError: Counts that are not whole numbers.
+        TypeError: Counts that are not integers.
         ValueError: Counts below 1.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making them took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -90,13 +90,11 @@ def room_frames(
 
 
 def room_cloud(*, voxel_size: float = 0.02, seed: int = 0) -> PointCloud:
-    """The furnished room as one coloured cloud with normals, as a scanner gives it from all sides.
-
-    What no camera in the middle of the room sees (behind the bookcase, below the sofa) is not in it.
+    """The furnished room as a colored cloud with normals, without surfaces hidden from the middle of the room.
 
     Args:
-        voxel_size: Edge of the cubes that points are thinned by [m]: about one point each.
-        seed: Chooses the noise: 1.5 mm of each measurement, before points of a cube are averaged.
+        voxel_size: Voxel size of the downsampling [m].
+        seed: Seed of the noise: 1.5 mm per measurement, before averaging in voxels.
 
     Returns:
         Points [m] in the frame of `room_frames`, `colors`, and true unit `normals` that point into the room.
@@ -105,7 +103,7 @@ def room_cloud(*, voxel_size: float = 0.02, seed: int = 0) -> PointCloud:
         TypeError, ValueError: No positive size.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making it took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom
@@ -127,13 +125,13 @@ def room_cloud(*, voxel_size: float = 0.02, seed: int = 0) -> PointCloud:
 
 
 def room_mesh() -> TriangleMesh:
-    """The furnished room as a coloured mesh, fused of exact views at 2 cm.
+    """The furnished room as a colored mesh, fused from exact views at 2 cm.
 
     Returns:
-        Vertices [m] in the frame of `room_frames`, with colours and normals; open where no camera saw.
+        Vertices [m] in the frame of `room_frames`, with colors and normals; open where no camera saw.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making it took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom
@@ -161,19 +159,18 @@ def _camera(width: int, height: int) -> PinholeCameraIntrinsic:
 
 
 def _metres(depth: NDArray[Any]) -> NDArray[np.float32]:
-    """Depth [m], of whole millimetres too."""
     scale = DEPTH_SCALE if depth.dtype == np.uint16 else 1.0
     return (depth / np.float32(scale)).astype(np.float32)
 
 
 def _views() -> Iterator[RoomFrame]:
-    """Exact frames from all sides: round the middle, along the walls and from below the ceiling down."""
+    """Exact frames from all sides: around the middle, along the walls and down from the ceiling."""
     poses = [_survey_pose(i) for i in range(VIEWS)]
     return iter(room_views(poses, _camera(*VIEW_SIZE), texture=GRAIN, color_noise=0.0))
 
 
 def _survey_pose(index: int) -> NDArray[np.float64]:
-    """Five ways by turns: two walks, near the ceiling and near the floor all round, and from the corners down."""
+    """Five interleaved paths: two walks, near the ceiling, near the floor, and down from the corners."""
     share, kind = index / VIEWS, index % 5
     if kind < 2:
         return (room_pose, round_pose)[kind](share)
@@ -190,14 +187,14 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
 
 
 def _seen_points(frame: RoomFrame) -> PointCloud:
-    """What an exact frame shows, in the room."""
+    """The points of an exact frame in room coordinates."""
     assert frame.color is not None
     image = RGBDImage(frame.color, frame.depth, depth_scale=1.0, depth_trunc=FARTHEST)
     return PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 
 
 def _true_normals(points: NDArray[np.float64]) -> NDArray[np.float32]:
-    """The direction in which the distance from the room's surface grows, from inside to outside of it, [n, 3]."""
+    """Gradient of the distance to the room's surface, outward, (n, 3)."""
     solids, slopes = furnished_room().solids("cpu"), []
     for step in NEAR * np.eye(3):
         ahead, behind = (

@@ -1,4 +1,4 @@
-"""Scans of a spinning LiDAR that drives along the made-up street (scenes/street.py)."""
+"""Synthetic scans of a spinning LiDAR that drives along a street (scenes/street.py)."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ RANGE_NOISE = 0.01  # [m] standard deviation
 
 
 def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
-    """Scans of a LiDAR on a car that drives through a street, with the true way.
+    """Synthetic scans of a LiDAR on a car that drives along a street, with true poses.
 
-    32 rings of 1024 directions, ten turns a second, at 10 m/s: a scan is 1 m from the next. The scanner turns while it
-    drives, so each scan is skewed by up to 1 m as a real one, and `deskew_point_cloud` mends it. Range noise is 1 cm;
-    nothing comes back from nearer than 1 m or farther than 80 m.
+    32 rings of 1024 directions at 10 Hz and 10 m/s, so scans are 1 m apart. The motion skews each scan by up to 1 m;
+    `deskew_point_cloud` corrects it. Range noise is 1 cm; the range is 1 to 80 m.
 
     Args:
-        count: Scans; 10 are a second of the drive.
-        seed: Chooses the street and the noise.
+        count: Number of scans; 10 are one second.
+        seed: Seed of the street and the noise.
 
     Returns:
-        `scans`: clouds of some 25,000 points [m], each in the frame in which the scanner ended its turn (x ahead, y to
-        the left, z up), with `colors`, and with the attributes `time` (float64 [s] since the drive began), `ring`
-        (uint8, 0 to 31 from the lowest), `intensity` (float32, 0 to 1) and `label` (uint8, the truth: 1 road, 2
-        pavement, 3 grass, 4 house, 5 car, 6 tree, 7 pole, 8 fence).
-        `poses`: T_street_scanner at the end of each turn, float64 [n, 4, 4] [m]; the ground is at z = 0.
+        `scans`: clouds of about 25,000 points [m], in the frame of the scanner at the end of the rotation (x ahead, y
+            left, z
+        up), with `colors` and the attributes `time` (float64 [s] since the start), `ring` (uint8, 0 to 31 from the
+        lowest), `intensity` (float32, 0 to 1) and `label` (uint8, ground truth: 1 road, 2 pavement, 3 grass, 4 house, 5
+        car, 6 tree, 7 pole, 8 fence).
+        `poses`: T_street_scanner at the end of each rotation, float64 (n, 4, 4) [m]; the ground is at z = 0.
 
     Raises:
-        TypeError: A count that is not a whole number.
+        TypeError: A count that is not an integer.
         ValueError: A count below 1.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making them took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""An airborne scan of the made-up country (scenes/country.py)."""
+"""A synthetic airborne scan (scenes/country.py)."""
 
 from __future__ import annotations
 
@@ -10,33 +10,33 @@ from ...pcd.cloud import PointCloud
 from ..kept import Arrays, kept
 from ..scenes.country import EXTENT, TREES, Country, painted_country
 
-UTM = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] the south-west corner, in zone 32 north, and the height of zero
-FLIGHT = 500.0  # [m] above zero
-STRIPS = (-60.0, 60.0)  # [m] y of the two lines of flight
+UTM = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] south-west corner in zone 32 north, and height of zero
+FLIGHT = 500.0  # [m] flight height
+STRIPS = (-60.0, 60.0)  # [m] y of the two flight lines
 PULSES = 310_000
-PASSES = 0.45  # share of the pulses that go through a crown to what lies below
+PASSES = 0.45  # fraction of pulses that penetrate a crown
 RANGE_NOISE = 0.03  # [m] standard deviation
 
 
 def terrain(*, seed: int = 0) -> PointCloud:
-    """An airborne laser scan of 200 x 200 m of hills with a lane, houses, fields and trees, each point's class known.
+    """A synthetic airborne laser scan of 200 x 200 m of hills with a lane, houses, fields and trees, with true classes.
 
-    Two strips from 500 m above, some 7 pulses a square metre. A pulse that meets a crown gives a return from inside
-    it, and by 45 % another from below. Range noise is 3 cm.
+    Two strips from 500 m height, about 7 pulses per square meter. A pulse that hits a crown returns from inside it and
+    with 45 % probability also from below. Range noise is 3 cm.
 
     Args:
-        seed: Places houses and trees, and chooses the noise.
+        seed: Seed of the positions of houses and trees, and of the noise.
 
     Returns:
-        Some 300,000 points [m] in UTM coordinates (zone 32 north, EPSG 32632) with `colors` as of an aerial picture
-        and the attributes `classification` (uint8, LAS, the truth: 2 ground, 5 trees, 6 houses), `return_number` and
+        About 300,000 points [m] in UTM coordinates (zone 32 north, EPSG 32632) with aerial `colors` and the attributes
+        `classification` (uint8, LAS, ground truth: 2 ground, 5 trees, 6 houses), `return_number` and
         `number_of_returns` (uint8), `intensity` (uint16) and `point_source_id` (uint16, the strip: 1 or 2).
 
     Raises:
-        TypeError, ValueError: As a seed must be.
+        TypeError, ValueError: An invalid seed.
 
     Notes:
-        The same bits each time. Kept in the user's cache folder where making it took long.
+        Bitwise reproducible. Cached in the user's cache folder if it took long.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -62,7 +62,7 @@ def _fly(seed: int) -> Arrays:
 
 
 def _strip(country: Country, y: float, number: int, rng: np.random.Generator) -> Arrays:
-    """What one line of flight along x brings back, about the middle of the country."""
+    """The returns of one flight line along x."""
     count = PULSES // len(STRIPS)
     margin = 10.0
     target = np.column_stack(

@@ -1,4 +1,4 @@
-"""What a camera sees of a coloured mesh, by casting a ray a pixel."""
+"""Render a colored mesh by ray casting."""
 
 from __future__ import annotations
 
@@ -16,15 +16,8 @@ from ..scenes.room import look_along
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class MeshView:
-    """A view, row by row: what is nothing has depth 0.
-
-    Attributes:
-        depth: Along the optical axis [m], float64 [h, w].
-        colors: Of the mesh there, 0 to 1, float64 [h, w, 3].
-        normals: Of the triangle, in the world, float64 [h, w, 3].
-        cosine: Between view and normal, float64 [h, w].
-        points: In the world [m], float64 [h, w, 3]; the camera's place where there is nothing.
-    """
+    """A rendered view, float64 (h, w): `depth` along the axis [m], 0 for background, `cosine` of view and normal.
+    `colors` (0..1), world `normals` and `points` [m] are (h, w, 3); background points are the camera position."""
 
     depth: NDArray[np.float64]
     colors: NDArray[np.float64]
@@ -34,21 +27,20 @@ class MeshView:
 
 
 def scene_of(mesh: TriangleMesh) -> RaycastingScene:
-    """A mesh to cast rays at."""
     scene = RaycastingScene()
     scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
     return scene
 
 
 def look_at(eye: ArrayLike, target: ArrayLike = (0, 0, 0)) -> NDArray[np.float64]:
-    """T_world_camera of an upright camera at `eye` [m] that looks at a place."""
+    """T_world_camera of an upright camera at `eye` [m] that looks at `target`."""
     at = np.asarray(eye, np.float64)
     x, y, z = np.asarray(target) - at
     return look_along(at, (x, y, z))
 
 
 def ring(count: int, distance: float, heights: tuple[float, ...], *, start: float = 0.0) -> NDArray[np.float64]:
-    """Cameras all round that look at zero, [n, 4, 4]: their angles of elevation [rad] take turns."""
+    """Cameras on a ring that look at the origin, (n, 4, 4), with alternating elevations [rad]."""
     poses = []
     for k in range(count):
         turn, rise = start + 2 * math.pi * k / count, heights[k % len(heights)]
@@ -60,7 +52,6 @@ def ring(count: int, distance: float, heights: tuple[float, ...], *, start: floa
 def view_mesh(
     mesh: TriangleMesh, scene: RaycastingScene, camera: PinholeCameraIntrinsic, T_world_camera: NDArray[np.float64]
 ) -> MeshView:
-    """What a camera sees of a mesh with vertex colours; the colours are those between a triangle's corners."""
     fx, fy, cx, cy = camera.fx, camera.fy, camera.cx, camera.cy
     v, u = np.mgrid[: camera.height, : camera.width]
     ways = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1) @ T_world_camera[:3, :3].T

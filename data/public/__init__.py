@@ -1,1 +1,1 @@
-"""Public sets by name: where they lie, what they are, and how they come here whole."""
+"""Public data sets: addresses, contents, download."""

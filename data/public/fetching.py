@@ -1,9 +1,6 @@
-"""Public sets from their hosts or a mirror to the disk, by pooch: checked, whole or not at all.
+"""Download public data sets with pooch: checksums, licenses, citations.
 
-The public sets that can be fetched: addresses, checksums, what is in them, and whose they are.
-
-Each checksum was published by those who host the file: in the registry of scikit-image, and in the library of Open3D,
-which has MD5 alone. MD5 tells a file that was damaged on its way; it does not tell one that somebody forged.
+Checksums are those published by the hosts. Open3D's are MD5, which detects damage but not forgery.
 """
 
 from __future__ import annotations
@@ -25,28 +22,28 @@ from ...core.paths import path_of
 from ..kept import data_folder
 
 MIRROR = "POINTLOOM_DATA_MIRROR"
-LISTING = ".files.json"  # what a set's folder holds, by which a later call knows it whole
-TIMEOUT = 30.0  # [s] without a byte
+LISTING = ".files.json"  # list of a set's files, by which later calls recognize it as complete
+TIMEOUT = 30.0  # [s] timeout without a byte
 
 
 def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
-    """The folder or file of a public set, downloaded when it is first asked for.
+    """The folder or file of a public data set, downloaded on first use.
 
-    Each file is checked against its published checksum, archives are unpacked, and the set takes its name when all of
-    it is there. A mirror comes first where the environment variable POINTLOOM_DATA_MIRROR names one: an address or a
-    folder that holds `<set>/<file>`. Needs the extra `pip install "pointloom[data]"` unless the set is there already.
+    Files are verified by checksum, archives are unpacked, and the set appears atomically. If POINTLOOM_DATA_MIRROR is
+    set to an address or folder with `<set>/<file>`, it is tried first. Downloads require `pip install
+    "pointloom[data]"`.
 
     Args:
         name: One of `public_sets()`.
-        folder: Where sets are kept; None for `pointloom/data/public` in the user's cache folder.
+        folder: Folder of the sets; None for `pointloom/data/public` in the user's cache folder.
 
     Returns:
         The file of a set that is one plain file; else the folder `<folder>/<name>`.
 
     Raises:
-        TypeError, ValueError: No such set; the message has the nearest name.
-        FileError: It cannot be downloaded, which says what to put where by hand; a file with another checksum; an
-            archive with names that lead out of its folder; a folder that cannot be written to; no pooch.
+        TypeError, ValueError: No such set; the message suggests the nearest name.
+        FileError: Download failed (with instructions for manual download), wrong checksum, an archive with names
+            outside its folder, a folder that is not writable, or pooch is missing.
 
     Example:
         >>> import pointloom as loom
@@ -67,7 +64,6 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
 
 
 def _is_whole(place: Path) -> bool:
-    """Whether all files of a set are there, in their sizes."""
     try:
         sizes = json.loads((place / LISTING).read_text())
         return bool(sizes) and all((place / name).stat().st_size == size for name, size in sizes.items())
@@ -76,7 +72,7 @@ def _is_whole(place: Path) -> bool:
 
 
 def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
-    """Download and unpack a set beside its place, then give it its name."""
+    """Download and unpack a set beside its final location, then rename it."""
     downloads = home / "downloads"
     try:
         downloads.mkdir(parents=True, exist_ok=True)
@@ -104,7 +100,7 @@ def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
 
 
 def _settle(part: Path, place: Path) -> None:
-    """Give a whole set its name, in place of one that is damaged; another process may have been quicker."""
+    """Rename a complete set, replacing a damaged one; another process may have done so already."""
     if place.exists() and not _is_whole(place):
         shutil.rmtree(place)
     try:
@@ -119,7 +115,7 @@ def _download_path(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path
 
 
 def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
-    """A file of a set, from where it was put by hand, from the mirror or from its host; with its checksum."""
+    """A file of a set with a valid checksum: placed manually, from the mirror, or from its host."""
     pooch, path = _pooch(), _download_path(wanted, file, downloads)
     reasons = []
     for source in _sources(wanted, file):
@@ -134,7 +130,7 @@ def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
                 return Path(source)
             missing = not Path(source).exists()
             reasons.append(f"{source} " + ("is not there" if missing else "has another checksum"))
-        except (ValueError, OSError) as error:  # pooch's word for another checksum; all that requests raises
+        except (ValueError, OSError) as error:  # pooch's error for a wrong checksum; all errors of requests
             reasons.append(f"{source}: {_brief(error)}")
     remedy = (
         f"Download {file.url} by hand and put it at {path}, or name a mirror (an address or a folder that holds "
@@ -144,19 +140,16 @@ def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
 
 
 def _sources(wanted: PublicSet, file: PublicFile) -> list[str]:
-    """Addresses and paths where a file may be, in order."""
     mirror = os.environ.get(MIRROR, "").rstrip("/")
     return [f"{mirror}/{wanted.name}/{file.name}", file.url] if mirror else [file.url]
 
 
 def _matches(pooch: Any, path: Path, file: PublicFile) -> bool:
-    """Whether a file is there with the checksum."""
     kind, _, wanted = file.checksum.partition(":")
     return path.is_file() and pooch.file_hash(str(path), alg=kind) == wanted
 
 
 def _brief(error: Exception) -> str:
-    """An error in one line of some words."""
     lines = str(error).strip().splitlines()
     text = lines[0] if lines else type(error).__name__
     return text if len(text) <= 200 else text[:197] + "..."
@@ -173,7 +166,7 @@ def _pooch() -> Any:
 
 
 def _unpack(archive: Path, folder: Path) -> None:
-    """Unpack a ZIP archive; names that lead out of the folder, and links, are refused before anything is written."""
+    """Unpack a ZIP archive; links and names outside the folder raise before anything is written."""
     try:
         with zipfile.ZipFile(archive) as file:
             for member in file.infolist():
@@ -203,9 +196,9 @@ class PublicFile:
     """A file of a public set.
 
     Attributes:
-        url: Where its host has it.
+        url: Address at its host.
         checksum: "sha256:..." or "md5:...", as published.
-        unpack: Where in the set's folder a ZIP archive is unpacked ("" for the folder itself); None for a plain file.
+        unpack: Subfolder where a ZIP archive is unpacked ("" for the set's folder); None for a plain file.
     """
 
     url: str
@@ -214,18 +207,17 @@ class PublicFile:
 
     @property
     def name(self) -> str:
-        """Its file name."""
         return self.url.rpartition("/")[2]
 
 
 @dataclasses.dataclass(frozen=True)
 class PublicSet:
-    """A public set.
+    """A public data set.
 
     Attributes:
-        name: By which `fetch` knows it.
-        contents: What it is.
-        licence: Under which terms, as far as they are stated.
+        name: Its name for `fetch`.
+        contents: Description.
+        licence: License terms, as far as stated.
         citation: What to cite.
         files: Its files.
     """
@@ -339,7 +331,7 @@ SETS: dict[str, PublicSet] = {one.name: one for one in _SETS}
 
 
 def public_sets() -> list[PublicSet]:
-    """The public sets that `fetch` knows; print one to read what it is, its licence and what to cite.
+    """The data sets of `fetch`; print one to read its contents, license and citation.
 
     Example:
         >>> import pointloom as loom

@@ -1,1 +1,1 @@
-"""Made-up scenes with known truth: the room, a street, a figure, a stretch of country."""
+"""Synthetic scenes with ground truth: room, street, figure, landscape."""

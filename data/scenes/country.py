@@ -1,4 +1,4 @@
-"""A made-up stretch of country: hills with a lane, houses, and the crowns of trees, in metres about its middle."""
+"""A synthetic landscape: hills with a lane, houses and trees [m], centered at the origin."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from .painted import Color, PaintedParts
 
-EXTENT = 200.0  # [m] edge of the square
-STEP = 1.0  # [m] between corners of the ground
+EXTENT = 200.0  # [m] side of the square
+STEP = 1.0  # [m] ground grid spacing
 GROUND, TREES, BUILDING = 2, 5, 6  # LAS: ground, high vegetation, building
 HOUSES, TREE_COUNT = 18, 170
 LANE_WIDTH = 5.0  # [m]
@@ -22,19 +22,13 @@ _CROWNS: tuple[Color, ...] = ((0.16, 0.38, 0.15), (0.24, 0.46, 0.18), (0.35, 0.4
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Country:
-    """What a laser from above meets.
-
-    Attributes:
-        solid: Ground and houses.
-        crowns: Of trees, which a laser may pass.
-    """
+    """Surfaces for airborne scanning: `solid` ground and houses, and tree `crowns` that a laser may penetrate."""
 
     solid: PaintedParts
     crowns: PaintedParts
 
 
 def ground_height(x: NDArray[Any], y: NDArray[Any]) -> NDArray[Any]:
-    """Height of the ground [m]."""
     hills = 7 * np.sin(x / 47 + 0.6) * np.cos(y / 61) + 4 * np.sin(y / 37 - x / 90) + 0.035 * x
     ditch = -1.6 * np.exp(-(((y - 12 * np.sin(x / 35) + 55) / 5) ** 2))
     rough = 0.06 * np.sin(1.3 * x + 0.4 * y) * np.sin(1.1 * y) + 0.25 * np.sin(x / 6.3) * np.sin(y / 7.7)
@@ -42,12 +36,10 @@ def ground_height(x: NDArray[Any], y: NDArray[Any]) -> NDArray[Any]:
 
 
 def lane(x: Any) -> Any:
-    """The lane's middle: y over x [m]."""
     return 18 * np.sin(np.asarray(x) / 42) + 6
 
 
 def painted_country(seed: int) -> Country:
-    """The country; the seed places houses and trees."""
     rng = np.random.default_rng(seed)
     solid, crowns = PaintedParts(), PaintedParts()
     _ground(solid)
@@ -69,7 +61,7 @@ def _ground(parts: PaintedParts) -> None:
 
 
 def _meadow(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colours of the ground: fields in stripes, grass, the lane."""
+    """Ground colors: striped fields, grass, the lane."""
     grass = np.array([0.44, 0.56, 0.27]) * (1 + 0.12 * np.sin(x / 9) * np.sin(y / 7))[:, None]
     field = np.array([0.74, 0.66, 0.36]) * (0.94 + 0.06 * np.sign(np.sin(2.2 * (x + 0.3 * y))))[:, None]
     plough = np.array([0.50, 0.38, 0.27]) * (0.92 + 0.08 * np.sign(np.sin(2.6 * y)))[:, None]
@@ -79,7 +71,7 @@ def _meadow(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float6
 
 
 def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64]:
-    """Houses on both sides of the lane; their places [n, 2]."""
+    """Houses on both sides of the lane; returns positions (n, 2)."""
     taken = []
     parts.label = BUILDING
     for k in range(HOUSES):
@@ -102,7 +94,6 @@ def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64
 
 
 def _trees(parts: PaintedParts, rng: np.random.Generator, taken: NDArray[np.float64]) -> None:
-    """A wood in a corner, and single trees away from houses and the lane."""
     parts.label, planted = TREES, 0
     while planted < TREE_COUNT:
         in_wood = planted < TREE_COUNT * 0.6
@@ -113,7 +104,7 @@ def _trees(parts: PaintedParts, rng: np.random.Generator, taken: NDArray[np.floa
         tall, wide = rng.uniform(7, 16), rng.uniform(2.0, 3.6)
         floor, leaf = float(ground_height(np.array(x), np.array(y))), _CROWNS[rng.integers(len(_CROWNS))]
         parts.place(x, y, floor, turn=rng.uniform(0, 6))
-        if rng.random() < 0.35:  # a fir
+        if rng.random() < 0.35:  # a conifer
             for share in (0.35, 0.55, 0.75, 0.92):
                 radius = 0.8 * wide * (1.15 - share)
                 parts.crown((0, 0, share * tall), (radius, radius, 0.16 * tall), _CROWNS[3], rng)

@@ -1,4 +1,4 @@
-"""The way of a scanner that drives along a winding road."""
+"""The path of a scanner along a winding road."""
 
 from __future__ import annotations
 
@@ -7,18 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-TURN = 0.1  # [s] of one scan
+TURN = 0.1  # [s] duration of a scan
 SENSOR_HEIGHT = 1.8  # [m]
-SWAY_LENGTH = 40.0  # [m] from one look to the left to the next
+SWAY_LENGTH = 40.0  # [m] period of the sway
 
 
 def road(x: Any) -> Any:
-    """The road's middle: y over x [m]."""
     return 12 * np.sin(x / 60)
 
 
 def pose_at(s: NDArray[np.float64], sway: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Places [n, 3] and headings [n] of the sensor at x = s; it looks up to `sway` [rad] to the left and the right."""
+    """Positions (n, 3) and headings (n,) of the sensor at x = s, swaying up to `sway` [rad]."""
     places = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
     growing = np.clip(s / SWAY_LENGTH, 0, 1)
     turned = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
@@ -26,7 +25,7 @@ def pose_at(s: NDArray[np.float64], sway: float) -> tuple[NDArray[np.float64], N
 
 
 def sensor_pose(s: float, sway: float = 0.0) -> NDArray[np.float64]:
-    """T_world_sensor at x = s, [4, 4]: x ahead, y to the left, z up."""
+    """T_world_sensor at x = s, (4, 4): x ahead, y left, z up."""
     place, heading = pose_at(np.array(s), sway)
     T = np.eye(4)
     T[:2, :2] = [[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]]
@@ -37,15 +36,8 @@ def sensor_pose(s: float, sway: float = 0.0) -> NDArray[np.float64]:
 def turning_rays(
     beams: NDArray[np.float64], azimuths: int, rng: np.random.Generator
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Directions [n, 3] of one turn, which begins straight behind, and the share of the turn at which each looks [n].
-
-    No scanner meets the same directions at each turn: a fixed raster would be matched instead of the street.
-
-    Args:
-        beams: Elevation of each [rad].
-        azimuths: Directions of a turn.
-        rng: Chooses where within a step the turn begins.
-    """
+    """Directions (n, 3) of one rotation from straight behind, and their fraction of the rotation (n,).
+    The start is random within a step: a fixed raster would be registered instead of the street."""
     share = np.arange(1, azimuths + 1) / azimuths
     share, rise = np.repeat(share, len(beams)), np.tile(beams, azimuths)
     turn = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
@@ -53,6 +45,6 @@ def turning_rays(
 
 
 def in_world(rays: NDArray[np.float64], headings: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Directions [n, 3] of a sensor with these headings [n] in the street's frame."""
+    """Sensor directions (n, 3) with headings (n,) in the street frame."""
     c, s = np.cos(headings), np.sin(headings)
     return np.stack([c * rays[:, 0] - s * rays[:, 1], s * rays[:, 0] + c * rays[:, 1], rays[:, 2]], axis=1)

@@ -1,6 +1,6 @@
-"""A made-up figure: an owl on a stump, as distances to smoothly joined solids, with a colour at each place.
+"""A synthetic figure: an owl on a stump, as a colored signed distance function.
 
-Source: the smooth minimum is Quilez's ("Smooth minimum", iquilezles.org/articles/smin), quadratic.
+Quadratic smooth minimum of Quilez ("Smooth minimum", iquilezles.org/articles/smin).
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from ...meshing.mesh.mesh import TriangleMesh
 
 Field = NDArray[Any]
 
-STEP = 0.0025  # [m] between samples of the field
-LOW, HIGH = np.array([-0.108, -0.108, -0.158]), np.array([0.108, 0.108, 0.158])  # [m] box of the samples
+STEP = 0.0025  # [m] sampling step of the field
+LOW, HIGH = np.array([-0.108, -0.108, -0.158]), np.array([0.108, 0.108, 0.158])  # [m] sampled box
 SMALLEST = 1e-9
 
 _BROWN, _DARK, _CREAM = (0.50, 0.32, 0.18), (0.30, 0.18, 0.11), (0.93, 0.85, 0.68)
@@ -27,7 +27,7 @@ _BARK, _WOOD, _RING = (0.38, 0.28, 0.19), (0.80, 0.62, 0.40), (0.58, 0.40, 0.23)
 
 
 def _ellipsoid(p: Field, center: ArrayLike, radii: ArrayLike, *, lean: float = 0.0) -> Field:
-    """About the distance from an ellipsoid (a bound of it) that leans about x by an angle [rad]."""
+    """Approximate distance (a bound) from an ellipsoid tilted about x by `lean` [rad]."""
     q = p - np.asarray(center, np.float32)
     c, s = np.float32(np.cos(lean)), np.float32(np.sin(lean))
     x, y, z = q[..., 0], c * q[..., 1] + s * q[..., 2], c * q[..., 2] - s * q[..., 1]
@@ -38,20 +38,20 @@ def _ellipsoid(p: Field, center: ArrayLike, radii: ArrayLike, *, lean: float = 0
 
 
 def _cone(p: Field, foot: ArrayLike, tip: ArrayLike, radius: float, end: float) -> Field:
-    """The distance from a capsule whose radius shrinks from foot to tip, about."""
+    """Approximate distance from a capsule whose radius shrinks from foot to tip."""
     a, b = np.asarray(foot, np.float32), np.asarray(tip, np.float32)
     along = np.clip(((p - a) @ (b - a)) / ((b - a) @ (b - a)), 0, 1)
     return np.linalg.norm(p - a - along[..., None] * (b - a), axis=-1) - (radius + (end - radius) * along)
 
 
 def _join(a: Field, b: Field, width: float) -> Field:
-    """The union of two, rounded over a width [m]."""
+    """Smooth union over a width [m]."""
     overlap = np.maximum(width - np.abs(a - b), 0) / width
     return np.minimum(a, b) - overlap * overlap * width / 4
 
 
 def _feathers(p: Field, size: float) -> Field:
-    """Rows of scales, 0 between them to 1 on them, about the axis."""
+    """Rows of scales around the axis, 0 between them to 1 on them."""
     angle = np.arctan2(p[..., 1], p[..., 0]) * (0.075 / size)
     row = p[..., 2] / size
     odd = np.mod(np.floor(row), 2)
@@ -60,7 +60,7 @@ def _feathers(p: Field, size: float) -> Field:
 
 
 def _parts(p: Field) -> dict[str, Field]:
-    """The distance from each part; of `p` [..., 3], mirrored in x where the figure is."""
+    """Distance from each part; `p` (..., 3) is mirrored in x where the figure is symmetric."""
     m = p.copy()
     m[..., 0] = np.abs(p[..., 0])
     angle, radius = np.arctan2(p[..., 1], p[..., 0]), np.hypot(p[..., 0], p[..., 1])
@@ -88,7 +88,6 @@ def _parts(p: Field) -> dict[str, Field]:
 
 
 def _whole(parts: dict[str, Field]) -> Field:
-    """The distance from the figure, about."""
     field = _join(parts["body"], parts["head"], 0.022)
     for name, width in (("wing", 0.012), ("tail", 0.015), ("disc", 0.006), ("foot", 0.004), ("beak", 0.003)):
         field = _join(field, parts[name], width)
@@ -97,7 +96,7 @@ def _whole(parts: dict[str, Field]) -> Field:
 
 
 def _colors(p: Field, parts: dict[str, Field]) -> NDArray[np.float32]:
-    """The colour of places on the figure, [n, 3]: of the part that is nearest."""
+    """Colors (n, 3) of the nearest part."""
     x, y, z = p.T
     scales, fine = _feathers(p, 0.017), _feathers(p, 0.012)
     radius = np.hypot(x, y)
@@ -127,7 +126,6 @@ def _mix(first: ArrayLike, second: ArrayLike, share: NDArray[np.floating]) -> ND
 
 
 def owl() -> TriangleMesh:
-    """The figure as a watertight mesh with colours and normals."""
     counts = np.ceil((HIGH - LOW) / STEP).astype(int) + 1
     axes = [LOW[k] + STEP * np.arange(counts[k]) for k in range(3)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).astype(np.float32)

@@ -1,7 +1,6 @@
-"""A furnished room of 5 x 4 x 2.6 m as a list of solids: what it holds, where, and in which colours.
+"""A furnished room of 5 x 4 x 2.6 m as colored solids.
 
-The frame is x right along the long wall, y into the room, z up [m], with the origin in a corner of the floor. The
-window is in the wall y = 4, the door in the wall x = 5.
+x is right along the long wall, y into the room, z up [m], origin in a floor corner; window at y = 4, door at x = 5.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from ...kernels.scenes.primitives import BOX, CYLINDER, Solids
 from ...kernels.scenes.room import CHECKER, GLOW, PLAIN, PLANKS, STRIPES, Room
 
 SIZE = (5.0, 4.0, 2.6)  # [m]
-LAMP = (2.5, 2.0, 2.2)  # [m] the light below the ceiling
+LAMP = (2.5, 2.0, 2.2)  # [m] position of the light below the ceiling
 WALL = 0.2  # [m] thickness of the walls, and depth of the window's recess
 
 _WHITE: Color = (0.93, 0.92, 0.89)
@@ -26,7 +25,6 @@ _STEEL: Color = (0.45, 0.47, 0.50)
 
 
 def furnished_room() -> SolidBuilder:
-    """All solids of the room."""
     room = SolidBuilder()
     for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _pictures, _small_things):
         room.place(0, 0)
@@ -35,14 +33,13 @@ def furnished_room() -> SolidBuilder:
 
 
 def sofa() -> SolidBuilder:
-    """The solids of the sofa alone, where it stands."""
     alone = SolidBuilder()
     _sofa(alone)
     return alone
 
 
 def build_room(device: Any) -> Room:
-    """The furnished room on a device, ready to be looked at."""
+    """The furnished room on a device, ready to render."""
     parts = furnished_room()
     margin = WALL + 0.15
     low, high = (-margin, -margin, -margin), tuple(s + margin for s in SIZE)
@@ -98,7 +95,7 @@ def _window(room: SolidBuilder) -> None:
 
 def _sofa(room: SolidBuilder) -> None:
     cloth, dark = (0.30, 0.42, 0.47), (0.24, 0.35, 0.40)
-    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0; its x runs along the wall, its y into the room
+    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0; its x is along the wall, its y into the room
     room.box((0, 0.0, 0.24), (2.0, 0.84, 0.24), dark, radius=0.05)
     room.box((0, -0.36, 0.52), (2.0, 0.2, 0.62), cloth, radius=0.08)
     for side in (-1, 1):
@@ -194,7 +191,7 @@ def _table(room: SolidBuilder) -> None:
 
 
 def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
-    """A chair whose front looks along its own y."""
+    """A chair whose front faces its own y axis."""
     wood, seat = _WALNUT, (0.86, 0.80, 0.68)
     room.place(x, y, turn=turn)
     room.box((0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES, 0.05))
@@ -206,7 +203,6 @@ def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
 
 
 def _shelf(room: SolidBuilder) -> None:
-    """A bookcase at the wall y = 0, with books and a few other things."""
     room.place(1.3, 0.17)
     wood, back = (0.80, 0.66, 0.48), (0.66, 0.52, 0.36)
     for side in (-0.63, 0.63):
@@ -293,7 +289,7 @@ def _small_things(room: SolidBuilder) -> None:
     room.sphere(
         (2.45, 0.62, 0.13), 0.13, (0.92, 0.92, 0.90), second=(0.85, 0.22, 0.20), pattern=(CHECKER, 0.11), tilt=(0, 30)
     )
-    room.place(2.9, 3.2, turn=20)  # a pouf and a box of toys below the window
+    room.place(2.9, 3.2, turn=20)  # a pouf and a toy box below the window
     room.cylinder(
         (0, 0, 0.2), 0.27, 0.4, (0.55, 0.42, 0.62), rounding=0.09, second=(0.64, 0.52, 0.70), pattern=(STRIPES, 0.07)
     )
@@ -313,12 +309,7 @@ Color = tuple[float, float, float]
 
 
 class SolidBuilder:
-    """Collects solids; `place` sets the frame in which the following ones are given.
-
-    Attributes:
-        kinds, rotations, centers, extents: As `Solids` takes them.
-        paints, patterns: As `Room` takes them.
-    """
+    """Collects solids, in the frame set by `place`; its arrays are those of `Solids` and `Room`."""
 
     def __init__(self):
         self.kinds: list[int] = []
@@ -330,7 +321,7 @@ class SolidBuilder:
         self.place(0, 0)
 
     def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
-        """Move the frame to a place [m], turned by an angle [degrees] about z."""
+        """Set the frame: a position [m] and a rotation [degrees] about z."""
         self.frame, self.offset = _turn_about(2, turn), np.array([x, y, z])
 
     def box(
@@ -344,7 +335,7 @@ class SolidBuilder:
         pattern: tuple[int, float] = (PLAIN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
-        """A box of this full size [m], its edges rounded by `radius` [m], tilted about an axis by degrees."""
+        """A box of full `size` [m], its edges rounded by `radius` [m], tilted about an axis [degrees]."""
         half = [s / 2 - radius for s in size]
         if min(half) < 0:
             raise ValueError(f"radius: {radius} m is more than half of {min(size)} m")
@@ -362,7 +353,7 @@ class SolidBuilder:
         pattern: tuple[int, float] = (PLAIN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
-        """A cylinder along z with this radius and full height [m], its edges rounded by `rounding` [m]."""
+        """A cylinder along z with `radius` and full `height` [m], its edges rounded by `rounding` [m]."""
         extent = (radius - rounding, 0.0, height / 2 - rounding, rounding)
         self._add(CYLINDER, center, extent, color, second, pattern, tilt)
 
@@ -376,7 +367,6 @@ class SolidBuilder:
         pattern: tuple[int, float] = (PLAIN, 1.0),
         tilt: tuple[int, float] = (0, 0.0),
     ) -> None:
-        """A sphere [m]."""
         self._add(BOX, center, (0.0, 0.0, 0.0, radius), color, second, pattern, tilt)
 
     def _add(
@@ -397,7 +387,6 @@ class SolidBuilder:
         self.patterns.append(pattern)
 
     def solids(self, device: Any) -> Solids:
-        """The solids on a device."""
         return Solids(
             np.array(self.kinds, np.int32),
             np.array(self.rotations),

@@ -1,4 +1,4 @@
-"""Triangles put together by hand, each with a colour and a label, for scanners that cast rays at them."""
+"""Triangle scenes with colors and labels, for simulated scanners."""
 
 from __future__ import annotations
 
@@ -17,11 +17,7 @@ _FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4
 
 
 class PaintedParts:
-    """Collects triangles; `place` sets the frame in which the following parts are given.
-
-    Attributes:
-        label: What the following parts are.
-    """
+    """Collects triangles in the frame set by `place`, with the current `label`."""
 
     def __init__(self) -> None:
         self._vertices: list[NDArray[np.float64]] = []
@@ -32,12 +28,11 @@ class PaintedParts:
         self.place(0, 0)
 
     def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
-        """Move the frame to a place [m], turned by an angle [rad] about z."""
+        """Set the frame: a position [m] and a rotation [rad] about z."""
         c, s = math.cos(turn), math.sin(turn)
         self._R, self._t = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), np.array([x, y, z])
 
     def add(self, vertices: ArrayLike, triangles: ArrayLike, color: ArrayLike) -> None:
-        """Triangles with one colour, or one each."""
         faces = np.asarray(triangles, np.int64)
         self._vertices.append(np.asarray(vertices, np.float64) @ self._R.T + self._t)
         self._triangles.append(faces + self._count)
@@ -46,7 +41,7 @@ class PaintedParts:
         self._count += len(self._vertices[-1])
 
     def box(self, center: ArrayLike, size: ArrayLike, color: Color, *, taper: float = 1.0) -> None:
-        """A box of this full size [m]; `taper` is the share of its length and width that its top has."""
+        """A box of full `size` [m]; `taper` scales length and width of its top."""
         corners = np.array([[i & 1, i >> 1 & 1, i >> 2 & 1] for i in range(8)]) - 0.5
         corners[4:, :2] *= taper
         quads = _FACES
@@ -54,7 +49,7 @@ class PaintedParts:
         self.add(corners * np.asarray(size) + np.asarray(center), faces, color)
 
     def gable(self, center: ArrayLike, size: ArrayLike, color: Color, walls: Color) -> None:
-        """A roof whose ridge runs along x: its base's centre, and length, width and height [m]; with its two ends."""
+        """A gable roof with its end walls, ridge along x: base center, and length, width and height [m]."""
         x, y, z = np.asarray(size) * [0.5, 0.5, 1.0]
         corners = [[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0], [-x, 0, z], [x, 0, z]]
         at = np.array(corners) + np.asarray(center)
@@ -64,12 +59,12 @@ class PaintedParts:
     def cylinder(
         self, center: ArrayLike, radius: float, height: float, color: Color, *, axis: int = 2, resolution: int = 12
     ) -> None:
-        """A cylinder of this full height [m] along an axis."""
+        """A cylinder of full height [m] along an axis."""
         mesh = TriangleMesh.create_cylinder(radius, height, resolution, split=1)
         self.add(np.roll(mesh.vertices, axis - 2, axis=1) + np.asarray(center), mesh.triangles, color)
 
     def crown(self, center: ArrayLike, radii: ArrayLike, color: Color, rng: np.random.Generator) -> None:
-        """Leaves: an uneven ball, its triangles in shades of a colour."""
+        """Leaves: an irregular ball with triangles in shades of a color."""
         mesh = TriangleMesh.create_sphere(1.0, 10)
         bumps = 1 + 0.16 * rng.standard_normal(len(mesh.vertices))[:, None]
         shades = np.asarray(color) * rng.uniform(0.7, 1.25, (len(mesh), 1))
@@ -77,26 +72,22 @@ class PaintedParts:
 
     @property
     def colors(self) -> NDArray[np.float32]:
-        """Of each triangle, in 0..1, [t, 3]."""
         return np.concatenate(self._colors).astype(np.float32)
 
     @property
     def labels(self) -> NDArray[np.uint8]:
-        """Of each triangle, [t]."""
         return np.concatenate(self._labels)
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """[n, 3] [m]."""
         return np.concatenate(self._vertices)
 
     @property
     def triangles(self) -> NDArray[np.int64]:
-        """[t, 3]."""
         return np.concatenate(self._triangles)
 
     def scene(self, device: Any = "cpu") -> RaycastingScene:
-        """All of it as one geometry to cast rays at; a triangle's number is its row in `colors` and `labels`."""
+        """All triangles as one geometry; triangle ids are rows of `colors` and `labels`."""
         scene = RaycastingScene(device)
         scene.add_triangles(self.vertices.astype(np.float32), self.triangles)
         return scene

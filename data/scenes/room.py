@@ -1,15 +1,6 @@
-"""A made-up scan of a furnished room, with its truth: RGB-D frames, poses, and the distance of any point from the room.
+"""A synthetic scan of the furnished room of furniture.py: RGB-D frames, true poses, distances to the true surface.
 
-The room is furniture.py's. A camera walks four rounds through it (`room_sequence`): along the furniture, along the
-ceiling, and twice across the room from farther out; or it is carried along a closed loop at 30 Hz
-(`room_loop_sequence`), with what a hand and a cheap camera do to its pictures. Everything is a
-function of the frame number and the seed.
-
-Ways of a camera through the furnished room: poses as a function of the share of the way.
-
-`room_pose` walks four rounds in few frames that are far apart. The loops are for cameras held in a hand: closed, slow,
-and each sees the whole room; 600 frames at 30 Hz are 5 to 15 mm and up to 1.5 degrees apart. `film_pose` is for those
-without depth.
+All values are functions of frame number and seed. `film_pose` is for sequences without depth.
 """
 
 from __future__ import annotations
@@ -46,11 +37,7 @@ ROUNDS = 4
 
 
 def room_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] after a share of the walk, 0 to 1: x right, y down, z forward in the camera.
-
-    The camera walks about the middle, first before and then behind it, 2 to 3 m from most of what it sees; in the last
-    round it looks aside, which shows what stood behind the furniture.
-    """
+    """Camera to world [m] at a fraction 0 to 1 of the walk, 2 to 3 m from most visible surfaces."""
     angle = 2 * math.pi * ROUNDS * share + 0.35
     behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
     pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
@@ -64,7 +51,7 @@ def room_pose(share: float) -> NDArray[np.float64]:
 def look_along(
     eye: NDArray[np.float64], direction: tuple[float, float, float], up: tuple[float, float, float] = (0, 0, 1)
 ) -> NDArray[np.float64]:
-    """Camera to world for a camera at `eye` [m] that looks along a direction, its picture upright."""
+    """Camera to world for a camera at `eye` [m] that looks along a direction, with an upright image."""
     forward = np.asarray(direction, np.float64)
     forward = forward / np.linalg.norm(forward)
     right = np.cross(forward, up)
@@ -75,7 +62,7 @@ def look_along(
 
 
 def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -> float:
-    """Values at some places, joined by curves that are level at each."""
+    """Interpolate values with curves that have zero slope at the given fractions."""
     for a, b, low, high in zip(places, places[1:], values, values[1:], strict=False):
         if share <= b:
             t = (share - a) / (b - a)
@@ -84,7 +71,7 @@ def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -
 
 
 def round_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a round about the middle, which it looks across; up and down three times."""
+    """Camera to world [m] on a circle around the center, looking across it; up and down three times."""
     a = 2 * math.pi * share
     yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
     behind = 0.75 + 0.25 * math.sin(2 * a + 1)
@@ -93,7 +80,7 @@ def round_pose(share: float) -> NDArray[np.float64]:
 
 
 def eight_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a figure of eight along the room, the other way round; up and down four times."""
+    """Camera to world [m] on a figure of eight along the room; up and down four times."""
     a = -2 * math.pi * share
     yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
     pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
@@ -102,10 +89,7 @@ def eight_pose(share: float) -> NDArray[np.float64]:
 
 
 def film_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a wide round along the walls, looking across the middle, a little up and down.
-
-    For pictures alone: between two that see the same places the camera has moved far, so their distance can be told.
-    """
+    """Camera to world [m] on a wide circle along the walls, with wide baselines, for color alone."""
     yaw = 2 * math.pi * share + 0.35
     pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
     place = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
@@ -113,10 +97,7 @@ def film_pose(share: float) -> NDArray[np.float64]:
 
 
 def _hand_held(share: float, place: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
-    """A pose by its place from the middle of the floor, with the tremble of a hand: 3 mm and 0.2 degrees, about 1 Hz.
-
-    All waves are whole numbers of the loop, which keeps it closed.
-    """
+    """A pose from the floor center with hand tremor of 3 mm and 0.2 degrees at about 1 Hz, periodic over the loop."""
     a = 2 * math.pi * share
     tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
     yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
@@ -128,35 +109,21 @@ def _hand_held(share: float, place: tuple[float, float, float], yaw: float, pitc
 LOOPS = {"round": round_pose, "eight": eight_pose}
 
 
-DEPTH_SCALE = 1000.0  # noisy depth is stored in whole millimetres
-RATE = 30.0  # [Hz] of the loops
-COLOR_NOISE = 2.0  # [of 255] standard deviation of a textured picture's noise, as of a telephone's camera indoors
+DEPTH_SCALE = 1000.0  # noisy depth is stored in integer millimeters
+RATE = 30.0  # [Hz] frame rate of the loops
+COLOR_NOISE = 2.0  # [of 255] standard deviation of color noise with texture, as of a phone camera indoors
 
 
 @dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
 class RoomFrame(Frame):
-    """A frame of the room.
-
-    Args:
-        depth: Shape [h, w]: uint16 in millimetres, 0 where nothing was measured; without noise float32 in metres.
-        color: Shape [h, w, 3], uint8 RGB; None where the sequence has none.
-        T_world_camera: Camera to world, shape [4, 4] [m]; the true pose.
-        intrinsic: The camera of both pictures.
-        name: Name of the frame, as in its file names.
-        timestamp: When it was taken [s], where the sequence has times.
-    """
+    """A frame of the room, with `intrinsic`; depth is uint16 [mm] with noise and float32 [m] without."""
 
     T_world_camera: NDArray[np.float64]
     intrinsic: PinholeCameraIntrinsic
 
 
 class RoomSequence:
-    """Frames of the furnished room, rendered one at a time as they are asked for; see `room_sequence`.
-
-    Attributes:
-        intrinsic: The camera of all frames.
-        depth_scale: Stored depth of one metre: 1000 with noise, 1 without.
-    """
+    """Frames of the room, rendered when read, with `intrinsic` and `depth_scale` (1000 with noise, else 1)."""
 
     def __init__(
         self,
@@ -183,15 +150,11 @@ class RoomSequence:
 
     @property
     def poses(self) -> NDArray[np.float64]:
-        """The true poses of all frames, camera to world, shape [n, 4, 4] [m]; nothing is rendered."""
+        """The true poses of all frames, camera to world, shape (n, 4, 4) [m], without rendering."""
         return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
 
     def read(self, index: int) -> RoomFrame:
-        """Frame `index`, counted from 0; the same each time it is asked for.
-
-        Raises:
-            IndexError: No such frame.
-        """
+        """Render a frame; the same index always gives the same frame."""
         if not 0 <= index < self.frame_count:
             raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
         camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
@@ -216,7 +179,7 @@ class RoomSequence:
         )
 
     def _look(self, room: Room, T_world_camera: NDArray[np.float64]) -> tuple[Any, Any, Any]:
-        """Depth, incidence and colours of a view, as `Room.render`, with the surfaces' grain where it is asked for."""
+        """Depth, incidence and colors of a view, as `Room.render`, with surface texture if requested."""
         depth, incidence, colors = room.render(self.intrinsic, T_world_camera)
         if self._texture:
             plain, colors = colors, grain_pixels(self.intrinsic, T_world_camera, depth, colors)
@@ -227,7 +190,7 @@ class RoomSequence:
         return depth, incidence, colors
 
     def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """A picture as the sensor gives it: noise is the last that light meets."""
+        """Add sensor noise, after all other effects."""
         light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self._room.device)
         noisy = measure_colors(light, sigma=self._color_noise, seed=self.seed, frame=index)
         return np.array(download(noisy), np.uint8).reshape(color.shape)  # sync
@@ -235,7 +198,7 @@ class RoomSequence:
 
 @functools.lru_cache(maxsize=2)
 def _kept_room(device: str, compiler: str) -> Room:
-    """The room on a device; its light takes seconds to make, and nothing ever changes it."""
+    """The cached room of a device; its lighting takes seconds to compute."""
     return build_room(resolve_device(device))
 
 
@@ -253,27 +216,18 @@ def room_sequence(
     """RGB-D frames of the furnished room along a smooth walk.
 
     Args:
-        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and some 15 cm apart.
+        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and about 15 cm apart.
         width: Columns [px].
         height: Rows [px]; the focal length is 525 px at 640 columns, as of PrimeSense cameras.
-        seed: Chooses the noise.
-        noise: Depth as of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3 m;
-            nothing at grazing angles, little beside edges, whole millimetres). Without it depth is exact.
-        texture: Surfaces with a grain of three sizes, 12 cm to 15 mm, by which pictures can be matched; else they are
-            plain, or of few colours. A share, 0 to 1, is a grain so much weaker.
-        color_noise: Standard deviation of the colour camera's noise [of 255]; None is 2 with texture and 0 without.
-        device: Where to render.
+        seed: Seed of the noise.
+        noise: Depth noise of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3
+            m; holes at grazing angles and edges, whole millimeters). Without noise, depth is exact.
+        texture: Add texture of 12 cm to 15 mm for feature matching; a number in 0..1 scales its contrast.
+        color_noise: Standard deviation of the color noise [of 255]. None: 2 with texture, else 0.
+        device: Device that renders.
 
     Returns:
-        A sequence of `RoomFrame`: iterate, or `read(i)`.
-
-    Raises:
-        TypeError: Counts or a seed that are not whole numbers.
-        ValueError: Counts below 1; noise below 0 or above 255.
-        DeviceError: No such device.
-
-    Notes:
-        Same bits from run to run on one device. Frames are rendered when they are read and not kept.
+        A lazy sequence of `RoomFrame`, bitwise reproducible on one device.
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
     camera, where = _prime_sense(width, height), resolve_device(device)
@@ -301,31 +255,22 @@ def room_loop_sequence(
     color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
-    """RGB-D frames of the furnished room from a camera that is carried along a closed loop, at 30 Hz.
+    """RGB-D frames of the furnished room from a camera on a closed loop at 30 Hz.
 
     Args:
-        frame_count: Frames of the loop; the one after the last would be the first. 600 are 5 to 15 mm and up to 1.5
-            degrees apart, as of a camera in a hand; fewer are farther apart.
-        path: "round", about the middle of the room, or "eight", along it; each sees 95 % of the room.
+        frame_count: Frames of the loop. 600 are 5 to 15 mm and up to 1.5 degrees apart, as of a hand-held camera.
+        path: "round" or "eight"; each sees 95 % of the room.
         width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
-        color: With colour; else it is None in all frames.
-        blur: How long the shutter of the colour camera is open, as a share of the time between two frames: its picture
-            is the mean of five. Depth has no blur.
-        exposure: How much brighter or darker colour becomes, in waves of a few seconds that run down the rows as they
-            are exposed one after another: 0.5 is 1.5 times as bright to 1.5 times as dark.
-        covered: First covered frame and the first one after, in which depth is blank and colour black.
-        person: Somebody walks before the camera, into the view and out of it.
+        color: Render color.
+        blur: Exposure time of the color camera as a fraction of the frame time (mean of 5 renderings). Depth has no
+            blur.
+        exposure: Amplitude of slow brightness changes along the rows (rolling shutter): 0.5 is 1.5 times brighter or
+            darker.
+        covered: Range of frames with blank depth and black color.
+        person: A person walks in front of the camera.
 
     Returns:
-        A sequence of `RoomFrame` with timestamps: iterate, or `read(i)`; `poses` has the true ones without rendering.
-
-    Raises:
-        TypeError, ValueError: As `room_sequence`; an unknown path; a share below 0; covered frames that are not there.
-        DeviceError: No such device.
-
-    Notes:
-        Same bits from run to run on one device. Frames are rendered when they are read and not kept; blur takes four
-        more renderings a frame.
+        A lazy sequence of `RoomFrame` with timestamps, bitwise reproducible on one device.
     """
     frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
     if check_name("path", path) not in LOOPS:
@@ -349,19 +294,12 @@ def room_views(
     color_noise: float | None = None,
     device: Any = "cpu",
 ) -> RoomSequence:
-    """RGB-D frames of the furnished room from given places, by a given camera.
+    """RGB-D frames of the furnished room (5 x 4 x 2.6 m, corner at the origin) from given poses.
 
     Args:
-        poses: Camera to world, shape [n, 4, 4] [m]; n >= 1. The room is 5 x 4 x 2.6 m, its corner at the origin.
+        poses: Camera to world, shape (n, 4, 4) [m], n >= 1.
         intrinsic: The camera of all frames.
-        seed, noise, texture, color_noise, device: As `room_sequence`; without noise, depth is exact.
-
-    Returns:
-        A sequence of `RoomFrame`, one a pose.
-
-    Raises:
-        TypeError, ValueError: As `room_sequence`; poses of another shape, none, or such that are not rigid.
-        DeviceError: No such device.
+        seed, noise, texture, color_noise, device: As `room_sequence`.
     """
     places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
     if not places:
@@ -380,13 +318,11 @@ def room_views(
 
 
 def _grain(texture: Any, color_noise: Any) -> dict[str, float]:
-    """The grain of the surfaces and the noise of the colour camera, checked."""
     share = float(texture) if isinstance(texture, bool | np.bool_) else check_share("texture", texture)
     return {"texture": share, "color_noise": _checked_noise(color_noise, texture)}
 
 
 def _checked_noise(color_noise: Any, texture: Any) -> float:
-    """The noise of the colour camera [of 255]."""
     if color_noise is None:
         return COLOR_NOISE if texture else 0.0
     value = check_number("color_noise", color_noise)
@@ -402,18 +338,9 @@ def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
 
 
 def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
-    """Distance of points from the room's true surface.
+    """Distance of points from the room's true surface, shape (n,) float64 [m]; NaN for non-finite points.
 
-    Args:
-        points: Shape [n, 3] [m], in the frame of the room.
-        device: Where to measure.
-
-    Returns:
-        Shape [n], float64 [m], not negative; NaN for points that are not finite. Exact in the room's air; behind a
-        surface by more than the solid is thick, a lower bound.
-
-    Raises:
-        ValueError: Another shape.
+    Exact in the air; inside solids deeper than their thickness, a lower bound.
 
     Example:
         >>> surface_errors([[2.5, 3.0, 1.9], [1.0, 3.5, 2.59]]).round(3).tolist()
@@ -434,15 +361,7 @@ def write_room_sequence(
     seed: int = 0,
     device: Any = "cpu",
 ) -> None:
-    """Write the noisy frames of the room as a folder in the layout of 7-Scenes.
-
-    The folder takes its name when all is written: frame-NNNNNN.depth.png (millimetres), .color.png, .pose.txt, and
-    camera-intrinsics.json.
-
-    Raises:
-        FileError: The folder exists already, or cannot be made.
-        TypeError, ValueError: As `room_sequence`.
-    """
+    """Write the noisy frames of the room atomically as a folder in the 7-Scenes layout with camera-intrinsics.json."""
     folder = Path(folder)
     if folder.exists():
         raise FileError(folder, "exists already", remedy="Give the name of a new folder")
@@ -471,7 +390,7 @@ def write_room_sequence(
         shutil.rmtree(part, ignore_errors=True)
 
 
-EXPOSURES = 5  # pictures of whose mean a blurred one is made; odd, so that one of them is that of the pose
+EXPOSURES = 5  # renderings averaged for blur; odd, so that one is at the pose
 
 WAVES = (2.3, 0.7)  # [s] periods of the exposure
 
@@ -484,8 +403,6 @@ PERSON_PASSES = 3  # back and forth on a loop
 
 @dataclasses.dataclass(frozen=True)
 class RoomEffects:
-    """See `room_loop_sequence`."""
-
     seed: int
     color: bool = True
     blur: float = 0.0
@@ -497,7 +414,6 @@ class RoomEffects:
     def checked(
         cls, frame_count: int, seed: int, color: Any, blur: Any, exposure: Any, covered: Any, person: Any
     ) -> RoomEffects:
-        """The effects asked for, or an error that names the argument."""
         blur, exposure = check_number("blur", blur), check_number("exposure", exposure)
         for name, value in (("blur", blur), ("exposure", exposure)):
             if not 0 <= value <= 10:
@@ -512,7 +428,7 @@ class RoomEffects:
         return cls(seed, bool(color), blur, exposure, (first, end), bool(person))
 
     def shutter_offsets(self) -> list[float]:
-        """Where within the frames about it a blurred picture is taken, apart from the frame itself."""
+        """Offsets [frames] of the additional renderings of a blurred image."""
         if not self.blur or not self.color:
             return []
         places = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
@@ -521,7 +437,7 @@ class RoomEffects:
     def spoil(
         self, index: int, depth: NDArray[Any], color: NDArray[np.uint8], others: Iterable[NDArray[np.uint8]]
     ) -> tuple[NDArray[Any], NDArray[np.uint8] | None]:
-        """Depth and colour of a frame as they leave the camera; `others` are what the open shutter sees besides."""
+        """Apply the effects to a frame; `others` are the renderings at the other shutter times."""
         if self.covered[0] <= index < self.covered[1]:
             return np.zeros_like(depth), np.zeros_like(color) if self.color else None
         if not self.color:
@@ -534,7 +450,7 @@ class RoomEffects:
         return depth, np.rint(np.clip(light, 0, 255)).astype(np.uint8)
 
     def _gains(self, index: int, rows: int) -> NDArray[np.float64]:
-        """Brightness of each row, exposed one after another within the time of a frame."""
+        """Brightness of each row under a rolling shutter."""
         time = (index + np.arange(rows) / rows) * FRAME_TIME
         phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(WAVES))
         waves = [np.sin(2 * math.pi * time / period + phase) for period, phase in zip(WAVES, phases, strict=True)]
@@ -542,7 +458,7 @@ class RoomEffects:
 
 
 def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> Room:
-    """The room with somebody in it, who walks to and fro before the camera; the light stays as it was."""
+    """The room with a person in front of the camera; the lighting does not change."""
     parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
     angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
     x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)

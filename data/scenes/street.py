@@ -1,4 +1,4 @@
-"""A made-up street of painted triangles: a winding road, houses, gardens, trees, parked cars, lamps and signs."""
+"""A synthetic street of labeled triangles: winding road, houses, gardens, trees, parked cars, lamps and signs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .drive import road
 from .painted import Color, PaintedParts
 
 ROAD, PAVEMENT, GRASS, HOUSE, CAR, TREE, POLE, FENCE = range(1, 9)
-MARGIN = 70.0  # [m] of street before the first and behind the last place of the scanner
+MARGIN = 70.0  # [m] of street before the first and after the last scanner position
 
 _WALLS: tuple[Color, ...] = (
     (0.88, 0.80, 0.66),
@@ -33,7 +33,7 @@ _STEEL: Color = (0.46, 0.48, 0.50)
 
 
 def painted_street(length: float, seed: int) -> PaintedParts:
-    """The street from x = -MARGIN to length + MARGIN [m], its ground at z = 0."""
+    """The street from x = -MARGIN to length + MARGIN [m], ground at z = 0."""
     rng, parts = np.random.default_rng(seed), PaintedParts()
     low, high = -MARGIN, length + MARGIN
     _ground(parts, low, high)
@@ -57,7 +57,7 @@ def painted_street(length: float, seed: int) -> PaintedParts:
 
 
 def _strip(parts: PaintedParts, xs: np.ndarray, left: float, right: float, height: float, colors: np.ndarray) -> None:
-    """A band along the road between two distances from its middle; one colour a step."""
+    """A band along the road between two distances from its center, one color per step."""
     middle = road(xs)
     rows = np.stack([np.column_stack([xs, middle + y, np.full(len(xs), height)]) for y in (right, left)], axis=1)
     k = 2 * np.arange(len(xs) - 1)
@@ -105,7 +105,7 @@ def _house(parts: PaintedParts, rng: np.random.Generator, x: float, side: int, w
     walls, roof = _WALLS[rng.integers(len(_WALLS))], _ROOFS[rng.integers(len(_ROOFS))]
     parts.label = HOUSE
     parts.place(x, road(x) + side * (setback + depth / 2), 0.1, turn=_heading(x) + (0 if side > 0 else math.pi))
-    # in the house's frame the street lies at -y
+    # the street is at -y in the house's frame
     parts.box((0, 0, high / 2), (width, depth, high), walls)
     parts.gable((0, 0, high), (width + 0.8, depth + 1.0, rng.uniform(2.2, 4.0)), roof, walls)
     front, bays = -depth / 2 - 0.04, max(2, int(width // 3))

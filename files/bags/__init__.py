@@ -1,1 +1,1 @@
-"""Recordings of robots read without ROS: rosbag1, rosbag2 and MCAP."""
+"""Robot recordings without ROS: rosbag1, rosbag2 and MCAP."""

@@ -1,9 +1,7 @@
-"""Bags of ROS 1, format 2.0: records walked by their heads, so that a bag without an index reads as well.
+"""ROS 1 bags, format 2.0, parsed by record headers, so that an index is not required.
 
-The index behind a chunk is used only if it agrees with the list of chunks at the end of the file. Otherwise the chunk
-is unpacked and searched. Each message that is read is compared with its entry.
-
-Source: the rosbag format 2.0 of the ROS wiki.
+A chunk index is used only if it matches the list of chunks at the end; otherwise the chunk is unpacked and searched.
+rosbag format 2.0, ROS wiki.
 """
 
 from __future__ import annotations
@@ -23,7 +21,7 @@ _DAMAGED = (FileError, struct.error, KeyError, ValueError)
 
 
 class _Info(NamedTuple):
-    """What the list at the end of a bag contains of a chunk: the first and last time [ns], messages by connection."""
+    """A chunk's entry in the list at the end: first and last time [ns], messages by connection."""
 
     start: int
     end: int
@@ -36,10 +34,9 @@ class _Bag:
         self.found = Contents(path, self.payload)
         self.chunks: list[Chunk] = []
         self.infos: dict[int, _Info] = {}
-        self.announced = 0  # chunks, by the header of a bag that was closed
+        self.announced = 0  # number of chunks in the header of a closed bag
 
     def walk(self) -> None:
-        """Take all records outside of chunks."""
         place = len(MAGIC)
         try:
             while place < len(self.source):
@@ -52,7 +49,7 @@ class _Bag:
                     self.take_connection(fields, slice_of(self.path, self.source, begin, length))
                 elif op == _CHUNK_INFO:
                     self.take_info(fields, slice_of(self.path, self.source, begin, length))
-                elif op == _HEADER and any(fields.get(b"index_pos", b"")):  # else the bag was not closed
+                elif op == _HEADER and any(fields.get(b"index_pos", b"")):  # otherwise the bag was not closed
                     self.announced = number("I", fields[b"chunk_count"], 0)
                 elif op == _MESSAGE:
                     self.found.note(f"has a message outside of its chunks at byte {place}")
@@ -61,14 +58,12 @@ class _Bag:
             self.found.note(f"is cut off or damaged at byte {place} of {len(self.source)}: {error}")
 
     def take_chunk(self, place: int, fields: dict[bytes, bytes], begin: int, length: int) -> None:
-        """A chunk, whose index may follow."""
         form, size = fields[b"compression"].decode("ascii", "replace"), number("I", fields[b"size"], 0)
         path, source = self.path, self.source
         self.found.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
         self.chunks.append(Chunk(place, len(self.found.pieces) - 1, size))
 
     def take_index(self, fields: dict[bytes, bytes], data: bytes) -> None:
-        """The messages of one connection in the last chunk."""
         if not self.chunks:
             raise ValueError("an index record has no chunk")
         chunk, connection = self.chunks[-1], number("I", fields[b"conn"], 0)
@@ -79,7 +74,6 @@ class _Bag:
         chunk.rows += [(sec * 10**9 + nsec, connection, at) for sec, nsec, at in struct.iter_unpack("<III", data)]
 
     def take_info(self, fields: dict[bytes, bytes], data: bytes) -> None:
-        """An entry of the list of chunks."""
         counts = dict(struct.iter_unpack("<II", data))
         if len(counts) != number("I", fields[b"count"], 0) or len(data) != 8 * len(counts):
             raise ValueError("the list of chunks is contradictory")
@@ -88,7 +82,6 @@ class _Bag:
         self.infos[number("Q", fields[b"chunk_pos"], 0)] = info
 
     def take_connection(self, fields: dict[bytes, bytes], data: bytes) -> None:
-        """A topic."""
         told, at = {}, 0
         while at < len(data):
             size = number("I", data, at)
@@ -100,7 +93,7 @@ class _Bag:
         self.found.add_channel(number("I", fields[b"conn"], 0), Channel(topic, kind, "ros1"))
 
     def settle(self) -> None:
-        """Choose the messages of each chunk: those of its index, or those that the chunk itself contains."""
+        """Choose the messages of each chunk: from its index, or from the chunk itself."""
         if self.announced and (self.announced != len(self.chunks) or {*self.infos} - {c.begin for c in self.chunks}):
             self.found.note(f"lists {max(self.announced, len(self.infos))} chunks, {len(self.chunks)} were found")
         is_cut_off = self.found.damage is not None
@@ -111,10 +104,8 @@ class _Bag:
             self.found.entries += [(time, connection, chunk.piece, place) for time, connection, place in chunk.rows]
 
     def is_trusted(self, chunk: Chunk, info: _Info | None, is_cut_off: bool) -> bool:
-        """True if the index of a chunk is complete, as far as can be known without its messages.
-
-        A bag that ends properly without a list of chunks was not closed by its recorder. Nothing confirms its indexes.
-        """
+        """True if a chunk's index is complete, without reading its messages.
+        A complete bag without a list of chunks was not closed by its recorder, so nothing confirms its indexes."""
         rows = chunk.rows
         if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
             return False
@@ -126,7 +117,7 @@ class _Bag:
         return is_in_time and Counter(connection for _, connection, _ in rows) == info.counts
 
     def search(self, chunk: Chunk, info: _Info | None) -> None:
-        """Take over the connections and messages of a chunk from its own records."""
+        """Read connections and messages from the records of a chunk."""
         rows: list[Row] = []
         try:
             data, place = self.found.pieces[chunk.piece](), 0
@@ -148,7 +139,6 @@ class _Bag:
         chunk.rows = rows
 
     def payload(self, data: bytes, place: int, connection: int, time: int) -> bytes:
-        """The message at a place in a chunk."""
         op, fields, begin, length = _record(self.path, data, place)
         if op != _MESSAGE or (_time(fields[b"time"]), number("I", fields[b"conn"], 0)) != (time, connection):
             raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
@@ -156,11 +146,6 @@ class _Bag:
 
 
 def read_bag1(path: Path) -> Contents:
-    """Find all messages of a bag.
-
-    Raises:
-        FileError: No such bag.
-    """
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
         raise FileError(path, "is no bag of ROS 1, version 2.0", where="byte 0")
@@ -171,7 +156,7 @@ def read_bag1(path: Path) -> Contents:
 
 
 def _record(path: Path, data: Any, place: int) -> tuple[int, dict[bytes, bytes], int, int]:
-    """Operation, fields, and where the data of a record begin and how long they are."""
+    """Operation code, fields, and data offset and length of a record."""
     head = number("I", data, place)
     header, fields, at = slice_of(path, data, place + 4, head), {}, 0
     while at < len(header):
@@ -187,6 +172,5 @@ def _record(path: Path, data: Any, place: int) -> tuple[int, dict[bytes, bytes],
 
 
 def _time(value: bytes) -> int:
-    """A time [ns]."""
     seconds, nanoseconds = struct.unpack("<II", value)
     return seconds * 10**9 + nanoseconds

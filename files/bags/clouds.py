@@ -1,20 +1,10 @@
-"""PointCloud2 as the drivers of LiDARs fill it, read by NumPy's view of its rows.
+"""Point clouds in recordings: PointCloud2 and Livox CustomMsg, read as NumPy views.
 
-Times per point become the attribute `time` [s] since the first point where their unit is sure. All
-other fields keep their names and types.
-
-The times that drivers of LiDARs write beside each point, in seconds where their unit is sure. A field's name and type
-tell the unit where one driver alone writes them: velodyne_pointcloud `time` (float, s), ouster_ros `t` and
-livox_ros_driver2 `offset_time` (whole, ns). `timestamp` (float64) is s of hesai_ros_driver and rslidar_sdk and ns of
-livox_ros_driver2, of a clock that began in 1970 or when the sensor was switched on; and there are drivers and converted
-sets with microseconds under each of these names. So a unit has to agree with the message: with the time in its header,
-where the field has the same clock, or else with a sweep, which takes between 2 ms and 1.5 s. A thousand lies between
-two units, so that no two of them agree with either.
-
-Livox's own clouds (`CustomMsg` of livox_ros_driver, livox_ros_driver2 and livox_interfaces), by NumPy's view. A message
-is a header, the time of the first point [ns], how many points there are, the number of the scanner, and 19 bytes a
-point: time after the first [ns], x, y, z, reflectivity, tag, line. ROS 2 pads points to 20 bytes. Source: CustomMsg.msg
-and CustomPoint.msg of livox_ros_driver2.
+Per-point times become `time` [s] since the first point if their unit is certain, as drivers differ: `time` is s
+(velodyne_pointcloud); `t`, `offset_time` are ns (ouster_ros, livox_ros_driver2); `timestamp` is s (hesai_ros_driver,
+rslidar_sdk) or ns (livox_ros_driver2); some data use microseconds. The unit must match the header time or a sweep of 2
+ms to 1.5 s; units differ by 1,000, so at most one does. CustomMsg: header, base time [ns], count, scanner, then 19 B
+per point (ROS 2: 20).
 """
 
 from __future__ import annotations
@@ -38,18 +28,14 @@ _FIELDS += [("reflectivity", "u1"), ("tag", "u1"), ("line", "u1")]
 
 
 def table_of_livox(path: Path, data: bytes, encoding: str) -> PointTable:
-    """The points of a message, with `time` [s] since the first, `reflectivity`, `tag` and `line`.
-
-    Raises:
-        FileError: It ends before its points do, or tells two numbers of them.
-    """
+    """The points of a CustomMsg, with `time` [s] since the first, `reflectivity`, `tag` and `line`."""
     order = byte_order(data, encoding)
     is_one = encoding == "ros1"
     try:
         at = 12  # seq and a stamp, or the encoding and a stamp
         (size,) = struct.unpack_from(order + "I", data, at)
         at += 4 + size
-        if not is_one:  # counted from behind the encoding
+        if not is_one:  # relative to the end of the encoding
             at += -(at - 4) % 8
         told, count = struct.unpack_from(order + "8xI4xI", data, at)
     except struct.error as error:
@@ -69,27 +55,18 @@ def table_of_livox(path: Path, data: bytes, encoding: str) -> PointTable:
 
 NAMES = ("time", "t", "timestamp", "offset_time", "time_offset", "timeStamp", "time_stamp")
 UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
-WRITTEN = {("time", "f"): "s", ("t", "u"): "ns", ("offset_time", "u"): "ns"}  # by one driver, see above
-SWEEP = (2e-3, 1.5)  # [s] that a message takes
-SHORTEST = 5e-4  # [s] that a message of a unit that is written takes
-APART = 2.0  # [s] at most between the header's time and the first point's, of one clock
-SINCE = 60.0  # [s] a clock has gone for; an earlier time may be one since the sweep began
-COARSEST = 1e-3  # [s] steps of floats beyond which times of points are none
+WRITTEN = {("time", "f"): "s", ("t", "u"): "ns", ("offset_time", "u"): "ns"}  # of one driver, see above
+SWEEP = (2e-3, 1.5)  # [s] plausible duration of a message
+SHORTEST = 5e-4  # [s] plausible duration of a message with a documented unit
+APART = 2.0  # [s] maximum difference of header time and first point, same clock
+SINCE = 60.0  # [s] minimum clock time; an earlier one may be relative to the sweep
+COARSEST = 1e-3  # [s] float resolution beyond which point times are useless
 
 
 def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float) -> dict[str, Any]:
-    """The columns with `time` [s] since the first point in the place of the driver's, where its unit is sure.
-
-    Args:
-        path: Named where the unit is not sure.
-        columns: By name, one row a point.
-        seen: bool [n]: which points were measured.
-        stamp: The time in the message's header [s].
-
-    Warns:
-        RecordingWarning: No unit agrees with the message, or another than the one that this driver writes. Without a
-            unit the numbers stay as they are, `time` under the name `timestamps`.
-    """
+    """Replace the driver's times by `time` [s] since the first point, if their unit is certain.
+    `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units; without a
+    unit the values are unchanged, with `time` renamed to `timestamps`."""
     kept = dict(columns)
     name = next((name for name in NAMES if name in kept and kept[name].ndim == 1), None)
     if name is None:
@@ -112,19 +89,19 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
 
 
 def _set(times: NDArray[Any]) -> NDArray[Any]:
-    """The times without those that a driver left at zero, among times of a clock."""
+    """Clock times without unset zeros."""
     others = times[times != 0]
     span = others.max() - others.min() if others.size else 0
     return others if 0 < 10 * span < others.min() else times
 
 
 def _steps(kind: np.dtype[Any], times: NDArray[Any]) -> float:
-    """Between two times that a type tells apart, in their unit."""
+    """Resolution of a time type, in its unit."""
     return float(np.finfo(kind).eps * np.abs(times).max(initial=0.0)) if kind.kind == "f" else 1.0
 
 
 def _unit(times: NDArray[Any], written: str | None, stamp: float, step: float) -> str | None:
-    """The unit that agrees with the header or with a sweep; the one that is written where nothing speaks against it."""
+    """The unit consistent with the header or a sweep; the documented one if there is no contradiction."""
     if not times.any():
         return written or "s"  # as good as any
     first, span = float(times.min()), float(times.max() - times.min())
@@ -143,11 +120,7 @@ _OWN = ("points", "normals", "colors")
 
 
 def table_of_message(path: Path, message: Any) -> PointTable:
-    """The points of a PointCloud2; those that are not finite are kept, as in other files.
-
-    Raises:
-        FileError: Fields that do not fit the rows, no coordinates, or fewer bytes than announced.
-    """
+    """The points of a PointCloud2, including non-finite ones; raises `FileError` if its fields are invalid."""
     columns = _columns(path, message)
     missing = [name for name in "xyz" if name not in columns]
     if missing:
@@ -201,7 +174,7 @@ def _native(values: NDArray[Any]) -> NDArray[Any]:
 
 
 def _colors(columns: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
-    """Colours packed into four bytes, as PCL has them."""
+    """Colors packed in four bytes, as in PCL."""
     for name in ("rgb", "rgba"):
         if name in columns and columns[name].ndim == 1 and columns[name].dtype.itemsize == 4:
             packed = _native(columns.pop(name)).view(np.uint32)

@@ -1,4 +1,4 @@
-"""The SQLite files of rosbag2; of one that is cut short, the rows that are there."""
+"""SQLite files of rosbag2; truncated ones yield their readable rows."""
 
 from __future__ import annotations
 
@@ -16,16 +16,11 @@ _TABLES = ("topics", "messages")
 
 
 def read_db3(path: Path) -> Contents:
-    """Find all messages of a file.
-
-    Raises:
-        FileError: No such file, or one whose list of topics cannot be read.
-    """
     if open_source(path)[: len(MAGIC)] != MAGIC:
         raise FileError(path, "is no SQLite file", where="byte 0")
     try:
         database = sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False)
-        database.execute("PRAGMA writable_schema = ON")  # else a file with fewer pages than it says is not opened
+        database.execute("PRAGMA writable_schema = ON")  # otherwise a file with missing pages cannot be opened
         protect(database, path, is_bounded=True)
         check_tables(database, path, _TABLES)
         found = Contents(path, _Payload(path, database), pieces=[lambda: b""])
@@ -35,7 +30,7 @@ def read_db3(path: Path) -> Contents:
     except sqlite3.Error as error:
         raise FileError(path, f"is no bag of ROS 2, or damaged at its beginning: {error}") from error
     _find_messages(path, database, found)
-    database.set_progress_handler(None, 0)  # single rows are read from now on
+    database.set_progress_handler(None, 0)  # from now on rows are read one by one
     return found
 
 
@@ -56,7 +51,7 @@ def _find_messages(path: Path, database: sqlite3.Connection, found: Contents) ->
 
 
 def _compare_with_index(database: sqlite3.Connection, found: Contents) -> None:
-    """Compare the rows with the index of times, which ROS writes too: damaged pages can lose rows without an error."""
+    """Compare rows with the time index of ROS: damaged pages can lose rows without an error."""
     indexes = [row[1] for row in database.execute("PRAGMA main.index_list(messages)") if not row[4]]
     for name in indexes:
         if [row[2] for row in database.execute("SELECT * FROM pragma_index_info(?)", (name,))] != ["timestamp"]:

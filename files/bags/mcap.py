@@ -1,9 +1,7 @@
-"""MCAP files, walked by the heads of their records, so that one without a summary reads as well.
+"""MCAP files, parsed by record headers, so that a summary is not required.
 
-The index behind a chunk is used only if it is consistent and the statistics at the end of the file agree. Otherwise the
-chunks are unpacked and searched. Each message that is read is compared with its entry.
-
-Source: the MCAP format specification, version 0.
+A chunk index is used only if it is consistent and the file statistics agree; otherwise chunks are unpacked and
+searched. MCAP format specification, version 0.
 """
 
 from __future__ import annotations
@@ -47,7 +45,7 @@ class _File:
         self.statistics: tuple[int, dict[int, int]] | None = None  # messages, also by channel
 
     def records(self, data: Any, place: int) -> Iterator[tuple[int, int, int]]:
-        """Of each record its operation, and the begin and length of its content."""
+        """Yield operation code, offset and length of each record's content."""
         while place < len(data):
             op, length = number("B", data, place), number("Q", data, place + 1)
             begin = place + 9
@@ -57,7 +55,6 @@ class _File:
             place = begin + length
 
     def walk(self) -> None:
-        """Take all records outside of chunks, with the statistics of the summary."""
         try:
             for op, begin, length in self.records(self.source, len(MAGIC)):
                 if op == _FOOTER:
@@ -75,7 +72,6 @@ class _File:
             self.found.note("is cut off: nothing tells the end of its data")
 
     def take(self, op: int, begin: int, length: int) -> None:
-        """A record of the data section."""
         if op == _CHUNK:
             self.take_chunk(begin, length)
         elif op == _INDEX:
@@ -88,7 +84,6 @@ class _File:
             raise FileError(self.path, "a record has no kind", where=f"byte {begin - 9}")
 
     def take_definition(self, op: int, data: Any, begin: int, length: int) -> None:
-        """A type or a topic."""
         if op == _SCHEMA:
             content = slice_of(self.path, data, begin, length)
             self.schemas[number("H", content, 0)] = _text(self.path, content, 2)[0]
@@ -100,13 +95,12 @@ class _File:
             self.found.add_channel(number("H", content, 0), Channel(topic, kind, encoding))
 
     def row_of(self, data: Any, begin: int, length: int) -> Row:
-        """The entry of a message by its own head."""
+        """The index entry of a message from its header."""
         if length < _MESSAGE_HEAD:
             raise FileError(self.path, f"a message of {length} bytes has no head", where=f"byte {begin}")
         return number("Q", data, begin + 6), number("H", data, begin), begin - 9
 
     def take_chunk(self, begin: int, length: int) -> None:
-        """A chunk, whose index may follow."""
         form, at = _text(self.path, self.source, begin + 28)
         start, end, size = struct.unpack_from("<QQQ", self.source, begin)
         check, stored = number("I", self.source, begin + 24), number("Q", self.source, at)
@@ -123,7 +117,6 @@ class _File:
         self.chunks.append(_Chunk(begin, len(self.found.pieces) - 1, size, start=start, end=end))
 
     def take_index(self, data: bytes) -> None:
-        """The messages of one channel in the last chunk."""
         if not self.chunks:
             raise ValueError("an index record has no chunk")
         chunk, channel, size = self.chunks[-1], number("H", data, 0), number("I", data, 2)
@@ -134,17 +127,14 @@ class _File:
         chunk.rows += [(time, channel, place) for time, place in struct.iter_unpack("<QQ", data[6:])]
 
     def take_statistics(self, data: bytes) -> None:
-        """The numbers of messages."""
         size = number("I", data, 42)
         if len(data) < 46 + size or size % 10:
             raise ValueError("the statistics are cut off")
         self.statistics = number("Q", data, 0), dict(struct.iter_unpack("<HQ", data[46 : 46 + size]))
 
     def settle(self) -> None:
-        """Choose the messages of each chunk: those of its index, or those that the chunk itself contains.
-
-        The statistics confirm the indexes. A file that was cut off has none, and is reported as damaged anyway.
-        """
+        """Choose the messages of each chunk: from its index, or from the chunk itself.
+        The statistics confirm the indexes; a truncated file has none and is reported as damaged."""
         for chunk in self.chunks:
             if not self.is_trusted(chunk):
                 self.search(chunk)
@@ -160,7 +150,7 @@ class _File:
             self.found.entries += [(time, channel, chunk.piece, place) for time, channel, place in chunk.rows]
 
     def is_trusted(self, chunk: _Chunk) -> bool:
-        """True if the index of a chunk is consistent, as far as can be known without its messages."""
+        """True if a chunk's index is consistent, without reading its messages."""
         rows = chunk.rows
         if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
             return False
@@ -169,7 +159,7 @@ class _File:
         return (min(rows)[0], max(rows)[0]) == (chunk.start, chunk.end)
 
     def is_confirmed(self) -> bool:
-        """True if the messages found so far are as many as in the statistics, on each channel."""
+        """True if the message counts per channel match the statistics."""
         if self.statistics is None:
             return False
         counts = Counter(channel for _, channel, _ in self.loose)
@@ -180,7 +170,6 @@ class _File:
         return total == counts.total() and by_channel in ({}, counts)
 
     def search(self, chunk: _Chunk) -> None:
-        """Take over the channels and messages of a chunk from its own records, once."""
         if chunk.was_searched:
             return
         chunk.was_searched, rows = True, []
@@ -201,7 +190,6 @@ class _File:
         chunk.rows = rows
 
     def payload(self, data: bytes, place: int, channel: int, time: int) -> bytes:
-        """The message at a place in a chunk."""
         length = number("Q", data, place + 1)
         if number("B", data, place) != _MESSAGE or self.row_of(data, place + 9, length)[:2] != (time, channel):
             raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
@@ -209,11 +197,6 @@ class _File:
 
 
 def read_mcap(path: Path) -> Contents:
-    """Find all messages of a file.
-
-    Raises:
-        FileError: No such file.
-    """
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
         raise FileError(path, "is no MCAP file", where="byte 0")
@@ -224,6 +207,5 @@ def read_mcap(path: Path) -> Contents:
 
 
 def _text(path: Path, data: Any, begin: int) -> tuple[str, int]:
-    """A text, and where it ends."""
     size = number("I", data, begin)
     return slice_of(path, data, begin + 4, size).decode("utf-8", "replace"), begin + 4 + size

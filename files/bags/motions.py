@@ -1,4 +1,4 @@
-"""Poses and inertial readings out of ROS' messages, as arrays."""
+"""Poses and IMU readings of ROS messages as arrays."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from ...core.errors import FileError
 from ...core.quaternions import quaternions_to_rotations
 
 IMU = "sensor_msgs/msg/Imu"
-#: Types of messages that hold a pose, and where in them it stands.
+#: Message types with a pose, and the path to it.
 POSES = {
     "nav_msgs/msg/Odometry": ("pose", "pose"),
     "geometry_msgs/msg/PoseStamped": ("pose",),
     "geometry_msgs/msg/PoseWithCovarianceStamped": ("pose", "pose"),
     "geometry_msgs/msg/TransformStamped": ("transform",),
 }
-_UNIT = 1e-3  # how far the length of a rotation's quaternion may be from 1
+_UNIT = 1e-3  # maximum deviation of a quaternion's length from 1
 
 
 @dataclass(frozen=True, eq=False)
 class ImuReadings:
-    """What an inertial unit measured, in its own frame.
+    """IMU measurements in the sensor frame.
 
     Attributes:
-        times: Of the headers [s], float64 [n].
-        angular_velocity: [rad/s], float64 [n, 3].
-        linear_acceleration: [m/s^2], float64 [n, 3]; at rest it points up.
-        orientation: Quaternions (w, x, y, z) of the unit's own filter, float64 [n, 4]; NaN without.
+        times: Header times [s], float64 (n,).
+        angular_velocity: [rad/s], float64 (n, 3).
+        linear_acceleration: [m/s^2], float64 (n, 3); points up at rest.
+        orientation: Quaternions (w, x, y, z) of the sensor's filter, float64 (n, 4); NaN if missing.
 
     Example:
         >>> import pointloom as loom
@@ -52,7 +52,7 @@ class ImuReadings:
 
 
 def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
-    """The readings of messages of Imu, in their order; what a covariance of -1 says is not there is NaN (REP 145)."""
+    """The readings of Imu messages; values with a covariance of -1 (missing, REP 145) are NaN."""
     rows = []
     for message in messages:
         turns, pushes, q = message.angular_velocity, message.linear_acceleration, message.orientation
@@ -70,11 +70,7 @@ def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
 
 
 def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable[Any]) -> Trajectory:
-    """The poses of messages, in their order.
-
-    Raises:
-        FileError: A number that is not finite, or a quaternion that is no rotation, with the message's number.
-    """
+    """The poses of messages; raises `FileError` with the message number if one is invalid."""
     rows: list[list[float]] = []
     for number, message in enumerate(messages):
         pose = message
@@ -94,5 +90,4 @@ def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable
 
 
 def stamp_of_header(header: Any) -> float:
-    """The time of a header [s]."""
     return float(header.stamp.sec) + float(header.stamp.nanosec) * 1e-9

@@ -1,7 +1,6 @@
-"""What all containers of recorded messages come down to: pieces of bytes, and where each message stands in them.
+"""Common structure of recording containers: pieces of bytes and the position of each message.
 
-A piece is a chunk of a file, compressed or not, or the file itself. The index (20 B a message) is held in memory, the
-messages are not: of compressed chunks the last few that were used.
+A piece is a chunk or the whole file. The index (20 B a message) stays in memory; only the last used chunks do.
 """
 
 from __future__ import annotations
@@ -17,12 +16,11 @@ from ...core.errors import FileError
 from ..foreign import foreign_errors, import_for
 
 MAX_CHUNK = 1 << 31  # [B] unpacked; writers start a new chunk at about 1 MB
-_MAX_SMALL, _MAX_RATIO = 1 << 28, 1000  # larger chunks than that [B] are not packed more tightly than that
+_MAX_SMALL, _MAX_RATIO = 1 << 28, 1000  # [B] larger chunks are compressed by at most this ratio
 
 
 class RecordingWarning(UserWarning):
-    """A recording that is cut off or damaged, and read up to there; or one whose clouds have times of points in no
-    unit, or in another than their driver's.
+    """A recording is truncated or damaged, or the times of its points have an unknown or unexpected unit.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -37,15 +35,7 @@ Row = tuple[int, int, int]  # of a message in a chunk: time [ns], channel, place
 
 @dataclass
 class Chunk:
-    """A chunk, and the index behind it.
-
-    Attributes:
-        begin: Its first byte in the file.
-        piece: Its number among the pieces.
-        size: Of its content [B].
-        rows, channels: The messages of the index, and their channels.
-        is_consistent: True if the index does not contradict itself.
-    """
+    """A chunk and its index: `begin` offset, `piece` index, content `size` [B], message `rows` and `channels`."""
 
     begin: int
     piece: int
@@ -56,13 +46,7 @@ class Chunk:
 
 
 class Channel(NamedTuple):
-    """Messages of one topic and one type.
-
-    Attributes:
-        topic: Its name.
-        type: Of the messages, such as "sensor_msgs/msg/PointCloud2".
-        encoding: "ros1" or "cdr"; others are listed and not read.
-    """
+    """Messages of one topic and type; only the encodings "ros1" and "cdr" are decoded."""
 
     topic: str
     type: str
@@ -71,16 +55,8 @@ class Channel(NamedTuple):
 
 @dataclass
 class Contents:
-    """What was found in one file.
-
-    Attributes:
-        path: The file.
-        channels: By the file's own numbers.
-        entries: Of each message its time [ns], channel, piece and place in that.
-        pieces: Each gives its bytes.
-        payload: The message at a place in a piece, whose channel and time [ns] must be those of its entry.
-        damage: What is missing or contradictory in the file, or None.
-    """
+    """The contents of one file: `channels` by id, and `entries` (time [ns], channel, piece, offset) of messages.
+    `pieces` return bytes; `payload` is the message at an offset in a piece, checked against channel and time [ns]."""
 
     path: Path
     payload: Callable[[bytes, int, int, int], bytes]
@@ -90,21 +66,17 @@ class Contents:
     damage: str | None = None
 
     def note(self, damage: str) -> None:
-        """Record damage; of several kinds the first is reported."""
+        """Record damage; only the first is reported."""
         self.damage = self.damage or damage
 
     def add_channel(self, key: int, channel: Channel) -> None:
-        """Add a topic. A file may repeat a definition, but not change it."""
+        """Add a topic. A definition may be repeated but not changed."""
         if self.channels.setdefault(key, channel) != channel:
             self.note(f"defines topic number {key} twice: as {self.channels[key].topic!r} and {channel.topic!r}")
 
 
 def unpack(path: Path, data: bytes, compression: str, size: int) -> bytes:
-    """The bytes of a chunk. Memory is bounded by the size in its header, and that by the size of the packed bytes.
-
-    Raises:
-        FileError: An unknown compression, a missing package, bytes that are no such stream or of another length.
-    """
+    """Decompress a chunk; memory is bounded by its declared size, which is bounded by the compressed size."""
     if size > min(MAX_CHUNK, max(_MAX_SMALL, _MAX_RATIO * len(data))):
         reason = f"the header of a chunk of {len(data)} bytes claims {size} unpacked bytes"
         raise FileError(path, reason, remedy="The file is damaged there")
@@ -124,7 +96,6 @@ def unpack(path: Path, data: bytes, compression: str, size: int) -> bytes:
 
 
 def _unpack_bounded(new: Callable[[], Any], data: bytes, limit: int) -> bytes:
-    """Up to `limit` unpacked bytes of one or more streams."""
     parts: list[bytes] = []
     while data and limit:
         stream, is_first = new(), True
@@ -152,21 +123,16 @@ _DECOMPRESSORS: dict[str, Callable[[Path], Callable[[], Any]]] = {
 
 
 def slice_of(path: Path, data: bytes, begin: int, length: int) -> bytes:
-    """Some bytes, all of which are there.
-
-    Raises:
-        FileError: They reach beyond the end.
-    """
     if begin < 0 or length < 0 or begin + length > len(data):
         raise FileError(path, "a message reaches beyond its chunk", where=f"byte {begin}")
     return bytes(data[begin : begin + length])
 
 
 def byte_order(data: bytes, encoding: str) -> str:
-    """Of the numbers of a message: CDR tells it in its second byte, ROS 1 has the least first."""
+    """Byte order of a message: in the second byte for CDR, little-endian for ROS 1."""
     return ">" if encoding == "cdr" and data[1:2] == b"\0" else "<"
 
 
 def number(form: str, data: bytes, begin: int) -> int:
-    """A number at a place; struct.error where the bytes end before."""
+    """Unpack a number; struct.error if the data end before it."""
     return struct.unpack_from("<" + form, data, begin)[0]

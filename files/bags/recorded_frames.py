@@ -1,7 +1,7 @@
-"""RGB-D frames of a recording: depth and colour of two topics that were taken at the same time.
+"""RGB-D frames of a recording: synchronized depth and color topics.
 
-Pictures as ROS sends them: `Image` by rows, `CompressedImage` as PNG or JPEG, depth as `compressed_depth` packs it.
-Depth in whole numbers is millimetres (REP 118), in floats metres; colours come as RGB. What is not known is refused.
+`Image`, `CompressedImage` (PNG, JPEG) and `compressed_depth`. Integer depth is millimeters (REP 118), float depth
+meters.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from .pieces import byte_order
 
 IMAGE, COMPRESSED, CAMERA_INFO = (f"sensor_msgs/msg/{name}" for name in ("Image", "CompressedImage", "CameraInfo"))
 DEPTH = {"16UC1": "u2", "mono16": "u2", "32FC1": "f4"}
-COLORS = {  # type, and which of the channels are red, green and blue
+COLORS = {  # type, and indices of red, green and blue
     "rgb8": (3, (0, 1, 2)), "bgr8": (3, (2, 1, 0)), "8UC3": (3, (2, 1, 0)), "rgba8": (4, (0, 1, 2)),
     "bgra8": (4, (2, 1, 0)), "8UC4": (4, (2, 1, 0)), "mono8": (1, (0, 0, 0)), "8UC1": (1, (0, 0, 0)),
 }  # fmt: skip
@@ -37,16 +37,12 @@ PACKED_DEPTH = "compressedDepth"
 
 
 def holds_depth(kind: str, message: Any) -> bool:
-    """Whether a picture is a depth map, by its encoding."""
+    """True if an image is a depth map, by its encoding."""
     return PACKED_DEPTH in message.format if kind == COMPRESSED else message.encoding in DEPTH
 
 
 def depth_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint16] | NDArray[np.float32]:
-    """A depth map: uint16 millimetres or float32 metres, shape [h, w].
-
-    Raises:
-        FileError: No depth map, or a damaged one.
-    """
+    """A depth map (h, w): uint16 [mm] or float32 [m]."""
     if kind == COMPRESSED:
         return _packed_depth(path, message)
     if message.encoding not in DEPTH:
@@ -56,11 +52,7 @@ def depth_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint16] 
 
 
 def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
-    """A colour picture, uint8 RGB [h, w, 3]; grey is replicated, transparency dropped.
-
-    Raises:
-        FileError: No colour picture, or a damaged one.
-    """
+    """A color image, uint8 RGB (h, w, 3); gray is replicated, transparency dropped."""
     if kind == COMPRESSED:
         return np.ascontiguousarray(decode_texture(path, np.asarray(message.data, np.uint8).tobytes())[:, :, :3])
     if message.encoding not in COLORS:
@@ -71,11 +63,7 @@ def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
 
 
 def intrinsic_of_message(path: Path, message: Any, *, rectified: bool) -> PinholeCameraIntrinsic:
-    """The pinhole of a CameraInfo: P of rectified pictures, K of raw ones.
-
-    Raises:
-        FileError: It says nothing (a focal length of 0), or is no camera.
-    """
+    """The pinhole camera of a CameraInfo: P for rectified images, K for raw ones; raises `FileError` if it is empty."""
     columns = 4 if rectified else 3
     numbers = _matrix(message, "p" if rectified else "k")
     fx, cx, fy, cy = numbers[0], numbers[2], numbers[columns + 1], numbers[columns + 2]
@@ -89,24 +77,23 @@ def intrinsic_of_message(path: Path, message: Any, *, rectified: bool) -> Pinhol
 
 
 def lens_of_message(message: Any) -> list[float]:
-    """The distortion of a CameraInfo; empty where there is none."""
     values = _matrix(message, "d")
     return values if any(values) else []
 
 
 def _matrix(message: Any, name: str) -> list[float]:
-    """The numbers of a CameraInfo: named in small letters in ROS 2, in capitals in ROS 1."""
+    """The values of a CameraInfo field: lower case in ROS 2, upper case in ROS 1."""
     return [float(value) for value in getattr(message, name if hasattr(message, name) else name.upper())]
 
 
 def stamp_of(data: bytes, encoding: str) -> float:
-    """The time [s] in the header that a message begins with: behind a counter in ROS 1, an encoding in ROS 2."""
+    """Header time [s] of a message: after a counter in ROS 1, after the encoding in ROS 2."""
     seconds, nanoseconds = struct.unpack_from(byte_order(data, encoding) + "iI", data, 4)
     return seconds + nanoseconds * 1e-9
 
 
 def _rows(path: Path, message: Any, code: str, channels: int) -> NDArray[Any]:
-    """The pixels [h, w, channels] in the order of bytes that the message has, without what pads its rows."""
+    """The pixels (h, w, channels) in the message's byte order, without row padding."""
     height, width, step = int(message.height), int(message.width), int(message.step)
     kind = np.dtype((">" if message.is_bigendian else "<") + code)
     data = np.ascontiguousarray(np.asarray(message.data, np.uint8).reshape(-1))
@@ -122,7 +109,7 @@ def _rows(path: Path, message: Any, code: str, channels: int) -> NDArray[Any]:
 
 
 def _packed_depth(path: Path, message: Any) -> NDArray[np.uint16] | NDArray[np.float32]:
-    """A PNG of 16 bits behind twelve bytes that say how floats became whole numbers: d = a / (n - b), 0 for none."""
+    """A 16-bit PNG after 12 bytes with the quantization d = a / (n - b); 0 for none."""
     data = np.asarray(message.data, np.uint8).tobytes()
     encoding = message.format.split(";")[0].strip()
     if data[:8] == PNG_MAGIC:
@@ -154,38 +141,28 @@ _SUFFIXES = ("/compressed", "/compressedDepth", "/theora")
 
 
 class Messages(Protocol):
-    """What frames need of a recording."""
-
     path: Path
 
-    def topic_types(self) -> dict[str, str]:
-        """The types of topics that have messages, by name."""
-        ...
+    def topic_types(self) -> dict[str, str]: ...
 
-    def rows_of(self, topic: str) -> list[Any]:
-        """Where the messages of a topic stand."""
-        ...
+    def rows_of(self, topic: str) -> list[Any]: ...
 
-    def bytes_at(self, row: Any) -> tuple[str, bytes]:
-        """The encoding and the bytes of a message."""
-        ...
+    def bytes_at(self, row: Any) -> tuple[str, bytes]: ...
 
-    def content_at(self, row: Any) -> Any:
-        """A message, decoded."""
-        ...
+    def content_at(self, row: Any) -> Any: ...
 
 
 class RecordedFrames:
-    """The RGB-D frames of a recording, decoded one at a time; `Recording.frames` makes them.
+    """The RGB-D frames of a recording, decoded one at a time; created by `Recording.frames`.
 
     Attributes:
         intrinsic: The camera.
-        depth_scale: Depth in whole numbers is millimetres: 1000.
-        depth, color: The topics; None where frames have no colour.
-        left_out: Pictures without a partner in time.
+        depth_scale: 1000, as integer depth is millimeters.
+        depth, color: The topics; None without color.
+        left_out: Images without a partner in time.
         layout: "recording".
-        intrinsic_source: Where the camera was found.
-        intrinsic_doubt: Why it may be that of other pictures; empty where nothing speaks against it.
+        intrinsic_source: Source of the camera.
+        intrinsic_doubt: Why the camera may belong to other images, or "".
     """
 
     layout = "recording"
@@ -221,24 +198,19 @@ class RecordedFrames:
 
     @property
     def frames(self) -> list[Any]:
-        """Where the frames stand: a time and the rows of depth and colour each."""
+        """Time, depth row and color row of each frame."""
         return self._rows
 
     @property
     def notes(self) -> list[str]:
-        """Time stamps that stand still, go back or jump, each naming its frame."""
+        """Timestamps that repeat, decrease or jump, each with its frame."""
         watch = TimeWatch()
         for i, (time, _, _) in enumerate(self._rows):
             watch.see(f"frame-{i:06d}", time)
         return watch.notes
 
     def read(self, index: int) -> Frame:
-        """Decode a frame; a negative index counts from the end.
-
-        Raises:
-            IndexError: No such frame.
-            FileError: A message that is damaged or no such picture, named by its frame.
-        """
+        """Decode a frame; a negative index counts from the end. Raises `FileError` if a message is damaged."""
         time, depth_row, color_row = self._rows[index]
         name = f"frame-{index % len(self):06d}"
         path = self._recording.path
@@ -297,11 +269,7 @@ class RecordedFrames:
 
 
 def choose_pictures(recording: Messages, depth: str | None, color: str | None) -> tuple[str, str | None]:
-    """The topics of depth and of colour: those that were asked for, or the only ones.
-
-    Raises:
-        FileError: There is none, or more than one and none was asked for.
-    """
+    """The given depth and color topics, or the only ones; raises `FileError` if none or several match."""
     kinds = {name: kind for name, kind in recording.topic_types().items() if kind in (IMAGE, COMPRESSED)}
     depths = [name for name in kinds if holds_depth(kinds[name], recording.content_at(recording.rows_of(name)[0]))]
     colors = [name for name in kinds if name not in depths]

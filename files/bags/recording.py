@@ -1,4 +1,4 @@
-"""What a robot recorded, by topics: `open_recording`."""
+"""Recordings of ROS 1, ROS 2 and MCAP: `open_recording`."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 _READERS = {".bag": read_bag1, ".mcap": read_mcap, ".db3": read_db3}
-_MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # unpacked chunks that are kept: those of a recording overlap little in time
+_MAX_CHUNKS, _MAX_BYTES = 4, 1 << 28  # cached unpacked chunks: those of a recording overlap little in time
 
 
 @dataclass(frozen=True)
@@ -42,10 +42,10 @@ class Topic:
     """A topic of a recording.
 
     Attributes:
-        name, type: Its name, and the type of its messages.
-        count: How many messages.
-        first, last: Times of the first and the last [s]; None without messages.
-        frame_id: The frame of the first message, where its type has a header.
+        name, type: Its name and message type.
+        count: Number of messages.
+        first, last: Times of the first and last message [s]; None without messages.
+        frame_id: Frame of the first message, if its type has a header.
     """
 
     name: str
@@ -58,7 +58,7 @@ class Topic:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMessage:
-    """A message as it was recorded: its topic, its time [s], and what it holds as an object of `rosbags`.
+    """A recorded message: `topic`, `time` [s] and the decoded `content`, an object of `rosbags`.
 
     Example:
         >>> import pointloom as loom
@@ -73,11 +73,11 @@ class RecordedMessage:
 
 
 class Recording:
-    """A recording that `open_recording` opened.
+    """A recording opened by `open_recording`.
 
     Attributes:
         path: The file or folder.
-        damage: What is missing of it, in a sentence, or None.
+        damage: A sentence on missing data, or None.
 
     Example:
         >>> import pointloom as loom
@@ -106,7 +106,7 @@ class Recording:
 
     @cached_property
     def topics(self) -> list[Topic]:
-        """All topics, by name."""
+        """All topics, sorted by name."""
         kinds = {channel.topic: channel.type for part in self._parts for channel in part.channels.values()}
         seen: dict[str, list[tuple[int, int, int, int, int]]] = {name: [] for name in kinds}
         for row in self._rows:
@@ -114,11 +114,11 @@ class Recording:
         return [self._topic(name, kinds[name], seen[name]) for name in sorted(kinds)]
 
     def messages(self, topic: str) -> Iterator[RecordedMessage]:
-        """The messages of a topic in the order of their times, each read when its turn comes.
+        """Iterate over the messages of a topic in time order, read lazily.
 
         Raises:
             ValueError: No such topic.
-            FileError: A message that is damaged, with how many were read before it; a type that is not known.
+            FileError: A damaged message, with the number of messages before it, or an unknown type.
         """
         names = [found.name for found in self.topics]
         if topic not in names:
@@ -126,11 +126,7 @@ class Recording:
         return self._messages(topic)
 
     def choose_topic(self, topic: str | None, *kinds: str) -> str:
-        """The topic that was asked for, or the only one of some types; of clouds where none is named.
-
-        Raises:
-            FileError: There is none, of another type, or more than one and none was asked for.
-        """
+        """The given topic, or the only topic of these types; raises `FileError` if none or several match."""
         types = kinds or (CLOUD, *LIVOX)
         kind = types[0]
         fitting = [name for name, found in self.topic_types().items() if found in types]
@@ -145,21 +141,19 @@ class Recording:
         raise FileError(self.path, f"has {what}", remedy="Name one of them" if fitting else f"There are {every}")
 
     def scans(self, topic: str | None = None, *, frame: str | None = None, device: Any = None) -> Iterator[PointCloud]:
-        """The clouds of a topic of PointCloud2, or of Livox's CustomMsg, in the order of their times.
+        """Iterate over the clouds of a PointCloud2 or Livox CustomMsg topic in time order.
 
         Args:
-            topic: Which; None takes the only one.
-            frame: The frame that they are brought into, by `transforms` at the time in each header; None leaves them in
-                that of their sensor.
-            device: Where they go.
+            topic: The topic; None selects the only one.
+            frame: Target frame, applied with `transforms` at each header's time; None keeps the sensor frame.
+            device: Device of the clouds.
 
         Raises:
-            FileError: As `choose_topic` and `transforms`; while iterating, a message that is damaged or no cloud, or a
-                cloud that `RecordedTransforms.lookup` knows no way for, with its number.
+            FileError: No such topic, several topics, a damaged message, or a cloud without a transform to `frame`.
 
         Notes:
-            Points that are not finite are kept. Times per point are the attribute `time` [s] since the first one, which
-            odometry straightens by; a cloud that is brought into a frame is moved as one.
+            Non-finite points are kept. Per-point times are the attribute `time` [s] since the first point, for
+            deskewing. A cloud is transformed rigidly with one pose.
         """
         chosen = self.choose_topic(topic)
         kind = self.topic_types()[chosen]
@@ -180,10 +174,10 @@ class Recording:
         return (cloud for _, cloud in self._each(chosen, read))
 
     def transforms(self) -> RecordedTransforms:
-        """The frames that the topics of TFMessage tell of, those that end in `tf_static` for all time.
+        """The frames of the TFMessage topics; topics that end in `tf_static` are constant.
 
         Raises:
-            FileError: No such topic, a message that is damaged, or a transform that is none.
+            FileError: No such topic, a damaged message or an invalid transform.
         """
         topics = [name for name, kind in self.topic_types().items() if kind in TRANSFORMS]
         if not topics:
@@ -203,21 +197,21 @@ class Recording:
         tolerance: float = 0.02,
         every: int = 1,
     ) -> RecordedFrames:
-        """The RGB-D frames of a recording: pictures of depth and colour with the same time in their headers.
+        """RGB-D frames: depth and color images paired by the times in their headers.
 
         Args:
-            depth: The topic of depth, of Image or CompressedImage; None takes the only one.
-            color: The topic of colour, registered to depth; None takes the only one, or none where there is none.
-            intrinsic: The camera; None takes what the `camera_info` beside the topic of depth says.
-            tolerance: Pictures belong together that were taken less than this apart [s].
-            every: Take every k-th frame, beginning with the first.
+            depth: Depth topic, of Image or CompressedImage; None selects the only one.
+            color: Color topic, registered to depth; None selects the only one, if any.
+            intrinsic: The camera; None reads the `camera_info` topic beside depth.
+            tolerance: Maximum time difference of a pair [s].
+            every: Take every k-th frame, starting with the first.
 
         Returns:
-            A source of frames, as `track` and `fuse` take them; `left_out` lists pictures without a partner.
+            A source for `track` and `fuse`; `left_out` lists unpaired images.
 
         Raises:
-            FileError: No such topics, more than one and none named, no camera, or pictures that never go together.
-            ValueError: A tolerance that is not above 0, or a count below 1.
+            FileError: No such topics, ambiguous topics, no camera, or no pairs.
+            ValueError: A tolerance that is not positive, or a count below 1.
         """
         apart, step = check_positive("tolerance", tolerance), check_count("every", every)
         if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
@@ -229,47 +223,41 @@ class Recording:
         return found
 
     def imu(self, topic: str | None = None) -> ImuReadings:
-        """The readings of an inertial unit: times of the headers, turns, accelerations, and orientations where given.
+        """IMU readings: header times, angular velocities, accelerations, and orientations if present.
 
         Raises:
-            FileError: As `choose_topic`, or a message that is damaged.
+            FileError: No such topic, several topics, or a damaged message.
         """
         chosen = self.choose_topic(topic, IMU)
         return imu_of_messages(message.content for message in self._messages(chosen))
 
     def trajectory(self, topic: str | None = None) -> Trajectory:
-        """The poses of a topic of Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped, as recorded.
+        """The poses of an Odometry, PoseStamped, PoseWithCovarianceStamped or TransformStamped topic.
 
         Raises:
-            FileError: As `choose_topic`; a message that is damaged, or a pose that is none.
+            FileError: No such topic, several topics, a damaged message or an invalid pose.
         """
         chosen = self.choose_topic(topic, *POSES)
         messages = (message.content for message in self._messages(chosen))
         return trajectory_of_messages(self.path, chosen, self.topic_types()[chosen], messages)
 
     def topic_types(self) -> dict[str, str]:
-        """The types of topics that have messages, by name."""
         return {topic.name: topic.type for topic in self.topics if topic.count}
 
     def rows_of(self, topic: str) -> list[tuple[int, int, int, int, int]]:
-        """Where the messages of a topic stand, in the order of their times, for `content_at`."""
+        """Index rows of a topic's messages in time order, for `content_at`."""
         return [row for row in self._rows if self._parts[row[1]].channels[row[2]].topic == topic]
 
     def bytes_at(self, row: tuple[int, int, int, int, int]) -> tuple[str, bytes]:
-        """The encoding of a message, and its bytes."""
         return self._parts[row[1]].channels[row[2]].encoding, self._payload(row)
 
     def content_at(self, row: tuple[int, int, int, int, int]) -> Any:
-        """A message, decoded.
-
-        Raises:
-            FileError: It is damaged, or of a type that is not known.
-        """
+        """Decode a message; raises `FileError` if it is damaged or of an unknown type."""
         channel = self._parts[row[1]].channels[row[2]]
         return self._decode(channel.type, channel.encoding, self._payload(row))
 
     def header_at(self, row: tuple[int, int, int, int, int]) -> tuple[float | None, str]:
-        """The time [s] in the header of a message, None where it tells none, and its frame."""
+        """Header time [s], or None, and frame of a message."""
         encoding, data = self.bytes_at(row)
         try:
             return _header(data, encoding)
@@ -280,7 +268,7 @@ class Recording:
         return (RecordedMessage(topic, row[0] * 1e-9, content) for row, content in self._each(topic, self.content_at))
 
     def _each(self, topic: str, read: Callable[[tuple[int, int, int, int, int]], Any]) -> Iterator[tuple[Any, Any]]:
-        """Where each message of a topic stands, and what is read there; errors tell how many came before it."""
+        """Apply `read` to each message of a topic; errors report the number of messages before it."""
         for done, row in enumerate(self.rows_of(topic)):
             try:
                 content = read(row)
@@ -296,7 +284,7 @@ class Recording:
         with foreign_errors(part.path, "damaged"):
             if chunk is None:
                 chunk = part.pieces[piece]()
-                size = len(chunk) if isinstance(chunk, bytes) else 0  # else a mapped file
+                size = len(chunk) if isinstance(chunk, bytes) else 0  # otherwise a mapped file
                 self._chunks.put((number, piece), chunk, max(size, _MAX_BYTES // _MAX_CHUNKS))
             return part.payload(chunk, place, channel, time)
 
@@ -307,7 +295,7 @@ class Recording:
             typesys = import_for(self.path, "rosbags.typesys", "ros")
             chosen = typesys.Stores.ROS1_NOETIC if encoding == "ros1" else typesys.Stores.ROS2_HUMBLE
             self._stores[encoding] = found = typesys.get_typestore(chosen)
-            for name in {*TRANSFORMS} - {*found.fielddefs}:  # in ROS 1 they are of packages of their own
+            for name in {*TRANSFORMS} - {*found.fielddefs}:  # different packages in ROS 1
                 found.register(typesys.get_types_from_msg("geometry_msgs/TransformStamped[] transforms", name))
         store = self._stores[encoding]
         if kind not in store.fielddefs:
@@ -329,22 +317,22 @@ class Recording:
 
 
 def open_recording(path: str | os.PathLike[str]) -> Recording:
-    """Open what a robot recorded: a bag of ROS 1 or 2 or an MCAP file, without ROS.
+    """Open a ROS 1 or ROS 2 bag or an MCAP file, without ROS.
 
-    What is cut off or has no index is read up to the damage. Messages are read when their turn comes; decoding them
-    takes the extra `pointloom[ros]`.
+    Truncated or unindexed files are read up to the damage. Messages are decoded lazily, which requires
+    `pointloom[ros]`.
 
     Args:
-        path: A .bag, .mcap or .db3 file, or the folder of a bag of ROS 2, whose files are taken together.
+        path: A .bag, .mcap or .db3 file, or the folder of a ROS 2 bag.
 
     Raises:
-        FileError: Nothing that is a recording, or one without any message.
+        FileError: No recording, or a recording without messages.
 
     Warns:
-        RecordingWarning: It is cut off or damaged; says where, and how many messages were found.
+        RecordingWarning: The recording is truncated or damaged, with the position and the number of messages found.
 
     Notes:
-        Memory goes with the number of messages (some 100 B each), not with their size.
+        Memory: about 100 B per message, independent of message size.
 
     Example:
         >>> import pointloom as loom
@@ -361,7 +349,6 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """As `open_recording`, without a warning of damage."""
     place = path_of(path)
     restore_folder(place)
     files = [place]
@@ -382,14 +369,13 @@ def read_recording(path: str | os.PathLike[str]) -> Recording:
 
 
 def is_recording(path: Path) -> bool:
-    """Whether this is a file or folder that `open_recording` takes."""
     if path.is_dir():
         return any(file.suffix in (".db3", ".mcap") for file in path.iterdir())
     return path.suffix.lower() in _READERS
 
 
 def _header(data: bytes, encoding: str) -> tuple[float | None, str]:
-    """Time and frame of a message that begins with a header: a counter in ROS 1, four bytes of encoding in ROS 2."""
+    """Time and frame of a message header: after a counter in ROS 1, after 4 bytes of encoding in ROS 2."""
     seconds, nanoseconds, size = struct.unpack_from(byte_order(data, encoding) + "iII", data, 4)
     if 16 + size > len(data):
         raise struct.error("the frame ends behind the message")

@@ -1,4 +1,4 @@
-"""Which frames a robot has and where each stood at a time: the tree that `tf` and `tf_static` recorded."""
+"""Coordinate frames of a recording: the tree of `tf` and `tf_static`."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from ...core.quaternions import quaternions_to_rotations
 from .motions import stamp_of_header
 
 TRANSFORMS = ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage")
-FIXED = "tf_static"  # how topics of transforms end that hold for all time
-_UNIT = 1e-3  # how far the length of a rotation's quaternion may be from 1
-_ALIKE = 0.9995  # cosine of half an angle above which the straight way between quaternions is the round one to 1e-8
+FIXED = "tf_static"  # suffix of static transform topics
+_UNIT = 1e-3  # maximum deviation of a quaternion's length from 1
+_ALIKE = 0.9995  # cosine of half an angle above which linear interpolation equals slerp to 1e-8
 
 Matrix = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
 class _Joint:
-    """Where a frame stands in its parent: at times, or fixed where there are none."""
+    """Poses of a frame in its parent over time; fixed if there are no times."""
 
     parent: str
     times: NDArray[np.float64] | None
@@ -35,11 +35,11 @@ class _Joint:
 
 
 class RecordedTransforms:
-    """The frames of a recording and the transforms between them, as `Recording.transforms` gives them.
+    """The frames of a recording and the transforms between them, from `Recording.transforms`.
 
     Attributes:
         path: The recording.
-        frames: The names of all frames, in order.
+        frames: The names of all frames, sorted.
         parents: The parent of each frame that has one.
 
     Example:
@@ -59,7 +59,7 @@ class RecordedTransforms:
         return f"RecordedTransforms({len(self.frames)} frames below {escaped(', '.join(roots))})"
 
     def span(self, frame: str) -> tuple[float, float] | None:
-        """The first and the last time [s] at which a frame is known in its parent; None where it is fixed there.
+        """First and last time [s] of a frame's transform to its parent; None if it is fixed.
 
         Raises:
             FileError: No such frame, or one without a parent.
@@ -71,21 +71,21 @@ class RecordedTransforms:
         return None if times is None else (float(times[0]), float(times[-1]))
 
     def lookup(self, target: str, source: str, time: ArrayLike | None = None) -> Matrix:
-        """T_target_source: what brings points of one frame into another.
+        """T_target_source, which transforms points from `source` to `target`.
 
         Args:
-            target: The frame that points come into.
-            source: The frame that they are in.
-            time: When [s], one or shape [n]; None where all between the two are fixed.
+            target: Target frame.
+            source: Source frame.
+            time: Time [s], scalar or shape (n,); None if all transforms between the frames are fixed.
 
         Returns:
-            float64 [4, 4], or [n, 4, 4] of several times. Between recorded transforms places go straight and rotations
-            round (slerp) from one to the next; nothing is told beyond the first and the last.
+            float64 (4, 4), or (n, 4, 4) for several times. Translations are interpolated linearly, rotations by slerp;
+            there is no extrapolation.
 
         Raises:
-            FileError: A frame that is not there, frames that are not connected, one with two parents, or a time before
-                the first or behind the last transform; says which.
-            ValueError: Times that are not finite, or of another shape.
+            FileError: A missing frame, frames that are not connected, a frame with two parents, or a time outside the
+                record.
+            ValueError: Non-finite times, or another shape.
         """
         times = None if time is None else check_finite("time", check_numeric("time", time).astype(np.float64))
         if times is not None and times.ndim > 1:
@@ -102,7 +102,6 @@ class RecordedTransforms:
             raise FileError(self.path, f"has no frame {frame!r}", remedy=f"There are {', '.join(self.frames)}")
 
     def _above(self, frame: str) -> list[str]:
-        """A frame and those above it, up to the root."""
         self._check(frame)
         way = [frame]
         while (parent := self.parents.get(way[-1])) is not None:
@@ -115,7 +114,7 @@ class RecordedTransforms:
         return way
 
     def _ways(self, target: str, source: str) -> tuple[list[str], list[str]]:
-        """The frames from each of two up to below the first that is above both."""
+        """The frames from both to below their lowest common ancestor."""
         one, other = self._above(target), self._above(source)
         common = next((frame for frame in one if frame in other), None)
         if common is None:
@@ -126,7 +125,7 @@ class RecordedTransforms:
         return one[: one.index(common)], other[: other.index(common)]
 
     def _product(self, way: list[str], times: NDArray[np.float64] | None, count: int) -> Matrix:
-        """T of the frame above a way and the first frame of it."""
+        """Transform from the first frame of a path to the parent of its last."""
         product = np.tile(np.eye(4), (count, 1, 1))
         for frame in way:
             product = self._joint_at(frame, times) @ product
@@ -155,11 +154,7 @@ class RecordedTransforms:
 
 
 def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]]) -> RecordedTransforms:
-    """The tree of messages of TFMessage, each with its topic and its number there, in the order of their times.
-
-    Raises:
-        FileError: A transform that is none, with its message's number, or no transform at all.
-    """
+    """The tree of TFMessage messages (topic, number, content) in time order; raises `FileError` if one is invalid."""
     rows: dict[str, dict[str, list[tuple[float, list[float]]]]] = {}
     fixed: set[tuple[str, str]] = set()
     for topic, number, content in messages:
@@ -173,7 +168,7 @@ def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]])
     for child, by_parent in rows.items():
         parent, found = next(iter(by_parent.items()))
         is_fixed = (child, parent) in fixed
-        told = found[-1:] if is_fixed else sorted(dict(found).items())  # of the same time the last one counts
+        told = found[-1:] if is_fixed else sorted(dict(found).items())  # of equal times the last one wins
         table = np.array([row for _, row in told], np.float64)
         times = None if is_fixed else np.array([time for time, _ in told])
         joints[child] = _Joint(parent, times, table[:, :3], table[:, 3:])
@@ -181,7 +176,7 @@ def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]])
 
 
 def _rows(path: Path, topic: str, number: int, content: Any) -> Iterator[tuple[str, str, float, list[float]]]:
-    """Parent, child, time [s], place and unit quaternion (x, y, z, w) of the transforms of a message."""
+    """Parent, child, time [s], translation and unit quaternion (x, y, z, w) of a message's transforms."""
     for item in content.transforms:
         place, q = item.transform.translation, item.transform.rotation
         row = [place.x, place.y, place.z, q.x, q.y, q.z, q.w]
@@ -196,12 +191,12 @@ def _rows(path: Path, topic: str, number: int, content: Any) -> Iterator[tuple[s
 
 
 def _plain(frame: str) -> str:
-    """The name of a frame; ROS 1 may write a slash before it."""
+    """The frame name without the leading slash of ROS 1."""
     return frame.removeprefix("/")
 
 
 def _between(a: Matrix, b: Matrix, share: Matrix) -> Matrix:
-    """Unit quaternions on the shorter way round from one to another (Shoemake 1985), shape [n, 4]."""
+    """Slerp of unit quaternions on the shorter arc (Shoemake 1985), shape (n, 4)."""
     cosine = (a * b).sum(axis=1, keepdims=True)
     b, cosine = np.where(cosine < 0, -b, b), np.abs(cosine)
     half = np.arccos(np.minimum(cosine, 1.0))
@@ -213,14 +208,12 @@ def _between(a: Matrix, b: Matrix, share: Matrix) -> Matrix:
 
 
 def _matrices(places: Matrix, turns: Matrix) -> Matrix:
-    """Poses, shape [n, 4, 4]."""
     poses = np.tile(np.eye(4), (len(places), 1, 1))
     poses[:, :3, :3], poses[:, :3, 3] = quaternions_to_rotations(turns), places
     return poses
 
 
 def _inverse(T: Matrix) -> Matrix:
-    """Of rigid motions, shape [n, 4, 4]."""
     back = np.tile(np.eye(4), (len(T), 1, 1))
     turned = T[:, :3, :3].transpose(0, 2, 1)
     back[:, :3, :3], back[:, :3, 3] = turned, -(turned @ T[:, :3, 3:])[:, :, 0]

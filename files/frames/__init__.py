@@ -1,1 +1,1 @@
-"""RGB-D frames of folders, streams and cameras."""
+"""RGB-D frames from folders, streams and cameras."""

@@ -1,4 +1,4 @@
-"""Azure Kinect cameras and their recordings (.mkv), through pyk4a."""
+"""Azure Kinect cameras and recordings (.mkv), with pyk4a."""
 
 from __future__ import annotations
 
@@ -16,23 +16,22 @@ from .depth_cameras import DepthCamera, import_driver, recording_path
 
 
 class AzureKinectCamera(DepthCamera):
-    """Frames of an Azure Kinect, depth registered to colour; needs `pointloom[azure-kinect]` and Microsoft's SDK.
+    """Frames of an Azure Kinect, depth registered to color; requires `pointloom[azure-kinect]` and Microsoft's SDK.
 
-    Colour of 1280 x 720, depth in its narrow, unbinned mode, 30 frames a second. Tested against a stub of the driver;
-    not run on a camera here.
+    Color 1280 x 720, depth in narrow unbinned mode, 30 frames per second. Tested with a driver stub, not on a camera.
 
     Args:
-        number: Which camera, counted from 0.
-        file: A recording (.mkv) to play back instead, its colour BGRA or MJPG.
-        timeout: How long to wait for a frame [s].
+        number: Index of the camera, from 0.
+        file: A recording (.mkv) to play back instead, with BGRA or MJPG color.
+        timeout: Maximum time to wait for a frame [s].
 
     Raises:
-        CameraError: The package is missing, no such camera or recording; while iterating, a camera that is pulled out
-            or sends nothing. Frames before that were whole and stay with whoever took them.
+        CameraError: The package, camera or recording is missing; while iterating, a camera that is disconnected or
+            sends nothing. Earlier frames stay valid.
         TypeError, ValueError: A number or time out of range.
 
     Notes:
-        Depth is in millimetres. The distortion that the camera reports is taken out; depth takes the nearest pixel.
+        Depth is in millimeters. Images are undistorted with the camera's calibration, depth by nearest pixel.
 
     Example:
         >>> import pointloom as loom
@@ -77,7 +76,7 @@ class AzureKinectCamera(DepthCamera):
             self._use_lens(np.ravel(self._device.calibration.get_distortion_coefficients(kind)))
 
     def _next_whole(self) -> Any:
-        """The next capture with both pictures; None at the end of a recording."""
+        """The next capture with depth and color; None at the end of a recording."""
         while True:
             if self._playing:
                 try:
@@ -96,7 +95,7 @@ class AzureKinectCamera(DepthCamera):
         return capture.transformed_depth, self._color_of(capture), capture.depth_timestamp_usec * 1e-6
 
     def _color_of(self, capture: Any) -> NDArray[np.uint8]:
-        """RGB of a capture, whose colour is BGRA or, in most recordings, the bytes of a JPEG."""
+        """RGB of a capture; its color is BGRA or, in most recordings, JPEG bytes."""
         color = np.asarray(capture.color)
         if color.ndim == 1 and color.dtype == np.uint8:
             return decode_texture(f"colour of frame {self.count}", color.tobytes())

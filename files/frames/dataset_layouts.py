@@ -1,7 +1,6 @@
-"""How 7-Scenes, Redwood and TUM folders name the files of a frame, and which of them belong together.
+"""Frame listings of 7-Scenes, Redwood and TUM folders, in order of capture, from names and text files only.
 
-Each function takes a folder and gives its frames in order of capture. Only names and text files are read here, no
-picture is opened; a frame that lacks a part is an error that names the file, or is left out where `Demand` says so.
+An incomplete frame is an error, or is skipped if `Demand` allows it.
 """
 
 from __future__ import annotations
@@ -20,10 +19,10 @@ from ...cameras.pose_text import LOST, parse_floats, pose_or_gap, read_lines, re
 from ...cameras.trajectory import read_poses_and_gaps
 from ...core.errors import DatasetError
 
-# How far apart in time [s] pictures and poses of a TUM folder may be: the bound of the benchmark's own tools.
+# Maximum time difference [s] of images and poses in a TUM folder, as in the benchmark's tools.
 TUM_TOLERANCE = 0.02
 
-# The list of the whole frames of a recording (recordings.py): a name and a time, or -, a line.
+# The list of complete frames of a recording (recordings.py): name and time (or -) per line.
 FRAME_TIMES = "frame-times.txt"
 
 _SEVEN_SCENES_NAME = re.compile(r"(frame-(\d+))\.(?:(depth)\.png|(color)\.(?:png|jpg|jpeg)|(pose)\.txt)")
@@ -31,15 +30,7 @@ _SEVEN_SCENES_NAME = re.compile(r"(frame-(\d+))\.(?:(depth)\.png|(color)\.(?:png
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FrameFiles:
-    """Where a frame lies and where its camera was.
-
-    Args:
-        name: Name of the frame within its data set.
-        depth: The depth map.
-        color: The colour picture; None where the data set has none.
-        T_world_camera: Camera to world, shape [4, 4] [m]; None where it is not known.
-        timestamp: When it was taken [s]; None where the data set has no times.
-    """
+    """The files of a frame, with `T_world_camera` (4, 4) [m] and `timestamp` [s], each None if unknown."""
 
     name: str
     depth: Path
@@ -50,14 +41,9 @@ class FrameFiles:
 
 @dataclasses.dataclass(frozen=True)
 class Demand:
-    """What a frame must have.
-
-    Args:
-        poses: "needed" refuses frames without pose, "taken" takes the poses that are there, "ignored" reads none.
-        skip_missing: Leave out frames that lack a part instead of refusing the folder.
-        keep_lost: Keep frames whose pose tracking lost, without pose, also where others are left out.
-        left_out: What was left out, with the reason; grows while the folder is listed.
-    """
+    """Requirements on frames: `poses` are "needed", "taken" if present, or "ignored".
+    `skip_missing` skips incomplete frames instead of rejecting the folder, `keep_lost` keeps frames with a lost pose.
+    `left_out` collects skipped frames with reasons."""
 
     poses: str = "needed"
     skip_missing: bool = False
@@ -65,17 +51,13 @@ class Demand:
     left_out: list[str] = dataclasses.field(default_factory=list)
 
     def miss(self, path: Path, reason: str, remedy: str) -> None:
-        """Refuse the folder for a part of a frame, or leave that frame out."""
+        """Reject the folder for a missing file, or skip the frame."""
         if not self.skip_missing:
             raise DatasetError(path, reason, remedy=remedy)
         self.left_out.append(f"{path.name}: {reason}")
 
     def loses(self, path: Path, frame: str = "") -> bool:
-        """Whether a frame whose pose is inf or NaN is left out, which is listed; a frame that needs none is kept.
-
-        Raises:
-            DatasetError: It needs one, and nothing may be left out.
-        """
+        """True if a frame with an inf or NaN pose is skipped; raises `DatasetError` if it may not be."""
         if self.poses != "needed" and (self.keep_lost or not self.skip_missing):
             return False
         if not self.skip_missing:
@@ -100,7 +82,7 @@ def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) ->
     whole = []
     for stem in (numbers[number] for number in sorted(numbers)):
         if times is not None and stem not in times:
-            continue  # a recording that was interrupted: what is not listed is not whole
+            continue  # an interrupted recording: unlisted files are incomplete
         lacking = next((part for part in parts if part not in found[stem]), None)
         if lacking is None:
             whole.append(stem)
@@ -120,7 +102,6 @@ def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) ->
 
 
 def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict[int, str]]:
-    """The parts that are there of each frame, and the names of the frames by their numbers."""
     found: dict[str, dict[str, Path]] = {}
     numbers: dict[int, str] = {}
     for entry in sorted(folder.iterdir()):
@@ -139,10 +120,8 @@ def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict
 
 
 def read_frame_times(folder: Path) -> dict[str, float | None] | None:
-    """Name and time [s] of the whole frames of a recording; None where the folder has no such list.
-
-    A last line without its end is one that was being written when the recording was interrupted, and is not read.
-    """
+    """Names and times [s] of the complete frames of a recording, or None.
+    An unterminated last line was interrupted and is ignored."""
     path = folder / FRAME_TIMES
     if not path.is_file():
         return None
@@ -161,7 +140,7 @@ def read_frame_times(folder: Path) -> dict[str, float | None] | None:
 
 
 def list_redwood(folder: Path, demand: Demand | None = None) -> list[FrameFiles]:
-    """Frames of a Redwood folder, depth and colour paired by name and poses by the ids of the log."""
+    """Frames of a Redwood folder, color paired by name and poses by the ids of the log."""
     demand = demand or Demand()
     depths = _list_pictures(folder / "depth", (".png",))
     colors = _find_colors(folder, depths, demand)
@@ -207,7 +186,7 @@ def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArr
 
 
 def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
-    """The pictures of a folder in the order of the numbers in their names; no stem twice, hidden files apart."""
+    """Images of a folder, sorted by number, without duplicate stems or hidden files."""
     if not folder.is_dir():
         raise DatasetError(folder, "missing", remedy="Give the folder above it, or another layout")
     paths = [p for p in folder.iterdir() if p.suffix.lower() in suffixes and not p.name.startswith(".")]
@@ -222,7 +201,7 @@ def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
 
 
 def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path, Path] | None:
-    """The colour picture of each depth map that has one; None where the folder has no colour at all."""
+    """The color image of each depth map; None if the folder has no color."""
     folders = [folder / name for name in ("color", "image", "rgb") if (folder / name).is_dir()]
     if not folders:
         return None
@@ -243,7 +222,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
 
 
 def _pairing_keys(depths: list[Path], colors: list[Path]) -> tuple[Sequence[object], Sequence[object]]:
-    """What names a frame on both sides: the stem where they are alike, else the first number where it is unique."""
+    """Keys of depth and color: the stem if equal, else the first number if unique."""
     stems = [path.stem for path in depths], [path.stem for path in colors]
     if set(stems[0]) == set(stems[1]):
         return stems
@@ -267,7 +246,7 @@ def _first_number(path: Path) -> int | None:
 
 
 def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFiles], list[str]]:
-    """Frames of a TUM folder by the times in its lists, and what found no partner, with the reason."""
+    """Frames of a TUM folder, and unpaired files with the reason."""
     demand = demand or Demand()
     depth_times, depth_names = _read_listing(folder, "depth.txt")
     truth = folder / "groundtruth.txt"
@@ -315,7 +294,6 @@ def _read_timed_poses(truth: Path) -> tuple[list[float], NDArray[np.float64]]:
 
 
 def _pose_at(times: list[float], poses: NDArray[np.float64], time: float) -> NDArray[np.float64] | None:
-    """The pose closest in time, None where none is close."""
     if not times:
         return None
     nearest = _nearest(times, time)
@@ -323,16 +301,8 @@ def _pose_at(times: list[float], poses: NDArray[np.float64], time: float) -> NDA
 
 
 def associate(first: NDArray[np.float64], second: NDArray[np.float64], tolerance: float) -> dict[int, int]:
-    """Pair two increasing series of times one to one, the closest first, as the TUM benchmark's associate.py does.
-
-    Args:
-        first: Times, shape [n] [s], increasing.
-        second: Times, shape [m] [s], increasing.
-        tolerance: Pairs are less than this apart [s].
-
-    Returns:
-        Index in `second` of those indices in `first` that have a partner.
-    """
+    """Pair two increasing time series one to one, closest first, as in the TUM benchmark's associate.py.
+    Pairs are less than `tolerance` apart [s]. Returns {index in `first`: index in `second`}."""
     starts = np.searchsorted(second, first - tolerance, "left")
     ends = np.searchsorted(second, first + tolerance, "right")
     candidates = sorted(
@@ -348,7 +318,7 @@ def associate(first: NDArray[np.float64], second: NDArray[np.float64], tolerance
 
 
 def _read_listing(folder: Path, name: str) -> tuple[NDArray[np.float64], list[str]]:
-    """Times, in order, and file names of a TUM list, `timestamp filename` a line."""
+    """Sorted times and file names of a TUM list."""
     path = folder / name
     if not path.is_file():
         raise DatasetError(path, "missing", remedy="It lists the times and names of the pictures")
@@ -368,7 +338,6 @@ def _read_listing(folder: Path, name: str) -> tuple[NDArray[np.float64], list[st
 
 
 def _nearest(times: list[float], time: float) -> int:
-    """Index of the increasing time closest to another, the earlier of two equally close."""
     after = bisect.bisect_left(times, time)
     if after == len(times) or (after and time - times[after - 1] <= times[after] - time):
         return after - 1

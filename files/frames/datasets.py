@@ -1,12 +1,6 @@
-"""Folders of RGB-D frames, with poses or without: 7-Scenes, Redwood / Open3D, TUM, and pictures side by side.
+"""Folders of RGB-D frames with or without poses: 7-Scenes, Redwood / Open3D, TUM, or pairs such as 1.png, 1_depth.png.
 
-Opening a folder checks everything that can be known without decoding a picture: which files belong together, that
-each has its partner, the poses, and the sizes in the picture headers (about 0.05 ms a file). What does not fit is an
-error that names the file; no frame is made up, and what was left out on purpose is listed in `left_out`.
-
-Folders of a few pictures without a layout: depth and colour side by side, told apart by a word in their names.
-`1_depth.png` belongs to `1.png`, `dep_prev.png` to `img_prev.png` and, where it is there, `pose_prev.txt`: what is left
-of a name without its word names the frame. A folder in which that is not one to one is refused.
+Opening a folder checks pairs, poses and image sizes without decoding an image (about 0.05 ms a file).
 """
 
 from __future__ import annotations
@@ -45,13 +39,12 @@ _POSE_WORD = re.compile(r"(?<![a-z])pose(?![a-z])", re.I)
 
 
 def holds_pictures(folder: Path) -> bool:
-    """Whether a PNG lies in the folder whose name says that it is a depth map."""
+    """True if a PNG in the folder has a name of a depth map."""
     names = [path.name for path in folder.iterdir() if path.is_file()]
     return any(n.lower().endswith(".png") and _DEPTH_WORD.search(Path(n).stem) for n in names if n[0] != ".")
 
 
 def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
-    """Frames of a folder of pictures, in the order of the numbers in their names."""
     depths: dict[str, Path] = {}
     colors: dict[str, Path] = {}
     poses: dict[str, Path] = {}
@@ -89,44 +82,37 @@ def _add(there: dict[str, Path], key: str, path: Path) -> None:
 
 
 def _without(word: re.Pattern[str], path: Path) -> str:
-    """What names the frame: the name without the word and what joined it."""
+    """The name of the frame: the file name without the word and its separator."""
     return re.sub(r"[-_. ]+", "_", word.sub("", path.stem)).strip("_")
 
 
 def _read_any_pose(path: Path) -> NDArray[np.float64] | None:
-    """Four rows of a matrix, or `tx ty tz qx qy qz qw` as in a line of TUM's without its time; None if lost."""
+    """Four rows of a matrix, or `tx ty tz qx qy qz qw` (a TUM line without time); None if the pose is not finite."""
     lines = read_lines(path)
     if len(lines) != 1:
         return read_pose_or_gap(path)
     return pose_or_gap(timed_poses(path, [(lines[0][0], ["0", *lines[0][1]])], gaps=True)[0][0])
 
 
-# Names under which a folder may bring its camera; Open3D's recorders write the last two.
+# File names of a camera; Open3D's recorders write the last two.
 INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.json", "intrinsic.json")
 
-# The same as a 3x3 matrix in text: 7-Scenes and 3DMatch have the first.
+# A 3x3 matrix in text: 7-Scenes and 3DMatch have the first.
 MATRIX_NAMES = ("camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "K.txt")
 
-# What else may hold a camera, by its name.
+# Patterns of other names that may hold a camera.
 _LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|json|ya?ml|xml)", re.I)
 
-# Real depth cameras have their principal point within 5 % of the size from the middle; one that is farther off than
-# this is likely that of a picture of another size.
+# Real depth cameras have their principal point within 5 % of the size from the center; one farther off
+# probably belongs to images of another size.
 _FARTHEST_FROM_MIDDLE = 0.15
 
-_FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] of pictures that a pinhole camera takes
+_FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] plausible for a pinhole camera
 
 
 @dataclasses.dataclass(frozen=True)
 class FoundCamera:
-    """A camera and how it came.
-
-    Args:
-        intrinsic: The camera.
-        source: Where it was found.
-        depth_scale: Stored depth of one metre, which some recorders store with it.
-        doubt: Why it may be another camera's; empty where nothing speaks against it.
-    """
+    """A camera, its source, the depth scale stored with it and a reason why it may belong to other images."""
 
     intrinsic: PinholeCameraIntrinsic
     source: str
@@ -135,19 +121,7 @@ class FoundCamera:
 
 
 def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: float) -> FoundCamera:
-    """The camera of a folder: a JSON file, a matrix (also above a folder seq-NN), or the default of the layout.
-
-    Args:
-        folder: The folder.
-        layout: Its layout.
-        size: Width and height of the pictures, which a matrix does not tell.
-        depth_scale: Of the layout.
-
-    Raises:
-        DatasetError: Several files that say what the camera is, a size other than the pictures', or none where the
-            layout has no default.
-        FileError: A file that cannot be read.
-    """
+    """The camera of a folder: a JSON file, a matrix (also above a folder seq-NN), or the default of the layout."""
     present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
     if len(present) > 1:
         raise DatasetError(present[1], f"is there beside {present[0].name}", remedy="Keep one, or give intrinsic=")
@@ -179,7 +153,7 @@ def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: f
 
 
 def doubted(found: FoundCamera) -> FoundCamera:
-    """The same camera, with what speaks against its being that of the pictures."""
+    """Add a warning to the camera if it may not belong to these images."""
     camera = found.intrinsic
     for name, length, middle, focal in (
         ("width", camera.width, camera.cx, camera.fx),
@@ -205,7 +179,7 @@ def _read_matrix(path: Path) -> NDArray[np.float64]:
 
 
 def _read_depth_scale(path: Path, default: float) -> float:
-    """The depth scale that Open3D's RealSense recorder stores with the camera, if there is one."""
+    """The depth scale that Open3D's RealSense recorder stores with the camera, or the default."""
     content = read_json_object(path)
     if "depth_scale" not in content:
         return default
@@ -217,10 +191,10 @@ def _read_depth_scale(path: Path, default: float) -> float:
 
 LAYOUTS = ("7scenes", "redwood", "tum")
 
-# Depth units a metre. TUM stores fifths of a millimetre, the others millimetres.
+# Depth units per meter. TUM stores fifths of a millimeter, the others millimeters.
 _DEPTH_SCALES = {"7scenes": 1000.0, "redwood": 1000.0, "tum": 5000.0}
 
-# 7-Scenes marks pixels without measurement with the largest value; read as metres they would be a wall at 65.5 m.
+# 7-Scenes marks pixels without measurement with the largest value, 65.5 m.
 _SEVEN_SCENES_INVALID = 65535
 
 
@@ -229,12 +203,11 @@ class Frame:
     """A frame in memory.
 
     Args:
-        depth: Shape [h, w]; 0 where nothing was measured, else metres times the source's `depth_scale` in uint16, or
-            metres in float32.
-        color: Shape [h, w, 3], uint8 RGB; None where there is none.
-        T_world_camera: Camera to world, shape [4, 4] [m]: the truth; None where it is not known.
+        depth: Shape (h, w): uint16 meters times the source's `depth_scale`, or float32 [m]; 0 without measurement.
+        color: Shape (h, w, 3), uint8 RGB, or None.
+        T_world_camera: Ground truth pose, camera to world, shape (4, 4) [m], or None.
         name: Name of the frame within its source.
-        timestamp: When it was taken [s]; None where the source has no times.
+        timestamp: Time of capture [s], or None.
     """
 
     depth: NDArray[np.uint16] | NDArray[np.float32]
@@ -249,16 +222,15 @@ class RGBDDataset:
     """RGB-D frames in a folder, checked by `open_dataset` or `open_frames` and decoded one at a time.
 
     Args:
-        folder: Where they lie.
+        folder: The folder.
         layout: "7scenes", "redwood", "tum" or "pictures".
-        intrinsic: The camera of both pictures, which are taken as registered to each other.
-        depth_scale: Stored depth of one metre.
+        intrinsic: The camera of depth and color, which are registered to each other.
+        depth_scale: Depth units per meter.
         frames: The files, in order of capture.
-        left_out: What was not taken, with the reason: what a TUM folder holds without partner in time, and with
-            `skip_missing` frames that lack a part.
-        intrinsic_source: Where the camera was found.
-        intrinsic_doubt: Why it may be that of other pictures; empty where nothing speaks against it.
-        resize_color: Colour may have another size and is brought to that of depth.
+        left_out: Skipped files with the reason: unpaired TUM files and, with `skip_missing`, incomplete frames.
+        intrinsic_source: Source of the camera.
+        intrinsic_doubt: Why the camera may belong to other images, or "".
+        resize_color: Resize color to the size of depth.
     """
 
     folder: Path
@@ -285,21 +257,14 @@ class RGBDDataset:
 
     @property
     def notes(self) -> list[str]:
-        """Time stamps that stand still, go back or jump, each naming its frame."""
+        """Timestamps that repeat, decrease or jump, each with its frame."""
         watch = TimeWatch()
         for files in self.frames:
             watch.see(files.name, files.timestamp)
         return watch.notes
 
     def read(self, index: int) -> Frame:
-        """Decode a frame; a negative index counts from the end.
-
-        The 65535 with which 7-Scenes marks missing depth is turned into 0; nothing else is changed.
-
-        Raises:
-            IndexError: No such frame.
-            FileError: A picture that is damaged or has changed since the folder was opened.
-        """
+        """Decode a frame; a negative index counts from the end. The 65535 of 7-Scenes (no depth) becomes 0."""
         files = self.frames[index]
         depth = read_depth(files.depth)
         color = None if files.color is None else read_color(files.color)
@@ -326,33 +291,30 @@ def open_dataset(
 ) -> RGBDDataset:
     """Open a folder of posed RGB-D frames.
 
-    - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`. The
-      numbers need not follow each other. Millimetres; f 585, c (320, 240).
-    - `redwood`: `depth/`, `trajectory.log` and, if there is colour, one of `color/`, `image/`, `rgb/`. Depth and
-      colour pair by equal names or, where those differ, by the first number in them. As many poses as depth maps:
-      first ids 0..n-1 give poses by order, ids equal to the numbers in the names give them by number, and anything
-      else is refused. Millimetres; PrimeSense intrinsic.
-    - `tum`: `depth.txt`, `groundtruth.txt` and, if there is colour, `rgb.txt`. Depth and colour pair one to one, the
-      closest in time first, less than 0.02 s apart; each pair takes the pose closest in time to its depth map, less
-      than 0.02 s away and not interpolated. Depth maps that find no partner are left out and listed in `left_out`, as
-      every real sequence has some. Depth times 5000; f 525, c (319.5, 239.5).
+    - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`.
+      Millimeters; f 585, c (320, 240).
+    - `redwood`: `depth/`, `trajectory.log` and optionally one of `color/`, `image/`, `rgb/`. Depth and color are paired
+      by equal names, else by the first number in them. The number of poses must equal that of depth maps; pose ids are
+      0..n-1 or the numbers in the names. Millimeters; PrimeSense intrinsic.
+    - `tum`: `depth.txt`, `groundtruth.txt` and optionally `rgb.txt`. Depth, color and poses are paired by the closest
+      time, less than 0.02 s apart; poses are not interpolated. Unpaired depth maps are listed in `left_out`. Depth
+      times 5,000; f 525, c (319.5, 239.5).
 
-    The camera is, in this order: `intrinsic`; one of camera-intrinsics.json, camera.json, camera_intrinsic.json,
-    intrinsic.json in the folder (whose `depth_scale`, if any, holds too); camera-intrinsics.txt (as in 7-Scenes and
-    3DMatch), intrinsics.K.txt, intrinsics.txt or K.txt, a 3x3 matrix, in the folder or above a folder `seq-NN`; the
-    default of the layout. `intrinsic_source` says which it was, `intrinsic_doubt` what speaks against it: a principal
-    point far from the middle, a field of view that no such camera has, another file that looks like a camera's.
+    The camera is, in this order: `intrinsic`; camera-intrinsics.json, camera.json, camera_intrinsic.json or
+    intrinsic.json in the folder (with `depth_scale`, if any); a 3x3 matrix in camera-intrinsics.txt, intrinsics.K.txt,
+    intrinsics.txt or K.txt, in the folder or above a folder `seq-NN`; the default of the layout. `intrinsic_source`
+    names the source. `intrinsic_doubt` reports an implausible principal point or field of view, or another camera file.
 
     Args:
         folder: The folder.
-        layout: "7scenes", "redwood", "tum", or "auto" to tell from the files present.
-        intrinsic: The camera, if it is another than the folder says.
-        every: Take every k-th frame, beginning with the first.
-        skip_missing: Leave out frames that lack a picture or whose pose is inf or NaN, each named in `left_out`.
+        layout: "7scenes", "redwood", "tum", or "auto" to detect it.
+        intrinsic: The camera; overrides that of the folder.
+        every: Take every k-th frame, starting with the first.
+        skip_missing: Skip frames that lack an image or whose pose is inf or NaN, and list them in `left_out`.
 
     Raises:
         ValueError: An unknown layout.
-        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that differ; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
 
     Example:
@@ -384,27 +346,27 @@ def open_frames(
     skip_missing: bool | str = False,
     resize_color: bool = False,
 ) -> RGBDDataset:
-    """Open a folder of RGB-D frames, whether or not their poses are known.
+    """Open a folder of RGB-D frames with or without poses.
 
-    The layouts of `open_dataset` where the poses may be missing, all or some; frames without one have
-    `T_world_camera` None. And `pictures`, any folder in which depth and colour lie side by side and one word tells them
-    apart, such as `1.png` and `1_depth.png`, or `img_prev.png`, `dep_prev.png` and `pose_prev.txt` (a matrix, or
-    tx ty tz qx qy qz qw); its camera and its depth scale must be given, as nothing tells them.
+    The layouts are those of `open_dataset` with optional poses (`T_world_camera` is None without), and `pictures`:
+    depth and color side by side whose names differ by one word, such as `1.png` and `1_depth.png`, or `img_prev.png`,
+    `dep_prev.png` and `pose_prev.txt` (a matrix, or tx ty tz qx qy qz qw). `pictures` requires `intrinsic` and
+    `depth_scale`.
 
     Args:
         folder: The folder.
-        layout: "7scenes", "redwood", "tum", "pictures", or "auto" to tell from the files present.
-        intrinsic: The camera, if it is another than the folder says.
-        every: Take every k-th frame, beginning with the first.
-        depth_scale: Stored depth of one metre, if it is another than the folder says.
-        poses: Take the poses that lie beside the frames; False does not open them.
-        skip_missing: Leave out frames that lack a picture, each named in `left_out`, instead of refusing the folder;
-            frames whose pose is inf or NaN, too, which else have none. "pictures" keeps those.
-        resize_color: Bring colour of another size to that of depth; the two must show the same view.
+        layout: "7scenes", "redwood", "tum", "pictures", or "auto" to detect it.
+        intrinsic: The camera; overrides that of the folder.
+        every: Take every k-th frame, starting with the first.
+        depth_scale: Depth units per meter; overrides that of the folder.
+        poses: Read the poses in the folder, if any.
+        skip_missing: Skip frames that lack an image, or (except in "pictures") whose pose is inf or NaN, and list them
+            in `left_out`.
+        resize_color: Resize color to the size of depth; both must show the same view.
 
     Raises:
         ValueError: An unknown layout; a depth scale that is not positive.
-        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that disagree; `every` below 1.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that differ; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
 
     Example:
@@ -481,7 +443,7 @@ def _open(
 
 
 def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
-    """Whether all pictures of a frame are there, which a list of names does not tell."""
+    """True if all image files of a frame exist, which a list of names does not guarantee."""
     for path in (frame.depth, frame.color):
         if path is not None and not is_file(path):
             demand.miss(path, "missing", "Bring it back, or take it off the list")
@@ -490,7 +452,7 @@ def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
 
 
 def _detect_loosely(folder: Path) -> str:
-    """The layout of a folder that need not hold poses; with poses it is as `open_dataset` tells it."""
+    """Detect the layout of a folder whose poses are optional."""
     marks = _layout_marks(folder)
     if any(all(found.values()) for found in marks.values()):
         return _detect_layout(folder, marks)
@@ -539,7 +501,6 @@ def _layout_marks(folder: Path) -> dict[str, dict[str, bool]]:
 
 
 def is_dataset(folder: Path) -> bool:
-    """Whether a folder holds the files that mark a layout."""
     try:
         return any(all(marks.values()) for marks in _layout_marks(folder).values())
     except OSError:
@@ -547,7 +508,7 @@ def is_dataset(folder: Path) -> bool:
 
 
 def holds_frames(folder: Path) -> bool:
-    """Whether a folder holds the files that mark a layout, poses apart."""
+    """True if the folder contains the files of a known layout, poses optional."""
     try:
         return is_dataset(folder) or _layout_without_poses(folder, _layout_marks(folder)) is not None
     except OSError:
@@ -555,7 +516,7 @@ def holds_frames(folder: Path) -> bool:
 
 
 def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tuple[int, int]:
-    """Width and height of all pictures, which must agree; colour need only agree with itself where it is resized."""
+    """Width and height of all images, which must agree; color need only agree with itself if it is resized."""
     sizes: dict[str, tuple[Path, PictureHeader]] = {}
     for frame in frames:
         for kind, path, check in (

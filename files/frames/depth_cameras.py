@@ -1,9 +1,7 @@
-"""What the drivers of depth cameras have in common: frames checked, counted, and errors that say what to do.
+"""Common code of depth camera drivers: frame checks, error messages, undistortion.
 
-Pictures of a real lens brought to those of a pinhole, by the distortion that a camera's driver reports. Depth takes the
-nearest pixel, as depths must not be mixed; colour is read between four. What the lens did not see is 0.
-
-Source: Brown 1966; the rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
+Undistortion uses the nearest pixel for depth, which must not be mixed, and bilinear interpolation for color; unseen
+pixels are 0. Brown 1966; the rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
 """
 
 from __future__ import annotations
@@ -26,25 +24,17 @@ from .datasets import Frame
 from .frame_checks import checked_frame
 from .frame_times import TimeWatch
 
-NEGLIGIBLE = 0.05  # [px] a lens that moves no pixel farther is taken for a pinhole
+NEGLIGIBLE = 0.05  # [px] smaller displacements count as a pinhole
 
-PARTS = 16  # a colour is read at a sixteenth of a pixel: four weights of 1/256 keep the sum within 16 bits
+PARTS = 16  # color is read at 1/16 px: four weights of 1/256 keep the sum within 16 bits
 
-TURNS = 20  # of the fixed-point iteration that turns a model round; 0.001 px are left after a few
+TURNS = 20  # fixed-point iterations of the inverse; 0.001 px remain after a few
 
 
 class LensMap:
-    """Where each pixel of a pinhole camera lies in the picture of a lens.
-
-    Args:
-        intrinsic: The camera, of both.
-        coefficients: k1, k2, p1, p2, k3 and, of the rational form, k4, k5, k6.
-        inverse: The coefficients take distorted places to ideal ones, as RealSense's "inverse Brown-Conrady" does.
-
-    Attributes:
-        places: Column and row in the picture of the lens, shape [2, h, w] [px].
-        shift: How far the farthest pixel is moved [px].
-    """
+    """Maps pixels of a pinhole camera to `places` in the distorted image, (2, h, w) [px], at most `shift` [px] away.
+    `coefficients` are k1, k2, p1, p2, k3 and optionally k4, k5, k6. If `inverse`, they map distorted to ideal
+    positions, as RealSense's "inverse Brown-Conrady"."""
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, coefficients: Any, *, inverse: bool = False):
         k = np.zeros(8)
@@ -74,13 +64,12 @@ class LensMap:
         ]
 
     def straighten_depth(self, depth: NDArray[np.uint16]) -> NDArray[np.uint16]:
-        """The depth map of a pinhole; depth along the axis is the same, only its pixel is another."""
+        """Undistort a depth map; values are unchanged, as depth is measured along the axis."""
         straight = depth.ravel()[self._nearest]
         straight[self._outside] = 0
         return straight
 
     def straighten_color(self, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """The colour picture of a pinhole."""
         pixels = color.reshape(-1, 3).astype(np.uint16)
         mixed = np.full(color.shape, PARTS * PARTS // 2, np.uint16)
         for place, weight in self._corners:
@@ -91,7 +80,7 @@ class LensMap:
 
 
 def distort(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Where a lens puts the rays of ideal places x, y, shape [2, ...], at a depth of one."""
+    """Distorted positions of ideal positions x, y at depth 1, shape (2, ...)."""
     x, y = places
     r2 = x * x + y * y
     radial = (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])))
@@ -102,22 +91,17 @@ def distort(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.f
 
 
 def _turn_round(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The places that the model takes to these."""
     found = places.copy()
     for _ in range(TURNS):
         found = found - (distort(found, k) - places)
     return found
 
 
-LONGEST_WAIT = 3600.0  # [s] for a frame; drivers count milliseconds in 32 bits
+LONGEST_WAIT = 3600.0  # [s] maximum timeout; drivers count milliseconds in 32 bits
 
 
 def import_driver(module: str, camera: str, extra: str) -> Any:
-    """The module of a camera's driver.
-
-    Raises:
-        CameraError: It is not installed, or cannot be loaded.
-    """
+    """The module of a camera driver; raises `CameraError` if it cannot be imported."""
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -136,7 +120,7 @@ def recording_path(file: Any) -> str | None:
 
 @contextlib.contextmanager
 def driver_errors(what: str, remedy: str) -> Iterator[None]:
-    """Turn whatever a driver raises into a CameraError, but not what a signal handler raises meanwhile."""
+    """Convert driver errors to CameraError, except those of signal handlers."""
     handled = sys.exception()
     try:
         yield
@@ -153,10 +137,10 @@ class DepthCamera:
     """A camera, or a recording played back, as an RGBDSource; a `with` block closes it.
 
     Attributes:
-        intrinsic: The camera of both pictures.
-        depth_scale: Stored depth of one metre.
-        dropped: Frames that the driver numbered and never gave.
-        count: Frames given.
+        intrinsic: The camera of depth and color.
+        depth_scale: Depth units per meter.
+        dropped: Number of frames that the driver lost.
+        count: Number of frames delivered.
     """
 
     name = "the camera"
@@ -170,7 +154,7 @@ class DepthCamera:
 
     @property
     def notes(self) -> list[str]:
-        """Time stamps that stood still, went back or jumped, and frames that the driver lost."""
+        """Timestamps that repeated, decreased or jumped, and frames that the driver lost."""
         lost = [f"{self.dropped} frames were lost before they reached the program"] if self.dropped else []
         return [*self._watch.notes, *lost]
 
@@ -190,7 +174,7 @@ class DepthCamera:
 
     @contextlib.contextmanager
     def _opening(self, what: str, remedy: str) -> Iterator[None]:
-        """A device that is opened in the block is closed again where that fails half-way."""
+        """Close the device if opening fails in the block."""
         try:
             with driver_errors(what, remedy):
                 yield
@@ -199,21 +183,21 @@ class DepthCamera:
             raise
 
     def close(self) -> None:
-        """Release the device; frames end. Calling it twice does no harm."""
+        """Release the device and end the frames; may be called twice."""
         if self._open:
             self._open = False
-            with contextlib.suppress(Exception):  # a device that was pulled out cannot be stopped, and need not be
+            with contextlib.suppress(Exception):  # a disconnected device cannot be stopped
                 self._stop()
 
     def _take(self) -> tuple[Any, Any, float] | None:
-        """Depth, colour or None, and time [s] of the next frame; None at the end of a recording."""
+        """Depth, color or None, and time [s] of the next frame; None at the end of a recording."""
         raise NotImplementedError
 
     def _stop(self) -> None:
         raise NotImplementedError
 
     def _use_lens(self, coefficients: Any, *, inverse: bool = False) -> None:
-        """Take the lens out of all pictures, if it moves any pixel."""
+        """Undistort all images, unless no pixel moves."""
         if np.any(coefficients):
             lens = LensMap(self.intrinsic, coefficients, inverse=inverse)
             self._lens = lens if lens.shift > NEGLIGIBLE else None

@@ -1,4 +1,4 @@
-"""What a frame from outside must be before anything is computed from it."""
+"""Validation of external frames."""
 
 from __future__ import annotations
 
@@ -14,17 +14,7 @@ from .datasets import Frame
 
 
 def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bool = False) -> Frame:
-    """The same frame in memory of its own, or an error that names it and says what is wrong.
-
-    Args:
-        frame: Depth and colour as they came.
-        intrinsic: The camera, whose size both pictures must have.
-        resize: Bring colour of another size to that of depth.
-
-    Raises:
-        TypeError: Depth that is neither uint16 nor floats, colour that is no uint8.
-        ValueError: Another shape; a pose that is no rigid motion; a time that is no number.
-    """
+    """A validated copy of a frame; errors name it. `resize` scales color to the size of depth."""
     size = (intrinsic.height, intrinsic.width)
     depth = _check_depth(f"{frame.name}: depth", frame.depth, size)
     color = None if frame.color is None else _check_color(f"{frame.name}: color", frame.color, size, resize)
@@ -43,7 +33,7 @@ def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uin
         raise TypeError(f"{name}: expected uint16, or metres in floats, got {values.dtype}; {remedy}")
     if values.shape != size:
         raise ValueError(f"{name}: expected shape {list(size)}, as the intrinsic says, got {list(values.shape)}")
-    with np.errstate(over="ignore"):  # a depth beyond float32 is infinite: no measurement
+    with np.errstate(over="ignore"):  # a depth beyond float32 becomes infinite: no measurement
         return np.array(values, np.uint16) if values.dtype.kind == "u" else np.array(values, np.float32)
 
 

@@ -1,4 +1,4 @@
-"""What the time stamps of a stream of frames tell."""
+"""Detect irregular timestamps in a stream of frames."""
 
 from __future__ import annotations
 
@@ -6,19 +6,14 @@ import math
 from collections import deque
 from statistics import median
 
-# A step in time this many times the usual one is a gap: one dropped frame makes 2, a camera that hangs far more.
+# A gap is a time step this many times the usual one: one dropped frame makes 2, a hanging camera far more.
 GAP = 5.0
 
-MOST_REMARKS = 100  # kept of a stream that never ends; further ones are counted
+MOST_REMARKS = 100  # stored notes; further ones are only counted
 
 
 class TimeWatch:
-    """Notices time stamps that stand still, go back or jump.
-
-    Attributes:
-        notes: What was noticed, each naming its frame; the first 100.
-        count: How often something was noticed.
-    """
+    """Detects timestamps that repeat, decrease or jump: the first 100 `notes`, and their `count`."""
 
     def __init__(self) -> None:
         self.notes: list[str] = []
@@ -27,7 +22,6 @@ class TimeWatch:
         self._steps: deque[float] = deque(maxlen=31)
 
     def see(self, name: str, time: float | None) -> None:
-        """Take the time of the next frame [s]."""
         if time is None:
             return
         if self._last is not None:
@@ -43,7 +37,7 @@ class TimeWatch:
         self._last = time
 
     def remark(self, text: str) -> None:
-        """Note something; what exceeds the list is counted."""
+        """Add a note, or only count it if the list is full."""
         self.count += 1
         if len(self.notes) < MOST_REMARKS:
             self.notes.append(text)

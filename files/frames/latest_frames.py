@@ -1,4 +1,4 @@
-"""The newest frame of a source that is faster than the job."""
+"""The newest frame of a source that is faster than its consumer."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .rgbd_sources import RGBDSource
 
 
 class LatestFrames:
-    """The newest frame of a source each time one is asked for; those between are dropped and counted.
+    """The newest frame of a source for each request; frames in between are dropped and counted.
 
-    A thread reads the source and keeps one frame, so that memory is bounded however slow the job is. An error of the
-    source is raised after the frames before it. Leaving the loop, an error in it or Ctrl-C end the thread once the
-    frame it waits for has come; `close` and a `with` block do so too, and close the source if it can be.
+    A thread reads the source and stores one frame, so memory is bounded. Source errors are raised after the preceding
+    frames. Leaving the loop, an error or Ctrl-C ends the thread after its current frame; `close` and a `with` block do
+    too, and close the source.
 
     Args:
-        source: What gives the frames; it may be iterated once.
+        source: The frames; iterated once.
 
     Raises:
         TypeError: No source of frames.
@@ -53,18 +53,18 @@ class LatestFrames:
 
     @property
     def depth_scale(self) -> float:
-        """Stored depth of one metre where depth is stored in whole numbers."""
+        """Units per meter of integer depth."""
         return self._source.depth_scale
 
     @property
     def dropped(self) -> int:
-        """Frames that came and were replaced by newer ones, and those that the source itself counted as dropped."""
+        """Number of frames dropped here and by the source."""
         with self._changed:
             return self._dropped + getattr(self._source, "dropped", 0)
 
     @property
     def notes(self) -> list[str]:
-        """What the source noticed, and how many frames were dropped, if any."""
+        """Notes of the source, and the number of dropped frames."""
         said = list(getattr(self._source, "notes", []))
         return (
             [*said, f"{self._dropped} frames dropped: newer ones came before they were taken"]
@@ -81,7 +81,7 @@ class LatestFrames:
     def __iter__(self) -> Iterator[Frame]:
         if self._thread is not None:
             raise ValueError("source: its frames are read once, and a loop over them has begun already")
-        context = contextvars.copy_context()  # which compiler the caller chose holds in the thread too
+        context = contextvars.copy_context()  # the caller's compiler choice holds in the thread
         self._thread = threading.Thread(target=context.run, args=(self._read,), name="pointloom-latest", daemon=True)
         self._thread.start()
         return self._take()
@@ -110,7 +110,7 @@ class LatestFrames:
                     self._dropped += self._newest is not None
                     self._newest = frame
                     self._changed.notify_all()
-        except BaseException as error:  # raised again where the frames are taken
+        except BaseException as error:  # re-raised in the consumer
             self._error = error
         finally:
             with self._changed:
@@ -118,11 +118,7 @@ class LatestFrames:
                 self._changed.notify_all()
 
     def close(self, timeout: float = 10.0) -> None:
-        """End the thread, once the frame that it waits for has come, and close the source if it has `close`.
-
-        Args:
-            timeout: How long to wait for that [s]; the thread ends with the process at the latest.
-        """
+        """End the thread after its current frame, waiting at most `timeout` [s], and close the source if possible."""
         timeout = check_positive("timeout", timeout, allow_zero=True, maximum=threading.TIMEOUT_MAX)
         with self._changed:
             self._closed, self._newest = True, None

@@ -1,4 +1,4 @@
-"""RealSense cameras and their recordings, through Intel's pyrealsense2."""
+"""RealSense cameras and recordings, with pyrealsense2."""
 
 from __future__ import annotations
 
@@ -12,32 +12,31 @@ from ...core.checks import check_count, check_name
 from ...core.errors import CameraError
 from .depth_cameras import DepthCamera, import_driver, recording_path
 
-TOGETHER = 0.017  # [s] depth and colour this close are of one moment: half the time between two frames
+TOGETHER = 0.017  # [s] maximum difference of depth and color: half the frame time
 
-SLICE = 0.1  # [s] between two looks at whether a recording has ended
+SLICE = 0.1  # [s] between checks for the end of a recording
 
 
 class RealSenseCamera(DepthCamera):
-    """Frames of a RealSense camera, depth registered to colour; needs `pointloom[realsense]`.
+    """Frames of a RealSense camera, depth registered to color; requires `pointloom[realsense]`.
 
-    Tested against a stub of the driver and, by hand, on a recording of pyrealsense2's software device; not run on a
-    camera.
+    Tested with a driver stub and on a recording of pyrealsense2's software device, not on a camera.
 
     Args:
-        serial: Which camera; None takes the first.
+        serial: Serial number; None takes the first camera.
         file: A recording (.bag or, since 2.58, .db3) to play back, each frame once, instead of a camera.
-        width, height: Size of the pictures [px]; a recording has its own.
-        rate: Frames a second; a recording has its own.
-        color: With colour; else depth alone, in the geometry of the depth camera.
-        timeout: How long to wait for a frame [s].
+        width, height: Image size [px]; a recording has its own.
+        rate: Frames per second; a recording has its own.
+        color: With color; else depth alone, in the geometry of the depth camera.
+        timeout: Maximum time to wait for a frame [s].
 
     Raises:
-        CameraError: The package is missing, no such camera or recording; while iterating, a camera that is pulled out
-            or sends nothing. Frames before that were whole and stay with whoever took them.
+        CameraError: The package, camera or recording is missing; while iterating, a camera that is disconnected or
+            sends nothing. Earlier frames stay valid.
         TypeError, ValueError: Sizes or times out of range.
 
     Notes:
-        The distortion that the camera reports is taken out; depth takes the nearest pixel.
+        Images are undistorted with the camera's calibration, depth by nearest pixel.
 
     Example:
         >>> import pointloom as loom
@@ -93,7 +92,7 @@ class RealSenseCamera(DepthCamera):
         lens = stream.as_video_stream_profile().get_intrinsics()
         self.intrinsic = PinholeCameraIntrinsic(lens.width, lens.height, lens.fx, lens.fy, lens.ppx, lens.ppy)
         unit = np.float32(profile.get_device().first_depth_sensor().get_depth_scale())
-        self.depth_scale = 1.0 / float(str(unit))  # 0.001 m as it was meant, not as the nearest float32
+        self.depth_scale = 1.0 / float(str(unit))  # 0.001 m as intended, not the nearest float32
         models = {rs.distortion.brown_conrady: False, rs.distortion.inverse_brown_conrady: True}
         if lens.model in models:
             self._use_lens(lens.coeffs, inverse=models[lens.model])
@@ -110,8 +109,8 @@ class RealSenseCamera(DepthCamera):
             depth, color, apart, frames = found
             number = depth.get_frame_number()
             if number == self._number:
-                continue  # given already, with a colour that was closer in time
-            if apart > TOGETHER:  # the driver repeats a picture while it waits for the other camera's next one
+                continue  # already delivered with a color closer in time
+            if apart > TOGETHER:  # the driver repeats an image while it waits for the other camera
                 self._held = self._look_ahead()
                 ahead = self._held
                 if isinstance(ahead, tuple) and ahead[0].get_frame_number() == number and ahead[2] < apart:
@@ -126,14 +125,14 @@ class RealSenseCamera(DepthCamera):
             return np.asanyarray(depth.get_data()), picture, depth.get_timestamp() / 1000
 
     def _look_ahead(self) -> tuple[Any, Any, float, Any] | Exception | None:
-        """The next set, or the error that it is; the frame before it is whole and comes first."""
+        """The next frame set, or its error, so that the frame before it is delivered first."""
         try:
             return self._next_set()
         except Exception as error:
             return error
 
     def _next_set(self) -> tuple[Any, Any, float, Any] | None:
-        """Depth, colour, how far they are apart in time [s], and the set of both; None at the end of a recording."""
+        """Depth, color, their time difference [s], and the frame set; None at the end of a recording."""
         waited = 0.0
         while True:
             patience = min(SLICE, self.timeout - waited) if self._playback is not None else self.timeout
@@ -145,7 +144,7 @@ class RealSenseCamera(DepthCamera):
                     frames.keep()
                     apart = 0.0 if color is None else abs(color.get_timestamp() - depth.get_timestamp()) / 1000
                     return depth, color, apart, frames
-                continue  # one of the two is late, as with the first frames of a camera
+                continue  # one of the two is late, as in a camera's first frames
             if self._ended():
                 return None
             waited += patience

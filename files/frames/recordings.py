@@ -1,7 +1,7 @@
-"""Streams of frames written as they come, in the layout of 7-Scenes, readable at any moment.
+"""Record frames in the 7-Scenes layout, readable at any time.
 
-A frame is its depth map, its colour and its pose, each written whole, and then a line in `frame-times.txt`. What has no
-line there is no frame: however a recording ends, what was listed is whole and `open_frames` reads that.
+A frame counts once it has a line in `frame-times.txt`, which is written after its files; an interrupted recording is
+valid.
 """
 
 from __future__ import annotations
@@ -30,22 +30,22 @@ _HEADER = "# the whole frames of this recording: name and time [s], or -\n"
 
 
 class FrameRecorder:
-    """Writes frames one after another to a new folder, which can be read at any moment.
+    """Write frames to a new folder that is readable at any time.
 
     Args:
-        folder: A folder that does not exist yet, or is empty.
+        folder: A new or empty folder.
         intrinsic: The camera of all frames.
-        depth_scale: Units a metre of depth in whole numbers. Depth in float32 metres is rounded to such units.
+        depth_scale: Integer depth units per meter. Float depth [m] is rounded to them.
 
     Attributes:
-        count: Frames written.
+        count: Number of frames written.
 
     Raises:
-        FileError: The folder holds something, or cannot be made.
+        FileError: The folder is not empty or cannot be created.
 
     Notes:
-        Level-1 PNG: a VGA frame takes about 0.1 MB of depth, 0.45 MB of colour and 30 ms of one core. 65535, where
-        7-Scenes' layout says that nothing was measured, is read as 0.
+        Level-1 PNG: a VGA frame takes about 0.1 MB of depth, 0.45 MB of color and 30 ms of one core. 65535 (no
+        measurement in 7-Scenes) is read as 0.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -76,14 +76,14 @@ class FrameRecorder:
             file.write(_HEADER.encode())
 
     def write(self, frame: Frame) -> None:
-        """Write a frame; it counts once all its parts are there.
+        """Write a frame, renumbered, with its pose if it has one.
 
         Args:
-            frame: Of the recorder's camera. It is numbered anew; its pose is written if it has one.
+            frame: A frame of the recorder's camera.
 
         Raises:
-            TypeError, ValueError: No such frame; colour in some frames and not in others; depth beyond 16 bits.
-            FileError: It cannot be written, as on a full disk; the frames before it stay.
+            TypeError, ValueError: An invalid frame; color in some frames only; depth beyond 16 bits.
+            FileError: It cannot be written, for example on a full disk; earlier frames stay valid.
         """
         if not all(hasattr(frame, name) for name in ("depth", "color", "name", "T_world_camera", "timestamp")):
             raise TypeError(f"frame: expected a frame of an RGBDSource, got {type(frame).__name__}")
@@ -111,24 +111,23 @@ class FrameRecorder:
 
 
 def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progress: ReportProgress | None = None) -> int:
-    """Write all frames of a source to a new folder, in the layout of 7-Scenes, which can be read at any moment.
+    """Write all frames of a source to a new folder in the 7-Scenes layout, readable at any time.
 
     Args:
-        source: What gives the frames; one that never ends is recorded until it is closed or Ctrl-C.
-        folder: A folder that does not exist yet, or is empty.
-        progress: Called with "frames", how many are written, and how many there are (0 for a source that does not
-            know).
+        source: The frames; an endless source is recorded until it is closed or Ctrl-C.
+        folder: A new or empty folder.
+        progress: Called with "frames", the number written, and the total (0 if unknown).
 
     Returns:
-        How many frames were written.
+        Number of frames written.
 
     Raises:
         TypeError: No source of frames.
-        ValueError: Frames that do not fit together.
-        FileError: The folder holds something, or a file cannot be written; the frames before that stay.
+        ValueError: Inconsistent frames.
+        FileError: The folder is not empty, or a file cannot be written; earlier frames stay valid.
 
     Notes:
-        Depth in float32 metres is rounded to millimetres.
+        Float depth [m] is rounded to millimeters.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -165,7 +164,7 @@ def _make_folder(folder: Path) -> None:
 
 
 def _in_units(frame: Frame, depth_scale: float) -> np.ndarray[Any, np.dtype[np.uint16]]:
-    """Depth in whole units; metres that are no number or below zero are no measurement, as elsewhere."""
+    """Depth in integer units; negative and NaN depths become 0."""
     if frame.depth.dtype == np.uint16:
         return np.asarray(frame.depth, np.uint16)
     metres = np.where(frame.depth > 0, frame.depth, np.float32(0)).astype(np.float64)

@@ -1,4 +1,4 @@
-"""What gives RGB-D frames one after another: a folder, a generator, a camera."""
+"""Sources of RGB-D frames: folders, generators, cameras."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from .frame_times import TimeWatch
 
 @runtime_checkable
 class RGBDSource(Protocol):
-    """RGB-D frames of one camera, in order of capture; a source that knows how many has a length too.
+    """RGB-D frames of one camera in order of capture, with a length if known.
 
-    Sources that lose frames on purpose or notice something say so: `dropped` counts, `notes` lists.
+    Optional: `dropped` counts lost frames, `notes` lists observations.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -32,24 +32,19 @@ class RGBDSource(Protocol):
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The camera of all frames, for depth and colour."""
+        """The camera of depth and color."""
         ...
 
     @property
     def depth_scale(self) -> float:
-        """Stored depth of one metre where depth is stored in whole numbers; float32 depth is in metres."""
+        """Units per meter of integer depth; float32 depth is in meters."""
         ...
 
     def __iter__(self) -> Iterator[Frame]: ...
 
 
 class FrameStream:
-    """Frames made of pictures in memory, each checked when its turn comes; see `frames_from`.
-
-    Attributes:
-        intrinsic: The camera of all frames.
-        depth_scale: Stored depth of one metre where depth is stored in whole numbers.
-    """
+    """Frames from images in memory, checked lazily; see `frames_from`."""
 
     def __init__(self, items: Iterable[Any], intrinsic: PinholeCameraIntrinsic, depth_scale: float, resize: bool):
         self.intrinsic, self.depth_scale = intrinsic, depth_scale
@@ -70,13 +65,11 @@ class FrameStream:
 
     @property
     def notes(self) -> list[str]:
-        """Time stamps that stood still, went back or jumped in the frames so far, each naming its frame."""
+        """Timestamps that repeated, decreased or jumped so far, each with its frame."""
         return list(self._watch.notes)
 
 
 class CountedFrameStream(FrameStream):
-    """A stream of pictures whose number is known."""
-
     def __len__(self) -> int:
         return len(self._items)  # type: ignore[arg-type]
 
@@ -84,22 +77,22 @@ class CountedFrameStream(FrameStream):
 def frames_from(
     frames: Iterable[Any], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = 1000.0, resize_color: bool = False
 ) -> FrameStream:
-    """RGB-D frames of pictures in memory: a list, a generator, a camera's own loop.
+    """RGB-D frames from images in memory: a list, a generator, a camera loop.
 
     Args:
-        frames: Each is (color, depth) or (color, depth, time in seconds), or has `color` and `depth` and, if it likes,
-            `T_world_camera`, `timestamp` and `name`. Depth is uint16 or metres in floats, shape [h, w], 0 where nothing
-            was measured; colour uint8 RGB, shape [h, w, 3], or None. The two show the same view, pixel for pixel.
+        frames: Each is (color, depth) or (color, depth, time [s]), or an object with `color`, `depth` and optionally
+            `T_world_camera`, `timestamp`, `name`. Depth is uint16 or float [m], shape (h, w), 0 without measurement;
+            color is uint8 RGB (h, w, 3) or None, registered to depth.
         intrinsic: The camera.
-        depth_scale: Units a metre of depth in whole numbers.
-        resize_color: Bring colour of another size to that of depth; the view must be the same.
+        depth_scale: Units per meter of integer depth.
+        resize_color: Resize color to the size of depth; both must show the same view.
 
     Returns:
-        A source. It copies each frame when its turn comes and keeps none; `notes` tells of time stamps that jump.
+        A source that copies each frame lazily and stores none; `notes` lists irregular timestamps.
 
     Raises:
-        TypeError: No iterable, no camera; while iterating, depth of 8 bits or another type, named by its frame.
-        ValueError: A scale that is not positive; while iterating, sizes that differ, named by their frame.
+        TypeError: No iterable or no camera; while iterating, depth of an invalid type, with its frame.
+        ValueError: A scale that is not positive; while iterating, sizes that differ, with their frame.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,1 +1,1 @@
-"""Formats of triangle meshes: OBJ, STL, OFF, GLB; and any file by its extension."""
+"""Triangle mesh formats: OBJ, STL, OFF, GLB; any file by extension."""

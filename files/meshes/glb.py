@@ -1,26 +1,8 @@
-"""glTF 2.0, as one binary file (GLB) or as text with files beside it: the triangles of a scene at rest, as one mesh.
+"""glTF 2.0 (.glb, .gltf): the triangles of a static scene (skins at rest, default morphs) as one mesh.
 
-Every primitive of every node of the scene is taken where the node's transform, or its skin at rest, puts it, with the
-default weights of its morph targets; primitives that share their vertices still do. Vertex normals, colours and
-attributes are taken where all have them. An attribute `_NAME` becomes NAME, the alpha of colours "alpha". Texture
-coordinates become those of corners, with v counted from below (glTF counts from above) and the material's texture
-transform applied; each material that triangles have becomes one picture: its base colour texture, else one pixel of its
-base color factor. Vertex colors and factors are converted from linear light to sRGB. Vertex colors outside 0..1 are
-clamped with a warning. Vertex colors that are NaN or of an unknown type are left behind with a warning, and so are
-texture coordinates of an unknown type.
-
-What a mesh has no place for is left behind with one warning that lists it (gltf_left.py): points and lines, the factor
-of a material with a texture, everything else of materials, names of parts, animations, cameras and lights. Refused by
-name are extensions that a file requires and that are not read.
-
-Source: Khronos, "glTF 2.0 Specification".
-
-The materials of a glTF file as pictures: the texture of the base colour, else one pixel of its factor. Only materials
-that triangles have are looked at; a picture that several have is decoded once and shared. Factors are converted from
-linear light to sRGB. Alpha is kept where the material blends (alphaMode BLEND), becomes 0 or 1 by the cutoff where it
-masks (MASK), and is dropped where the material is opaque (OPAQUE, the default).
-
-Source: Khronos, "glTF 2.0 Specification", section 3.9, KHR_texture_transform and KHR_materials_pbrSpecularGlossiness.
+Normals, colors and attributes (`_NAME` becomes NAME) are kept if all primitives have them. Each used material becomes
+one image: base color texture, else one pixel of its factor in sRGB; alpha is kept for BLEND, thresholded for MASK, else
+dropped. Khronos, "glTF 2.0 Specification", section 3.9; KHR_texture_transform; KHR_materials_pbrSpecularGlossiness.
 """
 
 from __future__ import annotations
@@ -45,7 +27,7 @@ from .gltf_nodes import walk_scene
 from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
 
 _TRANSFORM = "KHR_texture_transform"
-# Extensions of a texture whose pictures are of kinds that are not read.
+# Texture extensions whose image formats are not supported.
 _OTHER_KINDS = {
     "KHR_texture_basisu": "KTX2",
     "EXT_texture_webp": "WebP",
@@ -56,14 +38,8 @@ _OTHER_KINDS = {
 
 @dataclass(frozen=True)
 class BaseColor:
-    """What a material says of its base colour.
-
-    Attributes:
-        texture: The number of its texture, as the file has it; None without one.
-        coordinates: Which texture coordinates it takes.
-        transform: The affine transform of those, shape [2, 3], v counted from above; None for none.
-        factor: Red, green, blue and alpha, linear.
-        cutoff: The least alpha of the texture, 0..1, that is shown; 0 shows all of it opaque, None blends it.
+    """The base color of a material: linear RGBA `factor`, and indices of `texture` and texture `coordinates`.
+    `transform` is their affine transform (2, 3), v downwards. `cutoff` is the minimum alpha; 0 is opaque, None blends.
     """
 
     texture: Any = None
@@ -74,18 +50,12 @@ class BaseColor:
 
 
 class Materials:
-    """The base colours of a file's materials."""
-
     def __init__(self, arrays: GltfArrays, left: LeftBehind):
         self._arrays, self._file, self._left = arrays, arrays.file, left
         self._known: dict[int, BaseColor] = {-1: BaseColor()}
 
     def base_color(self, number: int) -> BaseColor:
-        """The base colour of a material; white for -1, which is none.
-
-        Raises:
-            FileError: No such material, or it is damaged.
-        """
+        """The base color of a material; white for -1 (no material)."""
         if number not in self._known:
             self._known[number] = self._read(number)
             self._left.add_material(number)
@@ -120,7 +90,7 @@ class Materials:
         return BaseColor(texture.get("index"), coordinates, transform, color, None if mode == "BLEND" else cutoff)
 
     def _transform(self, moved: dict[str, Any], what: str) -> NDArray[np.float64] | None:
-        """Scale, then rotation, then offset; counter-clockwise as seen, so with v counted from above."""
+        """Scale, rotation, offset; counterclockwise as displayed, so with v downwards."""
         file = self._file
         offset = file.numbers(moved, "offset", what, [0.0, 0.0], most=1e30)
         scale = file.numbers(moved, "scale", what, [1.0, 1.0], most=1e30)
@@ -131,14 +101,8 @@ class Materials:
         return None if np.array_equal(A, np.eye(2, 3)) else A
 
     def pictures(self, used: list[int]) -> tuple[tuple[NDArray[np.uint8], ...], list[int]]:
-        """One picture a material that is used, and the place of each use.
-
-        A picture has an alpha only where the material shows it. There are none where all materials are plain white, and
-        if a picture is damaged or all of them are too large together, which is noted as left behind.
-
-        Raises:
-            FileError: A material or texture is damaged.
-        """
+        """Images of the used materials and the image index of each use.
+        Empty if all are plain white, or, noted as dropped, if an image is damaged or the total is too large."""
         numbers = sorted(set(used), key=lambda number: (number < 0, number))
         colors = [self.base_color(number) for number in numbers]
         if all(color.texture is None and color.factor == (1, 1, 1, 1) for color in colors):
@@ -176,7 +140,7 @@ class Materials:
         return tuple(pictures), [places[number] for number in used]
 
     def _image(self, texture: Any, what: str) -> tuple[Hashable, str, Any]:
-        """What tells a texture's picture from others, its name and its bytes; or why there are none, and None."""
+        """Key, name and bytes of a texture's image; or the reason for its absence and None."""
         file, arrays = self._file, self._arrays
         held = file.take("textures", texture, what)
         if "source" not in held:
@@ -198,29 +162,15 @@ class Materials:
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
-    """A picture of one pixel, converted from linear light to sRGB; with alpha where it is not whole."""
+    """An image of one pixel, converted from linear to sRGB; with alpha if not opaque."""
     curved = linear_to_srgb(np.array(linear[:3]))
     values = [*curved, linear[3]] if linear[3] < 1 else curved
     return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)
 
 
 def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
-    """Read the triangles of a glTF file, .glb or .gltf.
-
-    Args:
-        path: The file.
-        outside_files: Whether names of buffers and pictures that lead out of the file's folder are followed.
-
-    Returns:
-        The mesh; float32 vertices where no node moves any, else float64. Axes are the file's: y is up by the standard.
-
-    Raises:
-        FileError: Missing, cut off, lengths, offsets or numbers that contradict each other, no triangles, more of them
-            than the file bears, or something that is not read; says what.
-
-    Warns:
-        UserWarning: Something is left behind; says all of it.
-    """
+    """Read the triangles of a .glb or .gltf file, with axes as stored (y is up by the standard).
+    Vertices are float32 if no node transforms them, else float64."""
     file = GltfFile(path, outside_files=outside_files)
     check_required(file)
     parts = _Parts(file)
@@ -243,7 +193,6 @@ class _Parts:
         self._counts = [0, 0]  # of vertices and triangles
 
     def add_mesh(self, number: int, placing: Placing) -> None:
-        """Take the triangles of a node's mesh."""
         file = self.file
         place = file.take("nodes", number, "a scene")["mesh"]
         mesh, what = file.take("meshes", place, "a node"), f"meshes {place}"
@@ -270,7 +219,7 @@ class _Parts:
         corners = primitive.read_corners(count)
         self._counts[1] += len(corners)
         self.file.check_count(self._counts[1], "the triangles of all nodes")
-        if vertices.is_mirrored:  # a mirror turns triangles round
+        if vertices.is_mirrored:  # a reflection flips triangle orientation
             corners = corners[:, ::-1]
         color = self.looks.base_color(material)
         self.triangles.append(corners + vertices.first)
@@ -278,7 +227,6 @@ class _Parts:
         self.uvs.append(primitive.read_uvs(color.coordinates, color.transform, corners, count))
 
     def mesh(self, nodes: list[int]) -> MeshTable:
-        """All of them as one mesh."""
         if not sum(len(part) for part in self.triangles):
             raise self.file.error("holds no triangles")
         counts = [len(part) for part in self.triangles]

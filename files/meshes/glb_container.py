@@ -1,6 +1,6 @@
-"""The container of a GLB file (glTF 2.0, binary): a head, and chunks of JSON and of bytes.
+"""The GLB container (glTF 2.0, binary): header, JSON chunk, binary chunk.
 
-Source: Khronos, "glTF 2.0 Specification", section 4.
+Khronos, "glTF 2.0 Specification", section 4.
 """
 
 from __future__ import annotations
@@ -14,11 +14,6 @@ MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 
 
 def split_chunks(path: str | os.PathLike[str], data: memoryview) -> tuple[memoryview, memoryview | None]:
-    """The JSON of a GLB file, and its bytes; None where it has none.
-
-    Raises:
-        FileError: No GLB, cut off, or lengths that contradict each other.
-    """
     if data[:4] != MAGIC:
         raise FileError(path, "is no GLB: it does not begin with glTF", where="byte 0", remedy="Is it a .gltf?")
     if len(data) < 20:

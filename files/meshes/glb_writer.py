@@ -1,15 +1,8 @@
-"""A mesh as glTF 2.0: one node, one mesh, a primitive for each of its textures.
+"""Write a mesh as glTF 2.0 (.glb, or .gltf with m.bin and m_0.png, ...): one node, one mesh, a primitive per texture.
 
-A GLB holds all in one file, pictures as PNG inside; beside m.gltf, which is text, lie m.bin and m_0.png, m_1.png, ...
-A picture with an alpha other than 255 has the alphaMode MASK if its alphas are 0 and 255, else BLEND.
-Positions are float32 about the node's translation, so that coordinates far from zero stay exact. glTF has texture
-coordinates at vertices: a vertex whose corners have several is written several times. Triangles come in the order of
-their materials. An attribute NAME is written as _NAME, in its own type where glTF has it (float32, and whole numbers of
-up to 16 bits), else as float32 where that holds each value exactly; "alpha" beside colors is that of COLOR_0. Vertex
-colors are converted from sRGB to linear light, which is what glTF stores. Not held: other attributes and those of
-triangles (left out with a warning), material numbers of a mesh that has no textures, NaN.
-
-Source: Khronos, "glTF 2.0 Specification".
+Positions are float32 relative to the node translation; seam vertices are duplicated. An attribute NAME becomes _NAME if
+its type is exact in glTF. Images with alpha use MASK for 0 and 255, else BLEND. Vertex colors become linear. Khronos,
+"glTF 2.0".
 """
 
 from __future__ import annotations
@@ -44,21 +37,7 @@ _MOST_WIDTH = 4
 
 
 def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as GLB.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        mesh: The mesh.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, the mesh has no triangles, a value is not finite in float32, or the
-            file would pass 4 GiB.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
-
-    Warns:
-        UserWarning: The mesh has attributes that glTF cannot hold; they are left out.
-    """
+    """Write a triangle mesh as GLB (up to 4 GiB) atomically; unsupported attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     scene = _scene_of(path, mesh)
     images = [{"bufferView": scene.body.add_bytes(encode_png(each)), "mimeType": "image/png"} for each in scene.images]
@@ -75,17 +54,7 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
 
 
 def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as glTF: text, with its numbers as m.bin and its pictures as m_0.png, ... beside m.gltf.
-
-    Args:
-        path: The file; it appears whole or not at all, and so do those beside it, before it does.
-        mesh: The mesh.
-        overwrite: Whether existing files may be replaced.
-
-    Raises:
-        FileError: As `write_glb`.
-        ValueError: As `write_glb`.
-    """
+    """Write a triangle mesh as glTF text with m.bin and m_0.png, ... beside m.gltf, each file atomically."""
     path = check_writable(path, overwrite=overwrite)
     scene, name = _scene_of(path, mesh), derived_name(path, ".bin")
     beside: dict[str, Any] = dict(zip(picture_names(path, len(scene.images)), scene.images, strict=True))
@@ -95,8 +64,7 @@ def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool
 
 
 def held_by_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    """The part of a mesh that glTF holds, and the names of the rest: attributes that it has no type for, or that are
-    of triangles."""
+    """The part of a mesh that glTF stores, and the names of the other attributes."""
     held = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
     left_out = [name for name in mesh.attributes if name not in held] + [*mesh.triangle_attributes]
     return replace(mesh, attributes=held, triangle_attributes={}), left_out
@@ -104,7 +72,7 @@ def held_by_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
 
 @dataclass
 class _Scene:
-    """What is to be written: the JSON but for buffers and images, the arrays, and each picture once."""
+    """The content to write: JSON without buffers and images, arrays, unique images."""
 
     content: dict[str, Any]
     body: _Body
@@ -124,7 +92,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     rows, corners, uvs = _split_seams(mesh)
     columns = {name: values[rows] for name, values in _columns(mesh, positions).items()}
     if uvs is not None:
-        columns["TEXCOORD_0"] = np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1)  # glTF's v runs down
+        columns["TEXCOORD_0"] = np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1)  # v is downwards in glTF
     for name, values in columns.items():
         if values.dtype.kind == "f" and not np.isfinite(values).all():
             row = int(rows[np.flatnonzero(~np.isfinite(values).all(axis=1))[0]])
@@ -133,7 +101,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
 
 
 def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]]:
-    """The values at vertices by their names in the file, shape [m, c]."""
+    """Vertex values by file name, shape (m, c)."""
     colors, attributes = mesh.vertex_colors, dict(mesh.attributes)
     if colors is not None:
         colors = srgb_to_linear(colors)
@@ -147,7 +115,7 @@ def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]
 
 
 def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
-    """Values of an attribute in a type that glTF has at vertices, shape [m, 1 to 4]; None where it has none."""
+    """An attribute in a glTF vertex type, shape (m, 1 to 4), or None."""
     column = values.reshape(len(values), -1) if values.ndim == 1 or values.shape[1] else None
     if column is None or column.shape[1] > _MOST_WIDTH:
         return None
@@ -165,7 +133,7 @@ def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
 
 
 def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
-    """The vertex of each written vertex, the corners among those, and their texture coordinates."""
+    """Source of each written vertex, corner indices, and texture coordinates."""
     count = len(mesh.vertices)
     if mesh.triangle_uvs is None:
         return np.arange(count), mesh.triangles.astype(np.int64), None
@@ -219,7 +187,7 @@ def _assemble(
 
 
 def _text(scene: _Scene, images: list[dict[str, Any]], buffer: dict[str, Any]) -> bytes:
-    """The JSON of a scene, whose images and whose buffer lie where these say."""
+    """The JSON of a scene with its images and buffer."""
     body = scene.body
     content = scene.content | ({"images": images} if images else {})
     content |= {"accessors": body.accessors, "bufferViews": body.views}
@@ -240,13 +208,13 @@ class _Body:
         self.accessors: list[dict[str, Any]] = []
 
     def add_bytes(self, content: bytes) -> int:
-        """Append bytes from a multiple of four on; their buffer view."""
+        """Append bytes aligned to 4; returns the buffer view."""
         self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content)})
         self.data += content + b"\0" * (-len(content) % 4)
         return len(self.views) - 1
 
     def add_array(self, values: NDArray[Any], target: int, with_bounds: bool) -> int:
-        """Append rows of numbers, at vertices each from a multiple of four bytes on; their accessor."""
+        """Append rows of numbers, aligned to 4 bytes at vertices; returns the accessor."""
         code = np.dtype(values.dtype.newbyteorder("<"))
         little = np.ascontiguousarray(values, code)
         size = code.itemsize * little.shape[1]

@@ -1,8 +1,6 @@
-"""The arrays of a glTF file: buffers, views of them, and accessors, dense, sparse or compressed.
+"""Arrays of a glTF file: buffers, views and accessors (dense, sparse, compressed), checked against available bytes.
 
-Every length, offset, step and count is held against the bytes that are there.
-
-Source: Khronos, "glTF 2.0 Specification", section 3.6.
+Khronos, "glTF 2.0 Specification", section 3.6.
 """
 
 from __future__ import annotations
@@ -20,7 +18,7 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
 class GltfArrays:
-    """The arrays of a file; what was taken once is kept."""
+    """The arrays of a file, with a cache."""
 
     def __init__(self, file: GltfFile):
         self.file = file
@@ -28,11 +26,7 @@ class GltfArrays:
         self._decoded: dict[int, tuple[memoryview, int]] = {}
 
     def view(self, number: Any, what: str) -> tuple[memoryview, int]:
-        """The bytes of a buffer view, and the step between its elements; 0 where they lie side by side.
-
-        Raises:
-            FileError: Missing, beyond its buffer, or damaged.
-        """
+        """The bytes of a buffer view, and its stride; 0 if packed."""
         file = self.file
         view, name = file.take("bufferViews", number, what), f"bufferViews {number}"
         packed = next((found for key in MESHOPT if (found := file.extension(view, key, name)) is not None), None)
@@ -67,19 +61,9 @@ class GltfArrays:
     def accessor(
         self, number: Any, what: str, types: tuple[str, ...], components: str, given: NDArray[Any] | None = None
     ) -> NDArray[Any]:
-        """The elements of an accessor, shape [n, width], in their own type; normalised integers as float32.
-
-        Args:
-            number: Which one.
-            what: Who asks, for errors.
-            types: Allowed types, such as "VEC3".
-            components: Allowed component types, as NumPy codes parted by blanks; of integers, "n" before the code asks
-                for normalised ones.
-            given: The elements where they came out of a compressed mesh.
-
-        Raises:
-            FileError: Missing, of another type, or beyond its buffer view.
-        """
+        """The elements of an accessor, shape (n, width), in their type; normalized integers as float32.
+        `components` are allowed NumPy codes separated by blanks, "n" before an integer code requires normalized ones;
+        `given` are elements decoded from a compressed mesh."""
         file = self.file
         accessor = file.take("accessors", number, what)
         name = f"accessors {number} ({what})"
@@ -116,7 +100,6 @@ class GltfArrays:
         return np.ndarray((count, width), dtype, data, begin, (step, dtype.itemsize)).astype(dtype.newbyteorder("="))
 
     def _replace_some(self, sparse: dict[str, Any], values: NDArray[Any], dtype: np.dtype[Any], name: str) -> None:
-        """Put the elements of a sparse accessor where its indices say."""
         file, what = self.file, f"{name}: sparse"
         count = file.whole(sparse, "count", what)
         if not 0 < count <= len(values):

@@ -1,9 +1,6 @@
-"""Compressed glTF: meshes by Draco (KHR_draco_mesh_compression) and views by meshoptimizer (EXT_meshopt_compression).
+"""Compressed glTF: Draco meshes (KHR_draco_mesh_compression) and meshoptimizer views (EXT_meshopt_compression).
 
-Both are decoded by the packages of those who made them, DracoPy and meshoptimizer, which are extras of pointloom. What
-comes out is held against what the file says of it.
-
-Source: the two extensions' specifications by Khronos.
+Decoded by the optional packages DracoPy and meshoptimizer and checked against the file.
 """
 
 from __future__ import annotations
@@ -23,11 +20,7 @@ _MOST_STRIDE = 256
 
 
 def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: str) -> tuple[memoryview, int]:
-    """The bytes of a view that meshoptimizer packed, and the step between its elements.
-
-    Raises:
-        FileError: The package is missing, or the view is damaged.
-    """
+    """The bytes of a view compressed by meshoptimizer, and the element stride."""
     count, stride = file.whole(packed, "count", name), file.whole(packed, "byteStride", name)
     mode, filter_name = packed.get("mode"), packed.get("filter", "NONE")
     is_attribute = mode == "ATTRIBUTES"
@@ -57,14 +50,9 @@ def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: 
 
 
 class DracoMesh:
-    """What Draco packed of one primitive: corners, and values at vertices by their accessors' names."""
+    """A Draco primitive: corners, and vertex values by accessor name."""
 
     def __init__(self, file: GltfFile, packed: dict[str, Any], data: memoryview, what: str):
-        """Decode it.
-
-        Raises:
-            FileError: The package is missing, or the mesh is damaged.
-        """
         self._file, self._what = file, what
         self._names = file.part(packed, "attributes", what)
         package = import_for(file.path, "DracoPy", "gltf")
@@ -78,11 +66,7 @@ class DracoMesh:
         self._values = {entry["unique_id"]: entry["data"] for entry in attributes}
 
     def get(self, name: str) -> NDArray[Any] | None:
-        """The values of an attribute, shape [n, width]; None of one that was not packed.
-
-        Raises:
-            FileError: The packed mesh lacks it.
-        """
+        """The values of an attribute, shape (n, width); None if it was not compressed."""
         if name not in self._names:
             return None
         key = self._names[name]

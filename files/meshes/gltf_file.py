@@ -1,9 +1,6 @@
-"""A glTF 2.0 file: its JSON, from a GLB or a text, and the bytes that it names.
+"""glTF 2.0 files: the JSON of a GLB or text file, and the bytes in the GLB, `data:` URIs or neighboring files.
 
-Everything that the file says is held against what is there before it is used. Bytes lie in the GLB, in a `data:` URI,
-or in a file beside this one; nothing is fetched from elsewhere.
-
-Source: Khronos, "glTF 2.0 Specification", sections 2.8, 3.4 and 3.6.1.
+All values are validated before use; nothing is downloaded. Khronos, "glTF 2.0 Specification", sections 2.8, 3.4, 3.6.1.
 """
 
 from __future__ import annotations
@@ -25,8 +22,8 @@ from ..pictures.texture_files import find_beside, why_missing
 from ..source import open_source
 from .glb_container import MAGIC, split_chunks
 
-# What a file may come to beside its bytes, so that few bytes do not name endless elements: this many in any case, and
-# this many a byte. A triangle that is written out takes a byte at least, a compressed one seldom less than a bit.
+# Limits on elements, so that few bytes cannot declare endless ones: this many in any case, and this many
+# per byte. A stored triangle takes at least a byte, a compressed one seldom less than a bit.
 FREE_ELEMENTS, ELEMENTS_A_BYTE = 2**23, 16
 
 _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
@@ -34,21 +31,9 @@ _BAD_ESCAPE = re.compile(r"%(?![0-9A-Fa-f]{2})")
 
 
 class GltfFile:
-    """A glTF file whose container and JSON are whole.
-
-    Attributes:
-        path: The file.
-        content: Its JSON.
-        size: Its bytes, with those of other files that were taken for it.
-        outside_files: Whether names that lead out of its folder are followed.
-    """
+    """A glTF file with a valid container and JSON (`content`); `size` includes referenced files."""
 
     def __init__(self, path: str | os.PathLike[str], *, outside_files: bool = False):
-        """Read it.
-
-        Raises:
-            FileError: Missing, neither GLB nor glTF, cut off, or of another version.
-        """
         self.path, self.outside_files = Path(path), outside_files
         data = memoryview(open_source(path))
         self.size = len(data)
@@ -67,70 +52,41 @@ class GltfFile:
             raise self.error(f"glTF {version!r}; version 2 is read")
 
     def error(self, reason: str, where: str = "", remedy: str = "") -> FileError:
-        """The error that this file is wrong."""
         return FileError(self.path, reason, where=where, remedy=remedy)
 
     def check_count(self, count: int, what: str) -> None:
-        """Hold that a count is one that the file's bytes bear.
-
-        Raises:
-            FileError: It is not.
-        """
+        """Raise `FileError` if a count is implausible for the file size."""
         most = max(FREE_ELEMENTS, ELEMENTS_A_BYTE * self.size)
         if count > most:
             reason = f"{what} come to {count:,}, more than {most:,}, of a file of {self.size:,} bytes"
             raise self.error(reason, remedy="Join or drop some in the program that wrote it")
 
-    # ------------------------------------------------------------------------------------------ objects
-
     def objects(self, kind: str) -> list[dict[str, Any]]:
-        """A list of the JSON's objects, such as "meshes"; empty where there is none.
-
-        Raises:
-            FileError: Not a list of objects.
-        """
+        """A list of JSON objects, such as "meshes"; empty if missing."""
         found = self.content.get(kind, [])
         if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
             raise self.error(f"{kind}: expected a list of objects")
         return found
 
     def take(self, kind: str, number: Any, what: str) -> dict[str, Any]:
-        """One of the JSON's objects by its number; `what` names it.
-
-        Raises:
-            FileError: There is no such object.
-        """
+        """A JSON object by its index; `what` describes it in errors."""
         objects = self.objects(kind)
         if not is_whole(number) or not 0 <= number < len(objects):
             raise self.error(f"{what} names {kind} {str(number)[:40]}, of {len(objects)}")
         return objects[number]
 
     def part(self, holder: dict[str, Any], name: str, what: str) -> dict[str, Any]:
-        """An object within an object; an empty one where there is none.
-
-        Raises:
-            FileError: It is something else.
-        """
+        """A nested object; empty if missing."""
         found = holder.get(name, {})
         if not isinstance(found, dict):
             raise self.error(f"{what}: {name} is no object")
         return found
 
     def extension(self, holder: dict[str, Any], name: str, what: str) -> dict[str, Any] | None:
-        """An extension of an object, or None.
-
-        Raises:
-            FileError: It is no object.
-        """
         extensions = self.part(holder, "extensions", what)
         return self.part(extensions, name, what) if name in extensions else None
 
     def whole(self, holder: dict[str, Any], name: str, what: str, default: int | None = None) -> int:
-        """A whole number from 0 of an object.
-
-        Raises:
-            FileError: It is something else, or missing without a default.
-        """
         value = holder.get(name, default)
         if not is_whole(value) or not 0 <= value < 2**53:
             raise self.error(f"{what}: {name} is {str(value)[:40]}, expected a whole number from 0")
@@ -139,11 +95,7 @@ class GltfFile:
     def numbers(
         self, holder: dict[str, Any], name: str, what: str, default: list[float], *, most: float = 1e300
     ) -> NDArray[np.float64]:
-        """A list of finite numbers of an object, as long as the default.
-
-        Raises:
-            FileError: It is something else.
-        """
+        """A list of finite numbers of an object, as long as the default."""
         values = holder.get(name, default)
         is_list = isinstance(values, list) and len(values) == len(default)
         if not is_list or not all(isinstance(x, int | float) and abs(x) < most for x in values):
@@ -151,24 +103,14 @@ class GltfFile:
         return np.array(values, np.float64)
 
     def places(self, holder: dict[str, Any], name: str, what: str) -> list[int]:
-        """A list of whole numbers of an object; empty where there is none.
-
-        Raises:
-            FileError: It is something else.
-        """
+        """A list of integers of an object; empty if missing."""
         found = holder.get(name, [])
         if not isinstance(found, list) or not all(type(place) is int for place in found):
             raise self.error(f"{what}: {name}: expected a list of numbers of nodes")
         return found
 
-    # ------------------------------------------------------------------------------------------ bytes elsewhere
-
     def uri_file(self, uri: Any, what: str) -> Path | None:
-        """The file beside this one that a URI names; None where it is not there.
-
-        Raises:
-            FileError: It is no text.
-        """
+        """The neighboring file of a URI, or None if it does not exist."""
         if not isinstance(uri, str):
             raise self.error(f"{what}: uri is {str(uri)[:40]}, expected a text")
         if _SCHEME.match(uri):
@@ -180,18 +122,13 @@ class GltfFile:
         return None
 
     def why_missing(self, uri: str) -> str:
-        """Why `uri_file` found nothing, as the end of a sentence."""
+        """Why `uri_file` returned None, as the end of a sentence."""
         if _SCHEME.match(uri):
             return f"{uri[:60]!r}, from where nothing is fetched"
         name = unquote(uri, errors="surrogateescape")
         return f"{name[:60]!r}, which {why_missing(name, outside_files=self.outside_files)}"
 
     def uri_bytes(self, uri: Any, what: str) -> memoryview:
-        """The bytes that a URI holds or names.
-
-        Raises:
-            FileError: Damaged, not there, or not to be followed.
-        """
         if isinstance(uri, str) and uri[:5].lower() == "data:":
             return memoryview(self._data_uri(uri, what))
         found = self.uri_file(uri, what)
@@ -215,7 +152,6 @@ class GltfFile:
 
 
 def is_whole(value: Any) -> bool:
-    """Whether a value of the JSON is a whole number."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 

@@ -1,4 +1,4 @@
-"""What a glTF file holds and a mesh has no place for: gathered while it is read, told of once."""
+"""Collect glTF content that a mesh cannot hold, for one warning."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from .gltf_file import GltfFile
 
 SPECULAR = "KHR_materials_pbrSpecularGlossiness"
 
-# Extensions that are read, and those that say nothing of a mesh's geometry, so that a file may require them.
+# Supported extensions, and those without effect on geometry, which a file may require.
 READ = (DRACO, *MESHOPT, "KHR_texture_transform", "KHR_mesh_quantization", SPECULAR)
 _LOOKS = ("KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_", "EXT_lights_", "KHR_xmp")
 
-# Names of a material's parts that have no place, and what they are called.
+# Unsupported material properties, and their descriptions.
 _MAPS = {
     "normalTexture": "normal maps",
     "occlusionTexture": "occlusion maps",
@@ -25,18 +25,17 @@ _MAPS = {
 
 
 class LeftBehind:
-    """What is left behind of a file: words, or things of a kind to be counted."""
+    """Dropped content: descriptions, or items to count."""
 
     def __init__(self, file: GltfFile):
         self._file = file
         self._words: dict[str, set[Hashable]] = {}
 
     def add(self, words: str, thing: Hashable = None) -> None:
-        """Note what is left behind; with a thing, how many such things there are is told."""
+        """Note dropped content; items of the same description are counted."""
         self._words.setdefault(words, set()).update(() if thing is None else (thing,))
 
     def add_material(self, number: int) -> None:
-        """Note what of a material that is used has no place."""
         file = self._file
         material, what = file.take("materials", number, "a primitive"), f"materials {number}"
         for name, words in _MAPS.items():
@@ -49,11 +48,10 @@ class LeftBehind:
             self.add("metallic and roughness factors", number)
 
     def add_scene(self, nodes: list[int], materials: list[int]) -> None:
-        """Note what stands beside the meshes: names of parts, animations, cameras, extensions."""
         file, content = self._file, self._file.content
         for kind, numbers in (("nodes", nodes), ("materials", materials)):
             named = [number for number in numbers if file.take(kind, number, kind).get("name")]
-            if len(numbers) > 1:  # of a mesh of one part nothing is lost that tells parts apart
+            if len(numbers) > 1:  # a mesh of one part needs no names of parts
                 for number in named:
                     self.add(f"names of {kind}", number)
         for kind in ("animations", "cameras"):
@@ -66,7 +64,6 @@ class LeftBehind:
                 self.add(f"what the extension {str(name)[:60]} says")
 
     def warn(self, stacklevel: int) -> None:
-        """Tell of all of it in one warning."""
         if not self._words:
             return
         told = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
@@ -75,11 +72,7 @@ class LeftBehind:
 
 
 def check_required(file: GltfFile) -> None:
-    """Hold that all extensions that a file requires are read, or say nothing of its geometry.
-
-    Raises:
-        FileError: One is not.
-    """
+    """Raise `FileError` if a required extension is not supported and may affect geometry."""
     required = file.content.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else [required]:
         if not isinstance(name, str) or not (name in READ or name.startswith(_LOOKS)):

@@ -1,6 +1,6 @@
-"""The nodes of a glTF scene: where each mesh lies, and how joints carry it at rest.
+"""Nodes of a glTF scene: mesh transforms and skin joints at rest.
 
-Source: Khronos, "glTF 2.0 Specification", sections 3.5 and 3.7.3.
+Khronos, "glTF 2.0 Specification", sections 3.5 and 3.7.3.
 """
 
 from __future__ import annotations
@@ -20,23 +20,14 @@ from .gltf_file import GltfFile
 
 @dataclass
 class Tree:
-    """The nodes of a scene.
-
-    Attributes:
-        T_world_node: The transform to the world of each node, by its number.
-        with_mesh: Numbers of those that have a mesh, in the order of the scene.
-    """
+    """The scene's nodes: `T_world_node` by node index, and the nodes `with_mesh` in scene order."""
 
     T_world_node: dict[int, NDArray[np.float64]]
     with_mesh: list[int]
 
 
 def walk_scene(file: GltfFile) -> Tree:
-    """The nodes of the scene that the file shows.
-
-    Raises:
-        FileError: A node that is not there, stands in two places, or has a transform that is none.
-    """
+    """The nodes of the displayed scene; raises `FileError` on cycles or invalid transforms."""
     nodes, scenes = file.objects("nodes"), file.objects("scenes")
     if scenes:
         roots = file.places(file.take("scenes", file.content.get("scene", 0), "scene"), "nodes", "a scene")
@@ -62,11 +53,11 @@ def walk_scene(file: GltfFile) -> Tree:
 
 def _transform_of(file: GltfFile, node: dict[str, Any], what: str) -> NDArray[np.float64]:
     if "matrix" in node:
-        return file.numbers(node, "matrix", what, [0.0] * 16).reshape(4, 4).T  # columns come first
+        return file.numbers(node, "matrix", what, [0.0] * 16).reshape(4, 4).T  # column-major
     T = np.eye(4)
     quaternion = file.numbers(node, "rotation", what, [0.0, 0.0, 0.0, 1.0])
     square = float((quaternion * quaternion).sum())
-    if not 0.5 < square < 2:  # of a unit quaternion, rounded
+    if not 0.5 < square < 2:  # a rounded unit quaternion
         raise file.error(f"{what}: rotation is no unit quaternion")
     R = quaternions_to_rotations((quaternion / math.sqrt(square))[None])[0]
     T[:3, :3] = R * file.numbers(node, "scale", what, [1.0, 1.0, 1.0])
@@ -75,11 +66,7 @@ def _transform_of(file: GltfFile, node: dict[str, Any], what: str) -> NDArray[np
 
 
 def joint_transforms(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.float64]:
-    """How the joints of a skin carry a mesh at rest: from its bind pose to the world, shape [j, 4, 4].
-
-    Raises:
-        FileError: The skin is not whole.
-    """
+    """Joint transforms of a skin from the bind pose to the world, shape (j, 4, 4)."""
     file, what = arrays.file, f"skins {number}"
     skin = file.take("skins", number, "a node")
     joints = file.places(skin, "joints", what)
@@ -104,18 +91,7 @@ def joint_transforms(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.
 def blend_joints(
     file: GltfFile, transforms: NDArray[np.float64], joints: NDArray[Any], weights: NDArray[Any], what: str
 ) -> NDArray[np.float64]:
-    """The transform of each vertex, the mean of its joints' by their weights, shape [n, 4, 4].
-
-    Args:
-        file: The file, for errors.
-        transforms: Of the joints, shape [j, 4, 4].
-        joints: Which joints carry each vertex, shape [n, k].
-        weights: How much each does, shape [n, k]; they are divided by their sum.
-        what: What it is, for errors.
-
-    Raises:
-        FileError: A joint that is not there, or weights that are none.
-    """
+    """Transform of each vertex, shape (n, 4, 4): mean of its `joints` (n, k) with normalized `weights` (n, k)."""
     weights = weights.astype(np.float64)
     sums = weights.sum(axis=1)
     wrong = ~(np.isfinite(weights).all(axis=1) & (weights >= 0).all(axis=1) & (sums > 0))
@@ -132,7 +108,6 @@ def blend_joints(
 
 
 def move_points(points: NDArray[Any], transforms: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Points moved by one transform, or each by its own."""
     with quiet():
         return (
             np.einsum("...ij,...j->...i", transforms[..., :3, :3], points.astype(np.float64)) + transforms[..., :3, 3]
@@ -140,10 +115,7 @@ def move_points(points: NDArray[Any], transforms: NDArray[np.float64]) -> NDArra
 
 
 def turn_normals(normals: NDArray[Any], transforms: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Normals of a surface that is moved by one transform, or each by its own, of unit length where they have one.
-
-    A surface that is moved by A has its normals moved by A's cofactors; those keep the side of a mirrored one.
-    """
+    """Transform normals by cofactor matrices, which preserve the side under mirroring, and normalize them."""
     A = transforms[..., :3, :3]
     with quiet():
         cofactors = np.stack(

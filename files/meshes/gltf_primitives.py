@@ -1,9 +1,7 @@
-"""One primitive of a glTF mesh: its vertices in the world at rest, its triangles, its texture coordinates.
+"""A primitive of a glTF mesh: vertices in the world at rest, triangles, texture coordinates.
 
-Vertices are those of the default weights of morph targets, then carried by the joints of a skin where the node has
-one, else by the node.
-
-Source: Khronos, "glTF 2.0 Specification", section 3.7.
+Default morph weights are applied, then the skin's joints or the node transform. Khronos, "glTF 2.0 Specification",
+section 3.7.
 """
 
 from __future__ import annotations
@@ -26,7 +24,7 @@ from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, turn_
 TRIANGLES, STRIP, FAN = 4, 5, 6
 ALPHA = "alpha"
 
-# Types of components, KHR_mesh_quantization's among them; "n" is for normalised ones.
+# Component types, including KHR_mesh_quantization; "n" is for normalized ones.
 _POSITION = "f4 i1 u1 i2 u2 ni1 nu1 ni2 nu2"
 _NORMAL = "f4 ni1 ni2"
 _COLOR = "f4 nu1 nu2"
@@ -38,10 +36,7 @@ _PLACELESS = ("TANGENT", "COLOR_", "JOINTS_", "WEIGHTS_", "TEXCOORD_")
 
 @dataclass
 class Vertices:
-    """Vertices that primitives share: where they begin among all, and what is known of them.
-
-    `is_mirrored` says that the triangles between them turn round.
-    """
+    """Vertices shared by primitives, with their offset; `is_mirrored` means that triangle orientation is flipped."""
 
     first: int
     positions: NDArray[Any]
@@ -53,7 +48,7 @@ class Vertices:
 
 @dataclass
 class Placing:
-    """How a node places its mesh: by its own transform, or by its skin's joints; and weights of morph targets."""
+    """The placement of a mesh by node transform or skin joints, with morph weights."""
 
     T: NDArray[np.float64]
     joints: NDArray[np.float64] | None
@@ -61,11 +56,6 @@ class Placing:
 
 
 def placing_of(arrays: GltfArrays, tree: Tree, number: int) -> Placing:
-    """How a node places its mesh.
-
-    Raises:
-        FileError: Its skin or its weights are not whole.
-    """
     file = arrays.file
     node, what = file.take("nodes", number, "a scene"), f"nodes {number}"
     mesh = file.take("meshes", node["mesh"], what)
@@ -77,14 +67,8 @@ def placing_of(arrays: GltfArrays, tree: Tree, number: int) -> Placing:
 
 
 class Primitive:
-    """A primitive of triangles."""
-
     def __init__(self, arrays: GltfArrays, left: LeftBehind, content: dict[str, Any], what: str):
-        """Look at what it says; nothing is decoded but a mesh of Draco's.
-
-        Raises:
-            FileError: It has no attributes, or its compressed mesh is damaged.
-        """
+        """Parse the primitive; only Draco meshes are decoded."""
         self._arrays, self._file, self._left, self._what = arrays, arrays.file, left, what
         self._content = content
         self.mode = self._file.whole(content, "mode", what, TRIANGLES)
@@ -107,17 +91,14 @@ class Primitive:
             self._draco = DracoMesh(self._file, self._packed, data, what)
 
     def _stands_plain(self) -> bool:
-        """Whether all arrays stand in the file without compression too."""
+        """True if all arrays are also stored without compression."""
         numbers = [*self._attributes.values(), self._content.get("indices")]
         return all("bufferView" in self._file.take("accessors", number, self._what) for number in numbers)
 
     @property
     def key(self) -> str:
-        """What tells its vertices from those of other primitives of the mesh."""
         names = {name: number for name, number in self._attributes.items() if not name.startswith("TEXCOORD")}
         return repr((sorted(names.items()), self._targets, self._packed))
-
-    # ------------------------------------------------------------------------------------------ vertices
 
     def _array(self, name: str, types: tuple[str, ...], components: str, count: int | None) -> NDArray[Any]:
         given = self._draco.get(name) if self._draco is not None else None
@@ -128,11 +109,7 @@ class Primitive:
         return values
 
     def read_vertices(self, first: int, placing: Placing) -> Vertices:
-        """Its vertices where the node places them, `first` being where they begin among all.
-
-        Raises:
-            FileError: Something of them is not whole.
-        """
+        """Its transformed vertices; `first` is their offset among all."""
         positions = self._array("POSITION", ("VEC3",), _POSITION, None)
         count = len(positions)
         self._file.check_count(first + count, "the vertices of all nodes")
@@ -155,7 +132,7 @@ class Primitive:
             raise self._file.error(f"POSITION of {self._what} {reason}", where=f"vertex {int(np.argmin(is_finite))}")
 
     def _colors(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
-        """Colors in sRGB, and their alpha as an attribute where it is not 1 everywhere; none if one is not finite."""
+        """sRGB colors, and alpha as an attribute unless it is 1 everywhere; none if one is not finite."""
         if "COLOR_0" not in self._attributes:
             return None, {}
         try:
@@ -172,7 +149,7 @@ class Primitive:
         return colors, {ALPHA: clamped[:, 3]} if has_alpha else {}
 
     def _custom(self, count: int, taken: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-        """The attributes whose names begin with an underscore, without it; all else is noted as left behind."""
+        """Attributes with a leading underscore, without it; others are noted as dropped."""
         found: dict[str, NDArray[Any]] = {}
         for name in self._attributes:
             if name.startswith("_") and len(name) > 1 and name[1:] not in taken:
@@ -234,27 +211,20 @@ class Primitive:
         if vertices.normals is not None:
             vertices.normals = turn_normals(vertices.normals, T)
 
-    # ------------------------------------------------------------------------------------------ triangles
-
     def read_corners(self, count: int) -> NDArray[np.int64]:
-        """Its triangles among its `count` vertices, shape [t, 3].
-
-        Raises:
-            FileError: A corner that is no vertex, or corners that are no whole triangles.
-        """
         mode, corners = self.mode, self._indices()
         if corners is None:
             corners = np.arange(count)
         elif len(corners) and corners.max() >= count:
             raise self._file.error(f"indices of {self._what} name vertex {corners.max()}, of {count}")
-        if self._draco is not None:  # which gives triangles of strips too
+        if self._draco is not None:  # also triangulates strips
             mode = TRIANGLES
         if mode == TRIANGLES:
             if len(corners) % 3:
                 raise self._file.error(f"{self._what}: {len(corners)} corners are no whole triangles")
             return corners.reshape(-1, 3)
         k = np.arange(max(len(corners) - 2, 0))
-        if mode == STRIP:  # every other triangle of a strip is wound the other way
+        if mode == STRIP:  # every other triangle of a strip has the opposite orientation
             return np.stack([corners[k], corners[k + 1 + k % 2], corners[k + 2 - k % 2]], axis=1)
         return np.stack([corners[k + 1], corners[k + 2], np.broadcast_to(corners[0], k.shape)], axis=1)
 
@@ -273,7 +243,7 @@ class Primitive:
     def read_uvs(
         self, number: int, transform: NDArray[np.float64] | None, corners: NDArray[np.int64], count: int
     ) -> NDArray[np.float32] | None:
-        """The texture coordinates of corners, v counted from below; None where it has none of this number."""
+        """Texture coordinates of corners, v upwards, or None."""
         name = f"TEXCOORD_{number}"
         for other in self._attributes:
             if other.startswith("TEXCOORD_") and other != name:

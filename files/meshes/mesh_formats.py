@@ -1,4 +1,4 @@
-"""Which reader and which writer of meshes an extension names: tables in NumPy, no device."""
+"""Readers and writers of meshes by extension, as NumPy tables."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ _READERS: dict[str, Callable[..., MeshTable]] = {
     ".glb": is_metric(read_glb), ".gltf": is_metric(read_glb),
 }  # fmt: skip
 
-#: The readers by extension; whatever a file's content makes them raise is a FileError.
+#: The readers by extension; they raise only FileError for invalid content.
 MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
-#: The part of a mesh that each format holds, and the names of the rest.
+#: Functions that return the storable part of a mesh and the names of the rest, by extension.
 UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
     ".obj": held_by_obj, ".stl": held_by_stl, ".off": held_by_off, ".glb": held_by_gltf, ".gltf": held_by_gltf,
 }  # fmt: skip
@@ -41,23 +41,13 @@ _WRITERS: dict[str, Callable[..., None]] = {
     ".obj": write_obj, ".stl": write_stl, ".off": write_off, ".glb": write_glb, ".gltf": write_gltf,
 }  # fmt: skip
 
-#: The formats that name other files, and those whose standard says which axis is up.
+#: Formats that reference other files, and formats with a defined up axis.
 NAMING, UPRIGHT = (".ply", ".obj", ".glb", ".gltf"), (".glb", ".gltf")
 UPS = ("y", "z")
 
 
 def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: bool = False) -> MeshTable:
-    """Read a mesh in the format of the path's extension, which is one of MESH_READERS.
-
-    Args:
-        path: The file.
-        up: Which axis is to be up in the mesh of a .glb or .gltf, whose own is y.
-        outside_files: Whether names in the file that lead out of its folder are followed.
-
-    Raises:
-        FileError: The file cannot be read.
-        ValueError: Another axis, or z of a format that does not say which axis is up.
-    """
+    """Read a mesh by extension (one of MESH_READERS); `up` is the up axis of the result for .glb and .gltf."""
     suffix = Path(path).suffix.lower()
     check_up(path, up)
     mesh = MESH_READERS[suffix](path, **({"outside_files": True} if outside_files and suffix in NAMING else {}))
@@ -65,14 +55,8 @@ def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: boo
 
 
 def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, overwrite: bool, up: str = "y") -> None:
-    """Write a mesh in the format of the path's extension, which is one of MESH_READERS.
-
-    `ascii` is for .ply; `up` is the axis that is up in the mesh, for .glb and .gltf, where it becomes y.
-
-    Raises:
-        FileError: The file cannot be made, or the format cannot hold what the mesh has.
-        ValueError: Another axis, or z for a format that does not say which axis is up.
-    """
+    """Write a mesh by extension (one of MESH_READERS).
+    `ascii` is for .ply; `up` is the up axis of the mesh, converted to y in .glb and .gltf."""
     suffix = Path(path).suffix.lower()
     check_up(path, up)
     mesh = turned_up(mesh, back=True) if up == "z" else mesh
@@ -99,11 +83,7 @@ def _with_fitting_names(path: str | os.PathLike[str], mesh: MeshTable) -> MeshTa
 
 
 def check_up(path: str | os.PathLike[str], up: Any) -> None:
-    """Hold that an axis can be asked to be up in a file.
-
-    Raises:
-        ValueError: Another axis, or z of a format that does not say which axis is up.
-    """
+    """Raise `ValueError` for an axis other than y, or z if the format defines the up axis."""
     if not isinstance(up, str) or up not in UPS:
         raise ValueError(f"up: expected one of {', '.join(UPS)}, got {shown(up)}")
     suffix = Path(path).suffix.lower()
@@ -112,7 +92,7 @@ def check_up(path: str | os.PathLike[str], up: Any) -> None:
 
 
 def turned_up(mesh: MeshTable, *, back: bool = False) -> MeshTable:
-    """A mesh with y up as one with z up, turned about x by a quarter; or `back`. No digit of a coordinate changes."""
+    """Rotate a mesh with y up to z up, or `back`, exactly."""
     normals = None if mesh.vertex_normals is None else _turned(mesh.vertex_normals, back)
     return replace(mesh, vertices=_turned(mesh.vertices, back), vertex_normals=normals)
 

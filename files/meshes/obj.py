@@ -1,35 +1,8 @@
-"""Wavefront OBJ, text: vertices (with colours as x y z r g b), vertex normals, texture coordinates, materials, faces.
+"""Wavefront OBJ and MTL (text): vertices with colors, normals, texture coordinates, materials, faces.
 
-Written are triangles; textures as pictures and an .mtl beside the file. Not held: attributes (left
-out with a warning), float64 types (values are written with digits enough to read back the same), and material numbers
-of a mesh that has no textures.
-
-Read are faces of any number of corners, as triangles (fans.py), with corners as v, v/vt, v//vn and v/vt/vn, counted
-from the first or (negative) from the last. OBJ has a normal at each corner of a face, a mesh one at each vertex: they
-are taken where all corners at a vertex agree, else left behind (Open3D takes the first). A corner without texture
-coordinates gets (0, 0) where others have them. Materials that faces have are numbered in the order of the .mtl, those
-that it lacks (a warning) and faces without a material behind them, white.
-
-Left behind with a warning, as the geometry is whole without them, are normals or texture coordinates where a corner
-names one that is not there, colors that some vertices lack or that are not finite, textures and material numbers
-where the .mtl or a picture is missing or its name leads out of the folder, names of objects, groups and materials
-without textures, points and lines. Vertex colors outside 0..1 are scaled or clamped with a warning. Left behind in
-silence are smoothing groups and lines that begin with $. Free-form surfaces and rational vertices are refused. Files in
-UTF-16 are read where they begin with its mark.
-
-Source: Wavefront's "Object Files (.obj)", with the vertex colours that MeshLab and Blender added.
-
-MTL, the materials of an OBJ file: names with the color Kd and the image map_Kd, in any case. All else is skipped. A
-material with an image is that image, whatever its Kd; one with a color alone is an image of one pixel; one without both
-is white. So a mesh has one image a material. The alpha of an image is kept if the material has a map_d or a d below 1,
-and dropped otherwise; another image of map_d is left behind. The options -s and -o of map_Kd scale and shift the
-texture coordinates.
-
-A fault of a material never refuses the mesh. One warning lists the faults: colors that are no numbers (left behind) or
-outside 0..1 (clamped), options that are not read, lines before any newmtl and names that are defined twice (the first
-counts).
-
-Source: Wavefront, "MTL material format" (1995).
+A vertex gets a normal if all its corners agree (Open3D takes the first). Missing texture coordinates are (0, 0). Each
+material becomes one image: map_Kd, else one pixel of Kd, else white. Unsupported content and material errors only warn.
+Wavefront, "Object Files (.obj)" and "MTL material format" (1995), with the vertex colors of MeshLab and Blender.
 """
 
 from __future__ import annotations
@@ -67,7 +40,7 @@ from ..source import open_source
 from ..table import MeshTable
 from .obj_corners import read_corners
 
-# How many words follow each option of a map, at most; those of _MOVING are fewer if a word is no number.
+# Maximum number of words after each option of a map; those of _MOVING are fewer if a word is no number.
 _OPTIONS = {
     "-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-imfchan": 1, "-bm": 1, "-boost": 1,
     "-type": 1, "-mm": 2, "-o": 3, "-s": 3, "-t": 3,
@@ -80,16 +53,8 @@ WHITE = (1.0, 1.0, 1.0)
 
 @dataclass
 class Material:
-    """A material of an MTL file.
-
-    Attributes:
-        name: As in the file.
-        picture: The name of its image, or None.
-        color: Red, green and blue in 0..1, or None.
-        opacity: The name of the image of its map_d, with options, or None.
-        is_opaque: True if it has no map_d and no d below 1.
-        scale, offset: What its texture coordinates u and v are multiplied by, and what is added then.
-    """
+    """A material of an MTL file: `picture` is map_Kd, `color` Kd in 0..1, `opacity` map_d; `scale`, `offset` map uv.
+    `is_opaque` is True without map_d and without d below 1."""
 
     name: str
     picture: str | None = None
@@ -101,14 +66,7 @@ class Material:
 
 
 def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
-    """Read the materials of an MTL file, in its order.
-
-    Raises:
-        FileError: The file cannot be read.
-
-    Warns:
-        UserWarning: Faults of materials, which are left behind or clamped.
-    """
+    """Read the materials of an MTL file in file order; faults are dropped or clamped with a warning."""
     text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape").removeprefix("\ufeff")
     found: dict[str, Material] = {}
     notes: list[str] = []
@@ -135,7 +93,7 @@ def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
 
 
 def _take(material: Material, kind: str, rest: str) -> str:
-    """Give a material the value of a statement; what of it is left behind, empty if nothing is."""
+    """Set a material's value from a statement. Returns the ignored part, or ""."""
     if kind == "map_kd":
         return _take_map(material, rest)
     if kind == "map_d":
@@ -153,13 +111,13 @@ def _take(material: Material, kind: str, rest: str) -> str:
 
 
 def _take_map(material: Material, text: str) -> str:
-    """Take the name of an image and the options before it; what of them is left behind, empty if nothing is."""
+    """Set an image name and its options. Returns the ignored part, or ""."""
     lost = []
     while text.startswith("-"):
         option, _, rest = text.partition(" ")
         if option not in _OPTIONS:
             lost.append(f"the unknown option {option[:40]!r} of map_Kd")
-            text = rest.rpartition(" ")[2]  # how many values it has is not known; names with blanks are rare
+            text = rest.rpartition(" ")[2]  # number of values unknown; names with blanks are rare
             break
         values: list[str] = []
         while len(values) < _OPTIONS[option]:
@@ -190,11 +148,7 @@ def _is_number(word: str) -> bool:
 
 
 def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:
-    """The materials of the MTL files that an OBJ names; None, with a warning, where a file is missing.
-
-    Raises:
-        FileError: An MTL file that cannot be read.
-    """
+    """The materials of the MTL files that an OBJ names; None, with a warning, if a file is missing."""
     found: list[Material] = []
     for library in libraries:
         place = find_beside(path, library, outside_files=outside_files)
@@ -210,18 +164,8 @@ def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = 
 def pictures_of(
     path: Path, materials: list[Material], ids: NDArray[np.int64], *, outside_files: bool = False
 ) -> tuple[tuple[NDArray[np.uint8], ...], NDArray[np.int64]]:
-    """One picture for each material that triangles have, in their order, and which of them each triangle has.
-
-    There are none at all where no such material has a picture or a color, or, with a warning, where a picture is
-    missing or damaged. Materials with one picture share it.
-
-    Args:
-        path: The OBJ file.
-        materials: Its materials.
-        ids: The material of each triangle.
-        outside_files: Whether names that lead out of the folder are followed.
-
-    """
+    """Distinct images of the used materials, and the image index of each triangle.
+    Empty if no used material has an image or a color, or, with a warning, if an image is missing or damaged."""
     used, numbers = np.unique(ids, return_inverse=True)
     materials = [materials[number] for number in used]
     if all(material.picture is None and material.color is None for material in materials):
@@ -247,7 +191,7 @@ def pictures_of(
 
 
 def move_uvs(uvs: NDArray[np.float32], materials: list[Material], ids: NDArray[np.int64]) -> NDArray[np.float32]:
-    """Texture coordinates of corners, float32 [3 t, 2], scaled and shifted by the material of each triangle."""
+    """Texture coordinates of corners, float32 (3 t, 2), scaled and shifted by the material of each triangle."""
     scale = np.array([material.scale for material in materials])
     offset = np.array([material.offset for material in materials])
     if (scale == 1).all() and (offset == 0).all():
@@ -258,17 +202,13 @@ def move_uvs(uvs: NDArray[np.float32], materials: list[Material], ids: NDArray[n
 
 
 def material_name(number: int) -> str:
-    """The name under which a material is written."""
     return f"material_{number}"
 
 
 def mtl_of(
     path: str | os.PathLike[str], textures: Sequence[NDArray[np.uint8]]
 ) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
-    """The text of the MTL file for these pictures, and the pictures that it names; one of a pixel is a colour.
-
-    A picture that stands at several places is named once.
-    """
+    """The MTL text for these images and the image files it names, each once; an image of one pixel becomes a color."""
     lines, named, first = [], {}, {}
     for number, (name, picture) in enumerate(zip(picture_names(path, len(textures)), textures, strict=True)):
         lines.append(f"newmtl {material_name(number)}")
@@ -286,32 +226,13 @@ def mtl_of(
 _PASSED_OVER = frozenset(b"vp s mg usemap maplib lod bevel c_interp d_interp shadow_obj trace_obj".split())
 _KINDS = (b"v", b"vt", b"vn")
 
-# What programs write where nobody named anything.
+# Default names that programs write.
 _NAMELESS = frozenset(("", "default", "Default", "off", "(null)", "None"))
 _NAMES_TOLD = 5
 
 
 def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
-    """Read a triangle mesh from OBJ.
-
-    Args:
-        path: The file.
-        outside_files: Whether names of an .mtl or a picture that lead out of the file's folder are followed.
-
-    Returns:
-        The mesh with float64 vertices; normals and colours where all vertices have them, and one texture for each
-        material that a face has.
-
-    Raises:
-        FileError: Missing, no face, a statement that is not known, a line with another number of values, vertices too
-            far apart for float32, a face of fewer than three corners, a corner that is none or names a vertex that is
-            not there; says the line.
-
-    Warns:
-        UserWarning: The file has normals that are not one a vertex, normals, texture coordinates or colours that are
-            not complete, faces that cross themselves, names, points or lines, or it names an .mtl, a picture or a
-            material that is missing or damaged.
-    """
+    """Read a triangle mesh from OBJ, with float64 vertices and one texture per used material."""
     path = path_of(path)
     statements = _read_statements(path)
     vertices, colors = _vertices_of(path, statements.rows(0))
@@ -344,21 +265,8 @@ def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
 
 @dataclass
 class _Statements:
-    """The statements of a file that count, each with its line.
-
-    Attributes:
-        path: The file, for errors.
-        lines: The values of each line for each of `_KINDS`, b"" elsewhere, so that lines keep their numbers.
-        counts: How many vertices, texture coordinates and normals there are.
-        faces: The corners of each face as they stand there.
-        face_lines: The line of each face.
-        before: How many of `counts` came before each face.
-        materials: The material of each face, a place in `material_names`; -1 for none.
-        material_names: In the order of their first use.
-        libraries: The .mtl files that are named.
-        names: What o and g name, in the order of their first use.
-        has_lines: Whether there are points or lines.
-    """
+    """The parsed statements of a file. `lines` has the values of each line for each of `_KINDS`, b"" elsewhere.
+    `counts` are the numbers of v, vt and vn, `before` those before each face; `materials` are -1 for none."""
 
     path: Path
     lines: tuple[list[bytes], list[bytes], list[bytes]]
@@ -373,11 +281,7 @@ class _Statements:
     has_lines: bool = False
 
     def rows(self, kind: int) -> AsciiRows:
-        """The values of all v, vt or vn.
-
-        Raises:
-            FileError: One has none, so that those behind it would move up.
-        """
+        """The values of all v, vt or vn. Raises `FileError` if a line has none, which would shift the indices."""
         rows = AsciiRows(self.path, b"\n".join(self.lines[kind]), 1)
         if rows.row_count != self.counts[kind]:
             blank = next(k for k, line in enumerate(self.lines[kind], 1) if line and max(line) <= 32)
@@ -386,7 +290,7 @@ class _Statements:
 
 
 def _text_of(path: Path) -> bytes:
-    """The bytes of a file with LF line ends and blanks, in UTF-8 where it was in UTF-16."""
+    """The bytes of a file with LF line ends and blanks, converted from UTF-16 to UTF-8 if needed."""
     body = bytes(open_source(path)[:])
     if body[:2] in (b"\xff\xfe", b"\xfe\xff"):
         try:
@@ -398,11 +302,11 @@ def _text_of(path: Path) -> bytes:
 
 
 def _joined(path: Path, lines: list[bytes]) -> Iterator[tuple[int, bytes]]:
-    """Each statement with its line: without comments, and one where a line ends in a backslash."""
+    """Each statement with its line number, without comments and with continuation lines joined."""
     begun, first = b"", 0
     for number, line in enumerate(lines, 1):
         text = line.partition(b"#")[0]
-        if text.rstrip().endswith(b"\\"):  # goes on in the next line
+        if text.rstrip().endswith(b"\\"):  # continues in the next line
             begun, first = begun + text.rstrip()[:-1] + b" ", first or number
             continue
         if first:
@@ -453,7 +357,6 @@ def _read_statements(path: Path) -> _Statements:
 
 
 def _tell_rest(path: Path, mesh: MeshTable, statements: _Statements) -> None:
-    """Warn of points and lines, and of the names of objects, groups and materials, for which a mesh has no place."""
     if statements.has_lines:
         warn_of_loss(path, "points and lines", "a mesh has none")
     materials = [] if mesh.textures or statements.libraries else statements.material_names
@@ -468,12 +371,11 @@ def _tell_rest(path: Path, mesh: MeshTable, statements: _Statements) -> None:
 
 
 def _libraries_of(path: Path, text: str) -> list[str]:
-    """The files that a mtllib names: one whose name may have blanks, or several."""
     return [text] if find_beside(path, text, outside_files=True) else text.split()
 
 
 def _uvs_of(path: Path, rows: AsciiRows, corners: NDArray[np.int64]) -> NDArray[np.float32]:
-    """The texture coordinates of corners: the first two of the one to three values of a vt; (0, 0) without one."""
+    """Texture coordinates of corners: the first two of the one to three values of a vt; (0, 0) without one."""
     widths = rows.widths()
     wrong = np.flatnonzero(widths > 3)
     if len(wrong):
@@ -492,7 +394,7 @@ def _uvs_of(path: Path, rows: AsciiRows, corners: NDArray[np.int64]) -> NDArray[
 def _add_textures(
     path: Path, mesh: MeshTable, statements: _Statements, used: NDArray[np.int64], *, outside_files: bool
 ) -> None:
-    """Give a mesh the pictures of its materials; `used` is the material of each triangle, by first use."""
+    """Add the images of its materials to a mesh; `used` is the material of each triangle."""
     materials = materials_of(path, statements.libraries, outside_files=outside_files)
     if not materials:
         return
@@ -516,7 +418,7 @@ def _add_textures(
 
 
 def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
-    """Positions and, where all lines have six values, colours."""
+    """Positions and, if all lines have six values, colors."""
     if not rows.row_count:
         raise FileError(path, "holds no vertices")
     widths, first, values = rows.widths(), rows.first[:-1], rows.numbers()
@@ -543,7 +445,7 @@ def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDAr
 def _normals_of(
     corners: NDArray[np.int64], named: NDArray[np.int64], normals: NDArray[np.float32], vertex_count: int
 ) -> NDArray[np.float32] | None:
-    """One normal for each vertex, where the corners at it agree; None where some do not, or have none."""
+    """One normal per vertex if its corners agree; None if some do not, or have none."""
     if (named < 0).any():
         return None
     if len(normals) == vertex_count and (corners == named).all():
@@ -556,20 +458,7 @@ def _normals_of(
 
 
 def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as OBJ; its textures, if any, as m.mtl and m_0.png, m_1.png, .. beside m.obj.
-
-    Args:
-        path: The file; it appears whole or not at all, and so do those beside it, before it does.
-        mesh: The mesh.
-        overwrite: Whether existing files may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, or a value is not finite.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
-
-    Warns:
-        UserWarning: The mesh has attributes, which OBJ cannot hold.
-    """
+    """Write a triangle mesh as OBJ; textures go to m.mtl and m_0.png, m_1.png, .. beside m.obj. Files are atomic."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_obj(mesh.checked())
     _refuse_unwritable(path, mesh)
@@ -601,7 +490,6 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
 
 
 def held_by_obj(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    """The mesh without its attributes, and their names."""
     names = [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes)]
     return replace(mesh, attributes={}, triangle_attributes={}), names
 
@@ -615,7 +503,6 @@ def _refuse_unwritable(path: Path, mesh: MeshTable) -> None:
 
 
 def _write_faces(file: IO[bytes], columns: list[NDArray[Any]], line: str, mesh: MeshTable) -> None:
-    """The faces in their order, with the name of a material wherever it changes."""
     if not mesh.textures or not len(mesh.triangles):
         write_rows(file, columns, line=line)
         return

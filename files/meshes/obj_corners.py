@@ -1,7 +1,6 @@
-"""The corners of OBJ faces: v, v/vt, v//vn or v/vt/vn, where the parts behind v may be empty (1//, 2/2/).
+"""Corners of OBJ faces: v, v/vt, v//vn or v/vt/vn, with optional empty parts (1//, 2/2/).
 
-All corners of a file are parsed at once; only a file in which one is wrong, or longer than 18 digits, is walked face by
-face.
+All corners are parsed at once; only files with an error or numbers over 18 digits are parsed face by face.
 """
 
 from __future__ import annotations
@@ -18,20 +17,13 @@ from ...core.errors import FileError
 KINDS = ("vertices", "texture coordinates", "normals")
 
 _BLANKS = bytes.maketrans(b"\t\v\f\r", b"    ")
-_MOST_DIGITS = 18  # what int64 holds for sure
+_MOST_DIGITS = 18  # always fits int64
 
 
 @dataclass
 class Corners:
-    """The corners of all faces, one face after another.
-
-    Attributes:
-        lengths: Corners of each face, shape [f].
-        vertices: The vertex of each corner, from 0, shape [c].
-        uvs: Its texture coordinates; -1 for none.
-        normals: Its normal; -1 for none.
-        missing: What some corner names that is not there: a sentence for "texture coordinates" and "normals".
-    """
+    """Concatenated corners of all faces: `lengths` (f,), and indices `vertices`, `uvs`, `normals` (c,), -1 for none.
+    `missing` has sentences on missing "texture coordinates" and "normals"."""
 
     lengths: NDArray[np.int64]
     vertices: NDArray[np.int64]
@@ -47,19 +39,7 @@ def read_corners(
     before: Sequence[tuple[int, int, int]],
     counts: tuple[int, int, int],
 ) -> Corners:
-    """The corners of faces.
-
-    Args:
-        path: The file, for errors.
-        faces: What stands behind f in each line.
-        lines: The number of each line.
-        before: How many vertices, texture coordinates and normals stand before each face.
-        counts: How many there are in all.
-
-    Raises:
-        FileError: A face of fewer than three corners, a word that is no corner, or a vertex that is not there; says the
-            line.
-    """
+    """Parse the text of `faces`; `before` are the v, vt and vn before each face, `counts` their totals."""
     parsed = _parse_all(faces)
     numbers, given, lengths = _parse_one_by_one(path, faces, lines) if parsed is None else parsed
     small = np.flatnonzero(lengths < 3)
@@ -90,7 +70,7 @@ _Parsed = tuple[NDArray[np.int64], NDArray[np.bool_], NDArray[np.int64]]
 
 
 def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
-    """The numbers of corners [c, 3], which are given, and corners of each face; None where one is no corner."""
+    """Indices (c, 3), which are given, and corners per face; None if one is invalid."""
     text = b"\n".join([*faces, b""]).translate(_BLANKS)
     if text.translate(None, b"0123456789-/ \n"):
         return None
@@ -121,7 +101,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
     found = np.fromstring(text.replace(b"/", b" "), np.int64, sep=" ")
     filled = digits > 0
     numbers, given = np.zeros((len(firsts), 3), np.int64), np.zeros((len(firsts), 3), bool)
-    if len(begin) == len(firsts) * parts[0] and (parts == parts[0]).all():  # all of one form
+    if len(begin) == len(firsts) * parts[0] and (parts == parts[0]).all():  # all of one format
         given[:, : parts[0]] = filled.reshape(-1, parts[0])
     else:
         within = np.arange(len(begin)) - np.repeat(firsts, parts)
@@ -131,11 +111,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
 
 
 def _parse_one_by_one(path: Any, faces: Sequence[bytes], lines: Sequence[int]) -> _Parsed:
-    """The same, for a file with a corner that is none.
-
-    Raises:
-        FileError: The first such, or a face before it that is too small, with the line.
-    """
+    """Parse faces one by one; raises `FileError` with the line of the first error."""
     numbers: list[list[int]] = []
     lengths = []
     for face, line in zip(faces, lines, strict=True):
@@ -158,7 +134,6 @@ _EMPTY = -(2**63)
 
 
 def _parse(word: bytes) -> list[int]:
-    """The three numbers of a corner; nothing where it is none."""
     parts = word.split(b"/")
     if len(parts) > 3 or not parts[0]:
         return []

@@ -1,15 +1,8 @@
-"""OFF, text: vertices, with normals (NOFF), colours (COFF) and texture coordinates (STOFF), and faces of any size.
+"""OFF text files: vertices with normals (NOFF), colors (COFF) and texture coordinates (STOFF), and polygons.
 
-Read are the headers [ST][C][N]OFF, with the counts behind them in the same line or in the next, and comments from # on.
-Colors of vertices, and separately those of faces, are 0..255 if one is above 2 or if all are whole numbers and one is
-above 1, else 0..1. Colors outside their range are clamped with a warning. An alpha of vertices becomes the attribute
-`alpha` (uint8 of 0..255, float32 of 0..1) where one is not opaque. Colors of faces are the triangles' attribute
-`colors`; they are left behind with a warning where some faces lack them or have others, numbers of a table of colors
-always. Written are the counts of edges as 0, colors as 0..255, those of vertices with an alpha of 255 or the attribute
-`alpha`, as Open3D has them. Not held, and left out with a warning: texture coordinates, since those of a mesh belong to
-corners, and other attributes. Binary OFF and the spaces of other dimensions (4OFF, nOFF) are refused.
-
-Source: Geomview, "OFF Files".
+Colors are 0..255 if one is above 2, or all are integers and one is above 1; else 0..1. Vertex alpha becomes the
+attribute `alpha` if not opaque, face colors the triangle attribute `colors` if complete; palette indices are dropped.
+Geomview, "OFF Files".
 """
 
 from __future__ import annotations
@@ -39,20 +32,7 @@ _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?(4)?(n)?OFF(?=[\s\d]|$)([ \t]+BINARY)?")
 
 
 def read_off(path: str | os.PathLike[str]) -> MeshTable:
-    """Read a triangle mesh from OFF.
-
-    Returns:
-        The mesh with float64 vertices; a face of more than three corners becomes triangles as fans.py has it.
-
-    Raises:
-        FileError: Missing, another header, no faces, fewer or more lines than the counts say, a line with another
-            number of values, vertices too far apart for float32, a face of fewer than three corners or with one that is
-            no vertex; says the line or face.
-
-    Warns:
-        UserWarning: Colors are clamped to their range; colors that are not complete or not finite are left behind;
-            faces cross themselves.
-    """
+    """Read a triangle mesh from OFF, with float64 vertices; polygons are triangulated."""
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]))
     body = _COMMENT.sub(b"", body)
@@ -103,7 +83,7 @@ def _check_row_count(path: Path, rows: AsciiRows, vertex_count: int, face_count:
 
 
 def _vertex_width(path: Path, rows: AsciiRows, count: int, bare: int, colored: bool) -> int:
-    """Values of a vertex: `bare` and, with colours, three or four more, the same for all."""
+    """Values per vertex: `bare`, plus 3 or 4 with colors."""
     allowed = (bare + 3, bare + 4) if colored else (bare,)
     width = int(rows.widths()[1]) if count else allowed[0]
     if width not in allowed:
@@ -116,7 +96,7 @@ def _vertex_width(path: Path, rows: AsciiRows, count: int, bare: int, colored: b
 def _vertex_colors(
     path: Path, channels: list[NDArray[np.float64]]
 ) -> tuple[NDArray[np.float32] | None, dict[str, NDArray[Any]]]:
-    """Colours, and as an attribute the alpha where it says something."""
+    """Colors, and the alpha attribute if not opaque."""
     full = color_scale(channels[:3])
     colors = _fit(path, channels[:3], full, "colors")
     if colors is None or len(channels) < 4 or (channels[3] == full).all():
@@ -128,7 +108,7 @@ def _vertex_colors(
 
 
 def _fit(path: Path, channels: list[NDArray[np.float64]], full: int, what: str) -> NDArray[np.float32] | None:
-    """Channels of 0..full as values in 0..1; clamped with a warning, or None with a warning if one is not finite."""
+    """Channels scaled from 0..full to 0..1; clamped with a warning, or None with a warning if not finite."""
     values, note = fit_colors(channels, full)
     if values is None:
         warn_of_loss(path, what, note, stacklevel=5)
@@ -140,7 +120,7 @@ def _fit(path: Path, channels: list[NDArray[np.float64]], full: int, what: str) 
 def _faces_of(
     path: Path, rows: AsciiRows, values: NDArray[np.float64], vertex_count: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float32] | None]:
-    """The vertex of each corner, corners of each face, and the colours of faces, shape [f, 3 or 4]."""
+    """Vertex of each corner, corners per face, and face colors (f, 3 or 4)."""
     begin = 1 + vertex_count
     first, widths = rows.first[begin:-1], rows.widths()[begin:]
     lengths = rows.cast(values[first], np.dtype(np.uint32), "the corners of a face", begin).astype(np.int64)
@@ -167,7 +147,7 @@ def _faces_of(
 def _face_colors(
     path: Path, values: NDArray[np.float64], first: NDArray[np.int64], extra: NDArray[np.int64]
 ) -> NDArray[np.float32] | None:
-    """The colours of faces: three or four values from `first` on; None where not all have such, with a warning."""
+    """Face colors, 3 or 4 values from `first`; None with a warning if incomplete."""
     width = int(extra[0])
     if not extra.any():
         return None
@@ -181,7 +161,6 @@ def _face_colors(
 
 
 def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    """The part of a mesh that OFF holds, and the names of the rest."""
     held, of_triangles, names = {}, {}, []
     for name, values in mesh.attributes.items():
         if name == "alpha" and mesh.vertex_colors is not None and values.dtype == np.uint8 and values.ndim == 1:
@@ -199,20 +178,7 @@ def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
 
 
 def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as OFF.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        mesh: The mesh; colours are rounded to 8 bits.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, or the mesh has a value that is not finite.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
-
-    Warns:
-        UserWarning: The mesh has textures or attributes that OFF cannot hold.
-    """
+    """Write a mesh as OFF atomically, with 8-bit colors; textures and other attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_off(mesh.checked())
     columns: list[NDArray[Any]] = [*mesh.vertices.T]

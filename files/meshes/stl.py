@@ -1,20 +1,8 @@
-"""STL: triangles alone, each with its own corners and facet normal in float32. Written is the binary form.
+"""STL, binary and text: unshared triangles in float32; written as binary. Equal corners are merged, normals recomputed.
 
-Read are both forms. Corners at exactly the same place become one vertex; facet normals, which follow from the corners,
-and names are left behind.
-
-Colors of facets are the triangles' attribute `colors`. In the binary form they are the two attribute bytes: 5 bits a
-channel with the flag 0x8000 (VisCAM, SolidView), or, if the header has a default color "COLOR=" (Materialise Magics), 5
-bits a channel in the opposite order, and the default color where the flag is set. In the text form they are lines
-"color r g b" or "color r g b a", inside a facet for that facet, outside for those that follow. Facets without a color
-are white, with a warning. Attribute bytes that are no colors are left behind with a warning.
-
-Written are colors of triangles, as VisCAM and SolidView have them: rounded to 5 bits a channel.
-
-Not held: which triangles share a vertex, float64 positions (rounded), vertex normals (the format stores facet normals,
-which are computed from the corners), and, left out with a warning, vertex colors, other attributes and textures.
-
-Source: 3D Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
+Facet colors are the triangle attribute `colors`: 5 bits per channel in the attribute bytes (VisCAM, SolidView, flag
+0x8000; or Materialise Magics with a "COLOR=" header and reversed order), or "color r g b [a]" lines in text. 3D
+Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
 """
 
 from __future__ import annotations
@@ -43,7 +31,7 @@ _HEADER_BYTES = 84
 _FLAG = 0x8000
 _DEFAULT_COLOR = b"COLOR="
 
-# The lines of a facet in the text form: the words that each begins with, and how many numbers follow.
+# The lines of a text facet: leading words and the number of values.
 _LINES = (
     (b"facet normal", 3), (b"outer loop", 0),
     (b"vertex", 3), (b"vertex", 3), (b"vertex", 3),
@@ -52,21 +40,8 @@ _LINES = (
 
 
 def read_stl(path: str | os.PathLike[str]) -> MeshTable:
-    """Read a triangle mesh from STL, binary or text.
-
-    Returns:
-        The mesh; vertices in the order in which the facets name them first, float32 of the binary form and float64 of
-        the text. Facets without area are kept. If a facet has a color, `triangle_attributes["colors"]` has all colors.
-
-    Raises:
-        FileError: Missing, neither form, without facets, a size that does not fit the number of facets, a line that is
-            not what the text form has there, a corner that is not finite, or corners too far apart for float32; says
-            where.
-
-    Warns:
-        UserWarning: Some facets have no color, colors are out of range, or there are attribute bytes that are no
-            colors.
-    """
+    """Read a triangle mesh from STL; vertices are float32 (binary) or float64 (text), in order of first use.
+    Degenerate facets are kept. `triangle_attributes["colors"]` exists if any facet has a color."""
     path = Path(path)
     source = open_source(path)
     count = int.from_bytes(source[80:_HEADER_BYTES], "little")
@@ -74,7 +49,7 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
         facets = np.frombuffer(source, _FACET, count, _HEADER_BYTES)
         corners = facets["corners"].reshape(-1, 3).astype(np.float32)
         colors = _colors_of_bytes(path, bytes(source[:80]), facets["attribute_bytes"])
-    elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files begin so too, but have the right size
+    elif source[:80].lstrip()[:5].lower() == b"solid":  # some binary files start the same way, but have the right size
         corners, colors = _read_text(path, source)
     else:
         raise _wrong_size(path, source, count)
@@ -90,7 +65,7 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
 
 
 def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> NDArray[np.float32] | None:
-    """The colors of facets by their attribute bytes, float32 [t, 3 or 4]; None if there are none."""
+    """Facet colors from attribute bytes, float32 (t, 3 or 4), or None."""
     fives = (values[:, None] >> np.array([10, 5, 0], np.uint16)) & 31
     colors, flagged = fives.astype(np.float32) / np.float32(31), (values & _FLAG) != 0
     begin = header.find(_DEFAULT_COLOR)
@@ -107,7 +82,6 @@ def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> N
 
 
 def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Colors of facets, white where they have none; with a warning if there are such."""
     if not has_color.all():
         lacking = int(np.count_nonzero(~has_color))
         message = f"{path}: {lacking} of {len(colors)} facets have no color; they are taken for white"
@@ -126,10 +100,7 @@ def _wrong_size(path: Path, source: Source, count: int) -> FileError:
 
 
 def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
-    """The corners of the text form, shape [3 t, 3], and the colors of facets; each line is checked.
-
-    Colors, shape [t, 3 or 4], are None if no line gives one.
-    """
+    """Corners of the text form, shape (3 t, 3), and facet colors (t, 3 or 4) or None."""
     body = bytes(source[:])
     lines = unix_lines(body).split(b"\n")
     numbers, place, is_open = [b""] * len(lines), 0, False
@@ -169,7 +140,7 @@ def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray
 
 
 def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray[np.float32] | None:
-    """The colors of facets by the numbers in their color lines; None, with a warning, if some are no colors."""
+    """Facet colors from color lines by facet number; None, with a warning, if some are invalid."""
     values, width = np.ones((count, 4)), 4
     for facet, line in lines.items():
         try:
@@ -190,7 +161,6 @@ def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray
 
 
 def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray[np.int64]]:
-    """The places among corners, each once in the order of their first, and the place of each corner."""
     corners = corners + 0.0  # minus zero is zero
     order = np.lexsort(corners.T)
     ordered = corners[order]
@@ -198,7 +168,7 @@ def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray
     is_first[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
     group = np.empty(len(corners), np.int64)
     group[order] = np.cumsum(is_first) - 1
-    firsts = order[is_first]  # lexsort is stable: the first corner of each place
+    firsts = order[is_first]  # lexsort is stable: the first corner of each position
     rank = np.empty(len(firsts), np.int64)
     by_first = np.argsort(firsts)
     rank[by_first] = np.arange(len(firsts))
@@ -206,7 +176,6 @@ def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray
 
 
 def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    """The positions of a mesh and the colors of its triangles, and the names of all else that it has."""
     optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors, "textures": mesh.triangle_uvs}
     names = [name for name, values in optional.items() if values is not None]
     colors = mesh.triangle_attributes.get("colors")
@@ -219,27 +188,13 @@ def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
 
 
 def _is_colors(values: NDArray[Any]) -> bool:
-    """True if an attribute of triangles has values that the two bytes of a facet hold: rows of 3 or 4 in 0..1."""
+    """True if a triangle attribute is rows of 3 or 4 in 0..1."""
     is_float = values.ndim == 2 and values.shape[1] in (3, 4) and values.dtype.kind == "f"
     return is_float and bool(((values >= 0) & (values <= 1)).all())
 
 
 def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as binary STL.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        mesh: The mesh. A triangle without area gets the normal (0, 0, 0), as the specification allows.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, a vertex that a triangle uses is not finite in float32, or there are
-            2^32 triangles or more.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex.
-
-    Warns:
-        UserWarning: The mesh has vertex colors, other attributes or textures, which STL cannot hold.
-    """
+    """Write a triangle mesh as binary STL atomically; degenerate triangles get the normal (0, 0, 0)."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_stl(mesh.checked())
     if len(mesh.triangles) >= 2**32:

@@ -1,4 +1,4 @@
-"""Clouds and meshes from and to files by extension, as tables in NumPy: no device, no runtime, nothing rounded."""
+"""Read and write clouds and meshes as NumPy tables, by extension, without a device."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from .mesh_formats import MESH_READERS, UNHELD, write_mesh
 MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
 
-# What the text formats hold beside positions; the others hold everything.
+# What the text formats store beside positions; the others store everything.
 _HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
 def is_mesh_file(path: str | os.PathLike[str]) -> bool:
-    """Whether a file holds triangles: a .ply with faces or strips of triangles, by its header."""
+    """True if a file has triangles: for .ply, faces or triangle strips in its header."""
     if Path(path).suffix.lower() != ".ply":
         return False
     header = read_header(path, open_source(path))
@@ -38,16 +38,7 @@ def is_mesh_file(path: str | os.PathLike[str]) -> bool:
 
 
 def read_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable | MeshTable:
-    """Read a file as a mesh where it has faces, as all formats of meshes but .ply always have, else as a cloud.
-
-    Args:
-        path: The file.
-        columns: The names of the columns of a cloud, as of `read_point_cloud`.
-
-    Raises:
-        FileError: A file that cannot be read, or an extension that is none of those read.
-        TypeError, ValueError: `columns` that do not suit.
-    """
+    """Read a file as a mesh if it has faces, else as a cloud; `columns` as in `read_point_cloud`."""
     suffix = Path(path).suffix.lower()
     if columns is None and suffix in MESH_READERS and (suffix != ".ply" or is_mesh_file(path)):
         return MESH_READERS[suffix](path)
@@ -66,18 +57,9 @@ def write_cloud_table(
     source: str | os.PathLike[str] | None = None,
     system_only: bool = False,
 ) -> list[str]:
-    """Write a cloud, leaving out what the format cannot hold.
-
-    From .las or .laz to .las or .laz, the `source` gives the scale and offset of the coordinates, the coordinate
-    system and, unless `system_only`, the other records and the identification. From .e57 or .ptx to .e57 it gives the
-    names and the poses of the scans, unless `system_only`.
-
-    Returns:
-        The names of what was left out.
-
-    Raises:
-        FileError: The place cannot be written, or the cloud lacks what the format needs.
-    """
+    """Write a cloud without what the format cannot store; returns the dropped names.
+    From LAS to LAS, `source` provides scale, offset, coordinate system and, unless `system_only`, other records and
+    identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
     suffix, left_out = Path(path).suffix.lower(), []
     lost = ["viewpoint"] if table.viewpoint is not None and suffix != ".pcd" else []
     if suffix in _HELD:
@@ -104,14 +86,7 @@ def write_cloud_table(
 def write_mesh_table(
     path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
 ) -> list[str]:
-    """Write a mesh, leaving out what the format cannot hold.
-
-    Returns:
-        The names of what was left out.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
+    """Write a mesh without what the format cannot store; returns the dropped names."""
     held, left_out = mesh, []
     suffix = Path(path).suffix.lower()
     if suffix in UNHELD:
@@ -124,18 +99,16 @@ def write_mesh_table(
 
 
 def points_of(mesh: MeshTable) -> PointTable:
-    """The vertices of a mesh as a cloud."""
     return PointTable(mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes, unit=mesh.unit)
 
 
 def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[str]]:
-    """The table without some of its attributes, and their names."""
     attributes = {name: values for name, values in table.attributes.items() if name not in left_out}
     return replace(table, attributes=attributes), left_out
 
 
 def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
-    """The table with attributes of 64-bit integers as types that PLY has, and the names of those that none holds."""
+    """The table with 64-bit integers in types that PLY supports, and the names of those without one."""
     narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
     left_out = [name for name, values in narrowed.items() if values is None]
     attributes = {name: values for name, values in narrowed.items() if values is not None}
@@ -143,7 +116,7 @@ def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
 
 
 def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:
-    """The table without what is not held, and the names of that."""
+    """The table without unsupported attributes, and their names."""
     attributes = {name: values for name, values in table.attributes.items() if name in held and values.ndim == 1}
     left_out = [name for name in table.attributes if name not in attributes]
     normals, colors = table.normals, table.colors

@@ -1,4 +1,4 @@
-"""Cameras with known poses from any of the files that they come in: one call for `pointloom video --cameras`."""
+"""Read cameras with known poses from any supported file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from .metashape import read_metashape_cameras
 from .sfm_model import SfmModel
 
 TRAJECTORIES = (".log", ".txt", ".tum", ".kitti", ".json")
-TIME_TOLERANCE = 0.02  # [s] between a picture and its pose, as the TUM benchmark's associate.py has it
+TIME_TOLERANCE = 0.02  # [s] between image and pose, as in the TUM benchmark's associate.py
 
 _KNOWN = (
     "Give Metashape's .xml, a folder of COLMAP, transforms.json, Polycam's keyframes/cameras, frames of the 3D Scanner "
@@ -41,29 +41,27 @@ def read_cameras(
     pictures: Sequence[str] | None = None,
     intrinsic: PinholeCameraIntrinsic | None = None,
 ) -> SfmModel:
-    """Read lenses and poses of pictures, in any of the formats that they come in.
+    """Read cameras and poses of images in any supported format.
 
     - `.xml`: Agisoft Metashape, see `read_metashape_cameras`.
     - A folder with COLMAP's cameras, images and points3D, see `read_colmap_model`.
-    - `.json` with `frames`: nerfstudio's and instant-ngp's transforms.json.
-    - A folder with a JSON file for each picture: Polycam's keyframes/cameras, or the 3D Scanner App's frames.
-    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`; with `pictures` and
+    - `.json` with `frames`: transforms.json of nerfstudio or instant-ngp.
+    - A folder with a JSON file per image: Polycam's keyframes/cameras, or 3D Scanner App.
+    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`; requires `pictures` and
       `intrinsic`.
 
     Args:
         path: The file or folder.
-        pictures: Names of the pictures; needed with a trajectory, which has none. With times, those in the names (as
-            TUM has them) are less than 0.02 s from their pose's. Of a `.log` file the numbers in the names are those
-            of the frames. Else the pictures are in natural order, as many as poses.
-        intrinsic: The lens of all; needed with a trajectory, and refused with anything else.
+        pictures: Image names, for trajectories only. They match poses by the time in the name (TUM, less than 0.02 s
+            apart) or the frame number (.log); else sorted images correspond to poses one by one.
+        intrinsic: The camera of all images, for trajectories only.
 
     Returns:
-        The cameras, world to camera, x right, y down, z forward. With a trajectory, pictures without a pose are not in
-        it, and `left_out` names them.
+        The cameras, world to camera (x right, y down, z forward). Images without a pose are listed in `left_out`.
 
     Raises:
-        FileError: None of these, damaged, poses that cannot be told whose they are; says where.
-        TypeError, ValueError: `pictures` or `intrinsic` is missing, or does not go with the file.
+        FileError: An unknown format, damaged, or poses that cannot be assigned.
+        TypeError, ValueError: `pictures` or `intrinsic` is missing, or does not match the file.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -122,7 +120,7 @@ def _kind_of(path: Path) -> str:
 
 
 def _poses_of(path: Path, trajectory: Trajectory, names: Sequence[str]) -> list[int | None]:
-    """The pose of each picture: by time, by number, or in order."""
+    """Pose index of each image: by time, by number, or in order."""
     if trajectory.timestamps is not None and (times := _times_of(names)) is not None:
         return _by_time(trajectory.timestamps, times)
     if trajectory.ids is not None:
@@ -141,7 +139,6 @@ def _poses_of(path: Path, trajectory: Trajectory, names: Sequence[str]) -> list[
 
 
 def _times_of(names: Sequence[str]) -> NDArray[np.float64] | None:
-    """The times that pictures are named by, as TUM's are; None where they are not."""
     stems = [Path(name).name.rsplit(".", 1)[0] for name in names]
     if all(re.fullmatch(r"\d+\.\d+", stem) for stem in stems):
         return np.array([float(stem) for stem in stems])

@@ -1,8 +1,4 @@
-"""Models of structure from motion as COLMAP writes them: three files in a folder, binary or text.
-
-Read are COLMAP's own files since version 3, and those of programs that write its form. What version 4 writes beside
-(rigs, frames) is passed over: the pose of each picture stands in images.* all the same.
-"""
+"""Read and write COLMAP models (binary or text) since version 3; the rigs and frames of version 4 are ignored."""
 
 from __future__ import annotations
 
@@ -21,28 +17,28 @@ from .sfm_model import SfmModel
 
 FORMS: dict[str, ModuleType] = {"bin": colmap_binary, "txt": colmap_text}
 FILES = ("cameras", "images", "points3D")
-BESIDE = ("rigs", "frames")  # of COLMAP 4: true of the model that they were written with alone
+BESIDE = ("rigs", "frames")  # files of COLMAP 4 that are valid only with the model they were written with
 _KNOWN = tuple(f"{name}.{form}" for name in ("cameras", "points3D", *BESIDE, "images") for form in FORMS)
-PLACES = ("sparse/0", "sparse", "0", "dense/sparse")  # where a project keeps its model
+PLACES = ("sparse/0", "sparse", "0", "dense/sparse")  # usual model folders of a project
 
 
 def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
-    """Read a model of COLMAP.
+    """Read a COLMAP model.
 
     Args:
-        folder: With cameras, images and points3D, all .bin (taken where there are both) or all .txt; or the folder
-            above, where `sparse/0`, `sparse` or `0` holds them.
+        folder: Folder with cameras, images and points3D, all .bin (preferred) or all .txt; or its parent with
+            `sparse/0`, `sparse` or `0`.
 
     Returns:
-        The registered pictures and the points. Keypoints without a point are left out; pixel centres, at halves in
-        the files, are whole numbers.
+        The registered images and the points, without keypoints that have no point. Pixel centers are integers (.5 in
+        the files).
 
     Raises:
-        FileError: Missing, cut off, numbers that make no sense, an unknown camera model, files that contradict one
-            another, no picture, or several models of which one must be chosen; says where.
+        FileError: Missing or truncated files, invalid or contradictory values, an unknown camera model, no image, or
+            several models.
 
     Notes:
-        A million points seen ten million times take some seconds and 2.5 GB of memory from binary files.
+        A million points with ten million observations need a few seconds and 2.5 GB from binary files.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -61,11 +57,7 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
 
 
 def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
-    """The folder that holds the files of a model, and "bin" or "txt".
-
-    Raises:
-        FileError: None, a part of one, or several.
-    """
+    """The folder of the model files, and "bin" or "txt"; raises `FileError` if there is none, a part or several."""
     folder = path_of(folder, "folder")
     if not folder.is_dir():
         reason = "is a file" if folder.exists() else "does not exist"
@@ -83,14 +75,12 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
 
 
 def is_colmap_model(folder: str | os.PathLike[str]) -> bool:
-    """Whether a folder, or one of those below where projects keep it, has a file of a model."""
     folder = path_of(folder, "folder")
     below = [p for place in (folder, folder / "sparse") for p in _numbered(place)]
     return any(_files_of(place) for place in [folder, *below, *(folder / name for name in PLACES)])
 
 
 def _numbered(folder: Path) -> list[Path]:
-    """Its folders 0, 1, 2, ..., as mapping writes one for each part that it could not join."""
     if not folder.is_dir():
         return []
     return [p for p in folder.iterdir() if p.name.isascii() and p.name.isdigit() and p.is_dir()]
@@ -123,24 +113,23 @@ def _size_of(folder: Path) -> str:
 def write_colmap_model(
     folder: str | os.PathLike[str], model: SfmModel, *, format: str = "bin", overwrite: bool = True
 ) -> None:
-    """Write a model as COLMAP reads it, version 3 and 4.
+    """Write a model for COLMAP 3 and 4.
 
     Args:
-        folder: Where the files go; made if it is not there.
-        model: At least one picture.
+        folder: The folder, created if missing.
+        model: At least one image.
         format: "bin" or "txt".
-        overwrite: Replace a model that is there already, in either form and with its rigs and frames.
+        overwrite: Replace an existing model in either form, with its rigs and frames.
 
     Raises:
         TypeError: No SfmModel.
-        ValueError: No picture, an unknown format, a camera model that COLMAP does not have, or a name that the format
-            cannot hold.
-        FileError: The place cannot be written, or holds a model that may not be replaced.
+        ValueError: No image, an unknown format, a camera model that COLMAP does not support, or an invalid name.
+        FileError: The folder cannot be written, or holds a model that may not be replaced.
 
     Notes:
-        Atomic: all files are written to a hidden folder first and then take their places. If the process is killed
-        meanwhile, the next read or write of the folder finishes that. Pictures, cameras and points are numbered from 1
-        in their order here. All digits are kept; rotations, quaternions there, come back within 1e-15.
+        Atomic: files are written to a hidden folder first and then moved; after a crash the next read or write
+            completes the
+        move. Ids start at 1. All digits are kept; rotations, stored as quaternions, are accurate to 1e-15.
 
     Example:
         >>> import pathlib, numpy as np, pointloom as loom
@@ -183,12 +172,12 @@ def _check_writable(model: SfmModel, format: str) -> None:
     for name in model.names:
         if "\0" in name or len(name.encode(errors="replace")) > colmap_binary.LONGEST_NAME:
             raise ValueError(f"model: COLMAP's files cannot hold the picture's name {name[:80]!r}")
-        if format == "txt" and name.split() != [name]:  # COLMAP itself writes such a name, and reads its first word
+        if format == "txt" and name.split() != [name]:  # COLMAP writes such a name, but reads only its first word
             raise ValueError(f"model: text cannot hold the picture's name {name[:80]!r}; write format='bin'")
 
 
 def _prepare(folder: Path, overwrite: bool) -> bool:
-    """Make the folder where it is missing; whether it was."""
+    """Create the folder if missing; returns True if it was."""
     if folder.is_dir():
         found = _files_of(folder)
         if found and not overwrite:

@@ -1,7 +1,7 @@
-"""COLMAP's binary files: cameras.bin, images.bin, points3D.bin; little-endian, without gaps.
+"""COLMAP's binary files: cameras.bin, images.bin, points3D.bin; little-endian, packed.
 
-Points have tracks of different lengths, so that where a record begins is known only from the one before: one loop over
-the records reads nothing but the lengths (0.3 s for a million points); all else is taken by whole columns.
+Tracks have variable length, so one loop reads only the lengths (0.3 s for a million points); the rest is read by
+column.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class _Reader:
             raise FileError(self.path, reason, where=f"byte {self.at}", remedy=_CUT)
 
     def count(self, what: str, smallest: int) -> int:
-        """A number of records that the rest of the file can hold."""
+        """A record count that the remaining file can hold."""
         (count,) = self.take(_COUNT, f"the number of {what}")
         if count * smallest > self.size - self.at:
             reason = (
@@ -79,11 +79,6 @@ class _Reader:
 
 
 def read_cameras(path: Path) -> dict[int, CameraModel]:
-    """The cameras by number.
-
-    Raises:
-        FileError: Damaged, or a model that is not known.
-    """
     file = _Reader(path)
     cameras: dict[int, CameraModel] = {}
     for _ in range(file.count("cameras", _CAMERA.size)):
@@ -101,7 +96,7 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
 
 
 def unknown_model(path: Path, where: str, model: str, name: str | None) -> FileError:
-    """The error of a camera model that is not read; `name` is COLMAP's where it has one."""
+    """The error for an unsupported camera model; `name` is COLMAP's, if known."""
     if name:
         return FileError(
             path, f"the camera model {name} is not read", where=where, remedy="Undistort the pictures with COLMAP first"
@@ -111,11 +106,6 @@ def unknown_model(path: Path, where: str, model: str, name: str | None) -> FileE
 
 
 def read_pictures(path: Path) -> list[Picture]:
-    """The pictures in the order of the file.
-
-    Raises:
-        FileError: Damaged.
-    """
     file = _Reader(path)
     pictures = []
     for _ in range(file.count("pictures", _PICTURE.size + 1 + _COUNT.size)):
@@ -130,11 +120,6 @@ def read_pictures(path: Path) -> list[Picture]:
 
 
 def read_points(path: Path) -> Points:
-    """The points in the order of the file.
-
-    Raises:
-        FileError: Damaged.
-    """
     file = _Reader(path)
     count = file.count("points", _POINT.itemsize)
     starts = _find_records(file, count)
@@ -176,7 +161,6 @@ def _find_records(file: _Reader, count: int) -> NDArray[np.int64]:
 
 
 def _gather(data: NDArray[np.uint8], starts: NDArray[np.int64], width: int) -> NDArray[np.uint8]:
-    """Rows of bytes from these places on, shape [n, width]."""
     rows = np.empty((len(starts), width), np.uint8)
     for begin in range(0, len(starts), _ROWS):
         rows[begin : begin + _ROWS] = data[starts[begin : begin + _ROWS, None] + np.arange(width)]
@@ -184,15 +168,10 @@ def _gather(data: NDArray[np.uint8], starts: NDArray[np.int64], width: int) -> N
 
 
 def count_pictures(path: Path) -> int:
-    """How many pictures a file says that it has."""
     return _Reader(path).count("pictures", _PICTURE.size + 1 + _COUNT.size)
 
 
-# ------------------------------------------------------------------------------------------------ writing
-
-
 def write_cameras(file: IO[bytes], records: Records) -> None:
-    """cameras.bin."""
     file.write(_COUNT.pack(len(records.cameras)))
     for number, camera in enumerate(records.cameras, 1):
         file.write(_CAMERA.pack(number, MODELS[camera.model].number, camera.width, camera.height))
@@ -200,7 +179,6 @@ def write_cameras(file: IO[bytes], records: Records) -> None:
 
 
 def write_pictures(file: IO[bytes], records: Records) -> None:
-    """images.bin."""
     model = records.model
     file.write(_COUNT.pack(len(model)))
     for i, name in enumerate(model.names):
@@ -214,7 +192,6 @@ def write_pictures(file: IO[bytes], records: Records) -> None:
 
 
 def write_points(file: IO[bytes], records: Records) -> None:
-    """points3D.bin."""
     model, count = records.model, len(records.model.points)
     file.write(_COUNT.pack(count))
     for begin in range(0, count, _ROWS):

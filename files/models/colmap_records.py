@@ -1,7 +1,6 @@
-"""What COLMAP's files hold, as both of their forms give it, and how it becomes a model and back.
+"""Records of COLMAP files and their conversion to and from a model.
 
-Cameras, pictures and points have numbers of their own there; which picture saw which point stands twice: in the list of
-a picture's keypoints, and in the track of a point. Both are held against each other.
+Observations are stored twice, in image keypoints and point tracks; both are checked against each other.
 """
 
 from __future__ import annotations
@@ -18,11 +17,11 @@ from ...core.errors import FileError
 from ...core.quaternions import nearest_rotations, quaternions_to_rotations, rotations_to_quaternions
 from .sfm_model import SfmModel
 
-NO_POINT = -1  # of a keypoint that belongs to none
-LARGEST = 1e100  # beyond it products of three numbers overflow
-UNIT = 1e-2  # how far from 1 the length of a quaternion may be: text with four decimals leaves 1e-4
+NO_POINT = -1  # point id of a keypoint without a point
+LARGEST = 1e100  # larger values overflow in products of three
+UNIT = 1e-2  # maximum deviation of a quaternion's length from 1: text with four decimals leaves 1e-4
 
-DENSE = 1 << 20  # numbers that a table has room for in any case
+DENSE = 1 << 20  # ids that a lookup table may cover in any case
 
 _CUT = "The file may be cut off or damaged; write the model again"
 _MIXED = "The three files may be of different models"
@@ -30,18 +29,8 @@ _MIXED = "The three files may be of different models"
 
 @dataclasses.dataclass
 class Picture:
-    """One record of images.bin or images.txt.
-
-    Attributes:
-        number: In the file.
-        name: As it stands there.
-        quaternion: w, x, y, z of the rotation world to camera.
-        translation: Likewise.
-        camera: Number of its camera.
-        places: Keypoints as stored, shape [k, 2].
-        points: The number of the point that each belongs to, shape [k]; -1 for none.
-        where: Place in the file, for errors.
-    """
+    """A record of images.bin or images.txt, with quaternion w, x, y, z and translation world to camera.
+    `places` are keypoints (k, 2), `points` their point ids (k,), -1 for none; `where` is the location in the file."""
 
     number: int
     name: str
@@ -55,15 +44,8 @@ class Picture:
 
 @dataclasses.dataclass
 class Points:
-    """All records of points3D.bin or points3D.txt, column by column.
-
-    Attributes:
-        numbers: In the file, shape [m].
-        positions, colors, errors: Shapes [m, 3], [m, 3], [m].
-        lengths: Of the tracks, shape [m].
-        tracks: All of them behind one another, shape [sum, 2]: number of the picture, index of its keypoint.
-        where: The place of a row in the file.
-    """
+    """All records of points3D.bin or points3D.txt as columns: point ids `numbers` (m,), track `lengths` (m,).
+    `tracks` (sum, 2) are concatenated: image id, keypoint index."""
 
     numbers: NDArray[np.int64]
     positions: NDArray[np.float64]
@@ -75,11 +57,6 @@ class Points:
 
 
 def camera_of(path: Path, where: str, model: str, width: int, height: int, params: Any) -> CameraModel:
-    """A camera of a file.
-
-    Raises:
-        FileError: Numbers that no camera has.
-    """
     try:
         return CameraModel(model, width, height, tuple(params))
     except (TypeError, ValueError) as error:
@@ -89,17 +66,7 @@ def camera_of(path: Path, where: str, model: str, width: int, height: int, param
 def assemble(
     paths: dict[str, Path], cameras: dict[int, CameraModel], pictures: list[Picture], points: Points
 ) -> SfmModel:
-    """The model of the records.
-
-    Args:
-        paths: Of the files, by "cameras", "images" and "points3D", for errors.
-        cameras: By number.
-        pictures: Of images.
-        points: Of points3D.
-
-    Raises:
-        FileError: Records that contradict themselves or one another.
-    """
+    """Build the model from records; `paths` by "cameras", "images" and "points3D" are for errors."""
     images, sparse = paths["images"], paths["points3D"]
     if not pictures:
         raise FileError(
@@ -134,7 +101,7 @@ def assemble(
         _poses(images, pictures),
         points.positions[order],
         points.colors[order],
-        np.where(points.errors[order] >= 0, points.errors[order], np.nan),  # COLMAP writes -1 where it knows none
+        np.where(points.errors[order] >= 0, points.errors[order], np.nan),  # COLMAP writes -1 if unknown
         np.stack([observers, seen], axis=1),
         pixels,
     )
@@ -176,7 +143,7 @@ def _poses(path: Path, pictures: list[Picture]) -> NDArray[np.float64]:
 
 
 def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """The rows of points in the order of their numbers, and of each row its place in that order."""
+    """Rows of points sorted by id, and the rank of each row."""
     for what, values in (("a position", points.positions), ("an error", points.errors[:, None])):
         wrong = np.flatnonzero(~(np.abs(values) <= LARGEST).all(axis=1))
         if len(wrong):
@@ -194,7 +161,6 @@ def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArra
 
 
 def _find_numbers(numbers: NDArray[np.int64], wanted: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Where each wanted number stands in ascending ones; -1 where it does not."""
     if not len(numbers):
         return np.full(len(wanted), -1)
     if numbers[0] >= 0 and numbers[-1] < 8 * len(numbers) + DENSE:  # a table is four times faster than a search
@@ -232,24 +198,12 @@ def _check_tracks(
         raise FileError(path, reason, where=points.where(row), remedy=_MIXED)
 
 
-# ------------------------------------------------------------------------------------------------ of a model
-
-
 @dataclasses.dataclass
 class Records:
-    """A model as its files number it, from 1 on.
-
-    Attributes:
-        cameras: Each once, in the order of the pictures.
-        camera_numbers: Of each picture, shape [n].
-        quaternions: w, x, y, z, shape [n, 4].
-        starts: Where the keypoints of each picture begin among the observations, shape [n + 1].
-        places: Keypoints as stored, shape [k, 2].
-        order: The observations point by point, shape [k].
-        track_starts: Where the track of each point begins in it, shape [m + 1].
-        tracks: Number of the picture and index of its keypoint, shape [k, 2].
-        errors: -1 where unknown, shape [m].
-    """
+    """A model with COLMAP's ids, from 1, and unique `cameras` in image order.
+    `starts` (n + 1,) is the first observation of each image, `order` (k,) the observations sorted by point,
+    `track_starts` (m + 1,) the start of each track, `tracks` (k, 2) image id and keypoint index; quaternions are w, x,
+    y, z; unknown errors are -1."""
 
     model: SfmModel
     cameras: list[CameraModel]
@@ -263,7 +217,6 @@ class Records:
 
 
 def records_of(model: SfmModel) -> Records:
-    """What is to be written."""
     cameras = list(dict.fromkeys(model.cameras))
     numbers = {camera: i for i, camera in enumerate(cameras, 1)}
     pictures, points = model.observations.T

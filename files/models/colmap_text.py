@@ -1,7 +1,7 @@
 """COLMAP's text files: cameras.txt, images.txt, points3D.txt.
 
-Lines that begin with `#` and blank lines are passed over, but the line behind that of a picture holds its keypoints
-whatever it looks like, so that it may be blank. A picture's name is the rest of its line, blanks within it included.
+`#` lines and blank lines are skipped, except that the line after an image always holds its keypoints and may be blank.
+Image names may contain blanks.
 """
 
 from __future__ import annotations
@@ -27,11 +27,6 @@ _ROWS = 1 << 14
 
 
 def read_cameras(path: Path) -> dict[int, CameraModel]:
-    """The cameras by number.
-
-    Raises:
-        FileError: Damaged, or a model that is not known.
-    """
     cameras: dict[int, CameraModel] = {}
     for line, text in _lines(path):
         words, where = text.split(), f"line {line}"
@@ -50,11 +45,6 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
 
 
 def read_pictures(path: Path) -> list[Picture]:
-    """The pictures in the order of the file.
-
-    Raises:
-        FileError: Damaged.
-    """
     pictures, lines = [], _lines(path)
     for line, text in lines:
         words, where = text.split(None, 9), f"line {line}"
@@ -84,11 +74,7 @@ def _keypoints(path: Path, line: int, text: str) -> tuple[NDArray[np.float64], N
 
 
 def read_points(path: Path) -> Points:
-    """The points in the order of the file; an empty file holds none, as COLMAP's guide has it for known poses.
-
-    Raises:
-        FileError: Damaged.
-    """
+    """The points in file order; an empty file is allowed, as in COLMAP's guide for known poses."""
     body = _body(path)
     rows = AsciiRows(path, _COMMENT.sub(b"", body), 1)
     numbers, widths, first = rows.numbers(), rows.widths(), rows.first[:-1]
@@ -133,7 +119,6 @@ def _body(path: Path) -> bytes:
 
 
 def _lines(path: Path) -> Iterator[tuple[int, str]]:
-    """The lines with their numbers, ends of any system; only the ends that text files have part them."""
     body = _body(path)
     try:
         text = body.decode()
@@ -161,15 +146,10 @@ def _real(path: Path, where: str, word: str) -> float:
 
 
 def count_pictures(path: Path) -> int:
-    """How many pictures a file holds."""
     return len(read_pictures(path))
 
 
-# ------------------------------------------------------------------------------------------------ writing
-
-
 def write_cameras(file: IO[bytes], records: Records) -> None:
-    """cameras.txt."""
     lines = ["# Cameras, one a line: CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]"]
     for number, camera in enumerate(records.cameras, 1):
         lines.append(f"{number} {camera.model} {camera.width} {camera.height} {' '.join(map(repr, camera.params))}")
@@ -177,7 +157,6 @@ def write_cameras(file: IO[bytes], records: Records) -> None:
 
 
 def write_pictures(file: IO[bytes], records: Records) -> None:
-    """images.txt."""
     model = records.model
     file.write(b"# Pictures, two lines each: IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n")
     file.write(b"#   POINTS2D[] as (X, Y, POINT3D_ID)\n")
@@ -191,7 +170,6 @@ def write_pictures(file: IO[bytes], records: Records) -> None:
 
 
 def write_points(file: IO[bytes], records: Records) -> None:
-    """points3D.txt."""
     model = records.model
     file.write(b"# Points, one a line: POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n")
     for begin in range(0, len(model.points), _ROWS):

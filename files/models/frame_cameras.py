@@ -1,9 +1,7 @@
-"""Cameras of telephones and of radiance fields: JSON files of a lens and a pose for each picture.
+"""Cameras as JSON with lens and pose per image: transforms.json (nerfstudio, instant-ngp), Polycam, 3D Scanner App.
 
-Read are transforms.json of nerfstudio, instant-ngp and apps that write it (NeRFCapture, Record3D and Polycam by way of
-nerfstudio), the folder keyframes/cameras that Polycam exports, and the frames of the 3D Scanner App. All have poses
-camera to world, in ARKit's and OpenGL's axes of the camera: x right, y up, z back. Here they become x right, y down,
-z forward, world to camera. Principal points are measured from the picture's corner, as COLMAP has them.
+Poses are camera to world in OpenGL axes (x right, y up, z back), converted to world to camera in x right, y down, z
+forward. Principal points are measured from the image corner, as in COLMAP.
 """
 
 from __future__ import annotations
@@ -36,25 +34,9 @@ _EXPORTED = "Give transforms.json, Polycam's keyframes/cameras, or the folder of
 
 
 def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
-    """Read the transforms.json of nerfstudio and instant-ngp.
-
-    Args:
-        path: The file: `fl_x`, `fl_y`, `cx`, `cy`, `w`, `h`, distortion and `camera_model` for all frames or for each,
-            and `frames` with `file_path` and `transform_matrix`. Without `w` and `h`, as in NeRF's synthetic scenes,
-            the size is that of the picture at `file_path`, which may lack its ending.
-
-    Returns:
-        A model without points. Its names are those of the pictures, with their folders.
-
-    Raises:
-        FileError: Missing, no such JSON, a camera without a size or focal length, a lens of another kind, poses that
-            are not rigid, numbers that make no sense; says where.
-
-    Notes:
-        Matrices are camera to world, with the camera's y up and z back (OpenGL). `camera_angle_x` and
-        `camera_angle_y` [rad] stand for `fl_x` and `fl_y` where those are missing. `is_fisheye` without a
-        `camera_model` is OPENCV_FISHEYE, as in instant-ngp.
-    """
+    """Read the transforms.json of nerfstudio or instant-ngp as a model without points.
+    Without `w` and `h` the size is that of the image. `camera_angle_x` and `camera_angle_y` [rad] replace missing focal
+    lengths. `is_fisheye` without `camera_model` is OPENCV_FISHEYE, as in instant-ngp."""
     path, content = Path(path), read_json_object(path)
     frames = content.get("frames")
     if not isinstance(frames, list) or not frames:
@@ -80,20 +62,8 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
 
 
 def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
-    """Read the cameras that Polycam or the 3D Scanner App wrote, a JSON file for each picture.
-
-    Args:
-        folder: Polycam's keyframes/cameras (or corrected_cameras, with the pictures of corrected_images), or the
-            folder of frame_00000.json and so on of the 3D Scanner App. Its files do not say how large pictures are: the
-            pictures beside them do.
-
-    Returns:
-        A model without points. Its names are those of the files without their ending. Frames of the 3D Scanner App
-        without a picture (most have depth alone) are not in it; `left_out` names them.
-
-    Raises:
-        FileError: No such folder or file, keys that are missing, poses that are not rigid; says where.
-    """
+    """Read the cameras of Polycam (keyframes/cameras or corrected_cameras) or the 3D Scanner App, without points.
+    Image sizes are read from the images. Frames without an image are listed in `left_out`."""
     folder = Path(folder)
     names, cameras, poses, left_out = [], [], [], []
     for path, content in _camera_files(folder):
@@ -124,12 +94,10 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
 
 
 def holds_frame_cameras(folder: str | os.PathLike[str]) -> bool:
-    """Whether a folder has a JSON file of a camera."""
     return any(True for _ in _camera_files(Path(folder)))
 
 
 def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """Those of a folder's JSON files that hold a camera; others lie beside them."""
     for path in sorted(folder.glob("*.json")):
         content = read_json_object(path)
         if SCANNER_APP in content or "t_00" in content:
@@ -137,11 +105,6 @@ def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _picture_of(path: Path, where: str, name: str) -> Path:
-    """The picture of a frame, by its name with or without the ending.
-
-    Raises:
-        FileError: There is none.
-    """
     place = path.parent / name
     beside = (place.with_name(place.name + suffix) for ending in PICTURES for suffix in (ending, ending.upper()))
     picture = next((p for p in (place, *beside) if p.is_file()), None)
@@ -186,7 +149,7 @@ def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
 
 
 def _focal_length(path: Path, where: str, values: Mapping[str, Any], axis: str, side: int) -> float | None:
-    """The focal length of an axis [px], as it stands or from the angle of view; None if neither is there."""
+    """Focal length of an axis [px], stored or from the field of view, or None."""
     if f"fl_{axis}" in values:
         return _number(path, where, values, f"fl_{axis}")
     name = f"camera_angle_{axis}"
@@ -199,7 +162,7 @@ def _focal_length(path: Path, where: str, values: Mapping[str, Any], axis: str, 
 
 
 def _pose(path: Path, where: str, rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """T_camera_world of the upper rows of a matrix from a camera with y up and z back to the world."""
+    """T_camera_world from a camera-to-world matrix with y up and z back."""
     T = np.eye(4)
     T[: len(rows)] = rows
     try:
@@ -234,7 +197,7 @@ def _side(path: Path, where: str, values: Mapping[str, Any], name: str) -> int:
 
 
 def _numbers(path: Path, where: str, values: Mapping[str, Any], name: str, count: int | None) -> NDArray[np.float64]:
-    """Finite numbers under a key: `count` of them in a row, or as they stand."""
+    """`count` finite numbers of a key, or as stored if None."""
     if name not in values:
         raise FileError(path, f"missing key {name}", where=where, remedy=_EXPORTED)
     try:

@@ -1,10 +1,7 @@
-"""Cameras of Agisoft Metashape: the XML file of File > Export > Export Cameras.
+"""Cameras of Agisoft Metashape: the XML of File > Export > Export Cameras.
 
-Each sensor has a lens, each camera a pose in its chunk, and the chunk (or the component that a camera belongs to) a
-place in the world: world = scale R x + t. Where the project has geographic coordinates, that world is geocentric
-(ECEF) [m]. P1 and P2 are OpenCV's the other way round; the principal point is measured from the picture's middle.
-
-The file is parsed without a document type, so that it can neither name other files nor grow by entities.
+Poses are relative to a chunk or component (world = scale R x + t); geographic projects are geocentric (ECEF) [m]. P1
+and P2 are swapped relative to OpenCV; the principal point is relative to the image center. Document types are rejected.
 """
 
 from __future__ import annotations
@@ -25,33 +22,32 @@ from ..source import open_source
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
-LARGEST = 1 << 28  # bytes: some hundred thousand cameras; a tree of it takes ten times that
-DEEPEST = 64  # elements within one another; real files have eight
+LARGEST = 1 << 28  # [B] about 100,000 cameras; the parsed tree takes ten times as much
+DEEPEST = 64  # maximum nesting; real files have eight
 
 FRAME, FISHEYE = ("frame",), ("fisheye", "equidistant_fisheye")
 NUMBERS = ("f", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2", "b1", "b2")
-NOT_READ = ("p3", "p4", "fx", "fy", "skew")  # of other versions of the lens
+NOT_READ = ("p3", "p4", "fx", "fy", "skew")  # parameters of other lens versions
 
 _EXPORT = "In Metashape: File > Export > Export Cameras, format Agisoft XML"
 
 
 def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
-    """Read poses and lenses that Agisoft Metashape exported.
+    """Read poses and lenses exported by Agisoft Metashape.
 
     Args:
         path: The file of File > Export > Export Cameras, format Agisoft XML.
 
     Returns:
-        A model without points. Its names are the labels of the cameras, which often lack the pictures' extensions.
-        Cameras that are disabled or not aligned are not in it; `left_out` names them. Lenses are COLMAP's models where
-        those say the same (OPENCV, FULL_OPENCV, THIN_PRISM_FISHEYE, ...), else METASHAPE or METASHAPE_FISHEYE.
+        A model without points, named by camera labels, which often lack extensions. Disabled or unaligned cameras are
+        listed in `left_out`. Lenses use COLMAP's models if equivalent, else METASHAPE or METASHAPE_FISHEYE.
 
     Raises:
-        FileError: Missing, no such XML, no aligned camera, several chunks, a lens that is neither frame nor
-            (equidistant) fisheye, labels that stand twice, numbers that make no sense.
+        FileError: Missing, invalid XML, no aligned camera, several chunks, a lens that is neither frame nor
+            (equidistant) fisheye, duplicate labels, invalid numbers.
 
     Notes:
-        In a geographic project positions are geocentric, millions of metres from the origin; see `SfmModel.transform`.
+        Geographic projects have geocentric positions, far from the origin; see `SfmModel.transform`.
 
     Example:
         >>> import pathlib, pointloom as loom
@@ -105,7 +101,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
 
 def _cameras(chunk: ET.Element) -> list[ET.Element]:
     found = chunk.find("cameras")
-    return [] if found is None else list(found.iter("camera"))  # those in groups, too
+    return [] if found is None else list(found.iter("camera"))  # including groups
 
 
 def _why_left_out(camera: ET.Element) -> str:
@@ -116,11 +112,8 @@ def _why_left_out(camera: ET.Element) -> str:
     return ""
 
 
-# ------------------------------------------------------------------------------------------------ poses
-
-
 def _transform_of(path: Path, element: ET.Element, what: str) -> NDArray[np.float64] | None:
-    """The place of a chunk or component in the world, shape [4, 4]; None where it says none."""
+    """World transform of a chunk or component, shape (4, 4), or None."""
     transform = element.find("transform")
     if transform is None:
         return None
@@ -139,7 +132,7 @@ def _transform_of(path: Path, element: ET.Element, what: str) -> NDArray[np.floa
 
 
 def _pose(path: Path, label: str, T: NDArray[np.float64], placed: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """T_camera_world of a camera with this place in its chunk."""
+    """T_camera_world from a camera's pose in its chunk."""
     _check_rigid(path, T, f"the transform of camera {label!r}")
     if placed is not None:
         scale = np.cbrt(np.linalg.det(placed[:3, :3]))
@@ -157,9 +150,6 @@ def _check_rigid(path: Path, T: NDArray[np.float64], what: str) -> None:
         check_rigid(what, T)
     except ValueError as error:
         raise FileError(path, str(error)) from error
-
-
-# ------------------------------------------------------------------------------------------------ lenses
 
 
 def _lens_of(path: Path, sensor: ET.Element, number: str) -> CameraModel:
@@ -192,7 +182,6 @@ def _lens_of(path: Path, sensor: ET.Element, number: str) -> CameraModel:
 
 
 def _as_colmap(v: dict[str, float], is_fisheye: bool) -> tuple[str, list[float]]:
-    """The plainest of COLMAP's models that says the same; Metashape's own where none does."""
     focal, center, tangential = [v["f"] + v["b1"], v["f"]], [v["cx"], v["cy"]], [v["p2"], v["p1"]]
     if v["b2"] or (v["k4"] and not is_fisheye):
         return "METASHAPE_FISHEYE" if is_fisheye else "METASHAPE", [v[name] for name in NUMBERS]
@@ -218,11 +207,8 @@ def _side(path: Path, text: str | None, where: str) -> int:
     return int(text)
 
 
-# ------------------------------------------------------------------------------------------------ the file
-
-
 class _Builder(ET.TreeBuilder):
-    """A tree of elements from a file without a document type and without absurd depth."""
+    """Element tree without document type and with limited depth."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -253,7 +239,7 @@ def _chunk_of(path: Path) -> ET.Element:
     except ET.ParseError as error:
         line, column = error.position
         raise FileError(path, f"no XML: {error.msg}", where=f"line {line}, column {column}", remedy=_EXPORT) from error
-    except (ValueError, LookupError) as error:  # the builder's, or an encoding that is not known
+    except (ValueError, LookupError) as error:  # raised by the builder, or an unknown encoding
         raise FileError(path, f"not read: {error}", remedy=_EXPORT) from error
     chunks = root.findall("chunk") if root.tag == "document" else []
     if len(chunks) != 1:

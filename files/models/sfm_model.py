@@ -1,4 +1,4 @@
-"""What structure from motion finds: posed pictures, their cameras, and the points that they saw."""
+"""Structure-from-motion models: posed images, cameras and sparse points."""
 
 from __future__ import annotations
 
@@ -32,21 +32,18 @@ _NO_POINTS: NDArray[np.float64] = np.zeros((0, 3))
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class SfmModel:
-    """Posed pictures and sparse points, read-only.
+    """Posed images and sparse points, read-only.
 
     Args:
-        names: Of the pictures, each once; kept in sorted order, and what belongs to them with it.
-        cameras: One a picture; pictures of one camera share it.
-        T_camera_world: Poses, world to camera, shape [n, 4, 4]; rigid [unit of the model].
-        points: Shape [m, 3] [unit of the model].
-        colors: 8-bit, shape [m, 3]; None for black.
-        errors: Mean distance between where a point is seen and where it should be, shape [m] [px]; NaN where unknown,
-            None for nowhere known.
-        observations: Which picture saw which point, shape [k, 2] of (index of the picture, index of the point); kept
-            in sorted order.
-        pixels: Where each was seen in the picture as it came from the lens, shape [k, 2] [px], pixel centres being
-            whole numbers.
-        left_out: Pictures that have no pose, and why, for people to read.
+        names: Image names, unique; sorted, with all per-image data.
+        cameras: One per image; images may share a camera.
+        T_camera_world: Poses, world to camera, shape (n, 4, 4); rigid [unit of the model].
+        points: Shape (m, 3) [unit of the model].
+        colors: 8-bit, shape (m, 3); None for black.
+        errors: Mean reprojection error, shape (m,) [px]; NaN or None if unknown.
+        observations: Shape (k, 2), sorted: (index of the image, index of the point).
+        pixels: Position of each observation in the distorted image, shape (k, 2) [px]; pixel centers are integers.
+        left_out: Images without a pose, with the reason.
 
     Attributes:
         names, cameras, T_camera_world, points, colors, errors, observations, pixels, left_out: As above; arrays of
@@ -54,12 +51,11 @@ class SfmModel:
 
     Raises:
         TypeError: Wrong types.
-        ValueError: Shapes that do not fit, names that stand twice, poses that are not rigid, numbers that are not
-            finite, an observation of a picture or point that is not there.
+        ValueError: Shapes that do not match, duplicate names, poses that are not rigid, non-finite numbers, or an
+            observation of a missing image or point.
 
     Notes:
-        The unit is arbitrary unless whoever made the model says otherwise: structure from motion does not know how
-        large the world is. See `scaled`, `transform`, and `registration.similarity`.
+        Structure from motion has an arbitrary scale. See `scaled`, `transform` and `registration.similarity`.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -114,7 +110,6 @@ class SfmModel:
             object.__setattr__(self, name, value)
 
     def __len__(self) -> int:
-        """How many pictures."""
         return len(self.names)
 
     def __repr__(self) -> str:
@@ -126,7 +121,7 @@ class SfmModel:
 
     @property
     def centers(self) -> NDArray[np.float64]:
-        """Where the cameras stand in the world, shape [n, 3] [unit of the model]; read-only."""
+        """Camera positions in the world, shape (n, 3) [unit of the model]; read-only."""
         return self._centers
 
     @cached_property
@@ -138,7 +133,7 @@ class SfmModel:
 
     @property
     def T_world_camera(self) -> NDArray[np.float64]:
-        """Poses, camera to world, shape [n, 4, 4]."""
+        """Poses, camera to world, shape (n, 4, 4)."""
         inverse = np.tile(np.eye(4), (len(self), 1, 1))
         inverse[:, :3, :3] = self.T_camera_world[:, :3, :3].transpose(0, 2, 1)
         inverse[:, :3, 3] = self.centers
@@ -146,7 +141,7 @@ class SfmModel:
 
     @property
     def view_counts(self) -> NDArray[np.int64]:
-        """How many observations each point has, shape [m]; read-only."""
+        """Number of observations of each point, shape (m,); read-only."""
         return self._view_counts
 
     @cached_property
@@ -156,11 +151,11 @@ class SfmModel:
         return counts
 
     def index_of(self, name: str) -> int:
-        """The index of a picture.
+        """The index of an image.
 
         Raises:
             TypeError: No string.
-            KeyError: No picture of this name.
+            KeyError: No image of this name.
         """
         place = self._places.get(check_name("name", name))
         if place is None:
@@ -173,13 +168,13 @@ class SfmModel:
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> SfmModel:
-        """The model moved, turned and scaled as a whole; what is seen where stays as it is.
+        """Apply a similarity transformation to the model.
 
         Args:
-            transformation: T_new_old, shape [4, 4]: a positive scale times a rotation, and a translation.
+            transformation: T_new_old, shape (4, 4): a positive scale times a rotation, and a translation.
 
         Returns:
-            The model in the new coordinates. The poses stay rigid: the scale goes into their translations.
+            The transformed model. Poses stay rigid: the scale is applied to their translations.
 
         Raises:
             TypeError: Not numbers.
@@ -203,14 +198,14 @@ class SfmModel:
 
     @returns_new
     def scaled(self, factor: float) -> SfmModel:
-        """The model with all lengths times a factor about the world's origin, rotations untouched.
+        """Scale all lengths by a factor about the world origin.
 
         Args:
-            factor: New units an old unit, > 0.
+            factor: New units per old unit, > 0.
 
         Raises:
             TypeError: No number.
-            ValueError: Not positive, or so far from one that lengths leave the range of float64.
+            ValueError: Not positive, or lengths leave the range of float64.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -225,14 +220,14 @@ class SfmModel:
 
     @returns_new
     def select(self, names: Iterable[str]) -> SfmModel:
-        """The model of some of its pictures; points that none of them saw go.
+        """The model of some images, without points that none of them observe.
 
         Args:
-            names: Of the pictures to keep.
+            names: Images to keep.
 
         Raises:
             TypeError: Not strings.
-            KeyError: A picture that the model does not have.
+            KeyError: An image that is not in the model.
         """
         wanted = [check_name("names", name) for name in check_list("names", names, "names")]
         rows = np.array(sorted({self.index_of(name) for name in wanted}), np.int64)
@@ -248,11 +243,10 @@ class SfmModel:
         )  # fmt: skip
 
     def trajectory(self, timestamps: ArrayLike | None = None) -> Trajectory:
-        """The poses in the order of the names, for `write_trajectory`, `fuse` and the rest.
+        """The poses in the order of the names, for `write_trajectory`, `fuse` and others; ids are image indices.
 
         Args:
-            timestamps: Time of each picture, shape [n] [s]; None where there are none. The ids are the indices of the
-                pictures, which `.log` files and, without times, TUM files keep.
+            timestamps: Time of each image, shape (n,) [s], or None.
 
         Raises:
             TypeError: Not numbers.
@@ -263,18 +257,11 @@ class SfmModel:
         return Trajectory(self.T_world_camera, times, np.stack([order, order, order + 1], axis=1))
 
     def point_cloud(self, device: Any = None) -> PointCloud:
-        """The sparse points as a cloud, with colours and the attributes `error` [px] and `views` (observations).
-
-        Args:
-            device: Where the cloud lies; None for the CPU.
-        """
+        """The sparse points with colors, `error` [px] and `views` (observations), on `device` (None: CPU)."""
         return PointCloud(
             self.points, colors=self.colors, device=device,
             error=self.errors.astype(np.float32), views=self.view_counts.astype(np.int32),
         )  # fmt: skip
-
-
-# ------------------------------------------------------------------------------------------------ checks
 
 
 def _check_names(names: Sequence[str]) -> None:
@@ -291,7 +278,6 @@ def _stacked(poses: Any) -> NDArray[Any]:
 
 
 def _rigid(poses: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A copy of the poses, once all are rigid."""
     R = poses[:, :3, :3]
     with np.errstate(all="ignore"):
         skewed = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))

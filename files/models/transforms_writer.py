@@ -1,4 +1,4 @@
-"""Posed pictures as nerfstudio, instant-ngp and gsplat's scripts train from them: transforms.json."""
+"""Write posed images as transforms.json for nerfstudio, instant-ngp and gsplat."""
 
 from __future__ import annotations
 
@@ -23,22 +23,21 @@ _SINGLE = {"f": ("fl_x", "fl_y"), "fx": ("fl_x",), "fy": ("fl_y",), "k": ("k1",)
 
 
 def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures: str = "") -> None:
-    """Write a model as the transforms.json of nerfstudio, with its points in a PLY file beside it.
+    """Write a model as nerfstudio's transforms.json, with its points in a PLY file beside it.
 
     Args:
-        path: The file, such as "scene/transforms.json"; its points go to `sparse_pc.ply` in the same folder.
-        model: At least one picture.
-        pictures: The folder of the pictures as seen from there, such as "images"; names are put behind it.
+        path: The file, such as "scene/transforms.json"; points go to `sparse_pc.ply` in the same folder.
+        model: At least one image.
+        pictures: Folder of the images relative to the file, such as "images".
 
     Raises:
-        TypeError: No SfmModel, or a folder that is no text.
-        ValueError: No picture, or a lens that the format does not have.
-        FileError: The place cannot be written.
+        TypeError: No SfmModel, or a folder that is no string.
+        ValueError: No image, or a camera model that the format does not support.
+        FileError: The file cannot be written.
 
     Notes:
-        Poses are camera to world, with the camera's y up and z back, in the model's own frame and unit; all digits are
-        kept, and `read_cameras` gives the same model but for its points. Each file is written whole or not at all, the
-        points first.
+        Poses are camera to world with the camera's y up and z back, in the model's frame and unit, with all digits.
+        `read_cameras` returns the same model without points. Each file is written atomically, points first.
 
     Example:
         >>> import json, pathlib, numpy as np, pointloom as loom
@@ -66,13 +65,7 @@ def write_content(
     masks: Sequence[str] | None = None,
     more: Mapping[str, Any] | None = None,
 ) -> None:
-    """As `write_transforms`, of arguments that are right.
-
-    Args:
-        path, model, pictures: Likewise.
-        masks: The file of each picture's mask as seen from there; None for no masks.
-        more: What else is to stand in the file.
-    """
+    """`write_transforms` with validated arguments, mask files per image (`masks`) and further keys (`more`)."""
     place = path_of(path)
     lenses = [_lens(camera) for camera in model.cameras]
     frames: list[dict[str, Any]] = []

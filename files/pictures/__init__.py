@@ -1,1 +1,1 @@
-"""PNG and JPEG pictures, depth images, textures."""
+"""PNG and JPEG images, depth maps, textures."""

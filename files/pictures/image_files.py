@@ -1,18 +1,9 @@
-"""Depth maps and colour pictures on disk: PNG, JPEG and .npy, read strictly and written whole.
+"""Depth maps and color images: PNG, JPEG and .npy, read strictly and written atomically.
 
-A file is read once and inflated once. A PNG's checksums and the length of its stream of pixels are verified before it
-is decoded (png_stream.py): a cut off or damaged depth map is an error and never wrong depth. JPEG has no checksum;
-there pixels that are missing are noticed, not those that are damaged. Colour profiles, gamma and EXIF
-orientation are not applied.
-
-A JPEG file's scans, prepared so that a decoder which runs out of pixels cannot make any up. JPEG has no checksum, and
-where a scan ends before the picture does decoders go on with grey: libjpeg's warning of it does not reach Pillow. Two
-things tell such a scan. Where a file has one scan (all that cameras write), the mark behind it is replaced by as many
-bits as a decoder looks ahead: a scan that is whole is decoded, for one that is not the decoder asks for more and gets
-no more. Where it has several (progressive), the pixels must not depend on what stands behind a scan. At most the last
-two blocks of 8 x 8 pixels may be missing unnoticed; other damage cannot be told.
-
-Source: ITU-T T.81, sections B.1 and B.2; F.2.2.3 for the stuffed bytes.
+PNG is verified before decoding (png_stream.py). For JPEG, which has no checksum, only truncated scans are detected, as
+libjpeg fills them with gray: the marker after a single scan is replaced by as many bits as a decoder looks ahead; with
+several scans, pixels must not depend on the bytes after a scan. At most two 8 x 8 blocks may be missing undetected.
+Color profiles, gamma and EXIF orientation are not applied. ITU-T T.81, sections B.1, B.2 and F.2.2.3.
 """
 
 from __future__ import annotations
@@ -53,7 +44,7 @@ _RESTART = re.compile(rb"\xff[\xd0-\xd7]")
 # libjpeg fills a register of 64 bits before each code. A run of ones is no code: a block takes at least 34 of them.
 _LOOK_AHEAD = b"\xff\x00" * 8
 
-# Bits that no picture ends with by chance, for the second decoding of a file of several scans.
+# Bits that no image ends with by chance, for the second decoding of a file with several scans.
 _NOISE = bytes((k * 167 + 71) % 251 for k in range(96))
 
 _REMEDY = "Fetch or write the file again"
@@ -65,12 +56,12 @@ class _Layout:
     height: int = 0
     is_progressive: bool = False
     restart_interval: int = 0
-    sampling: dict[int, tuple[int, int]] = field(default_factory=dict)  # across and down, by component
+    sampling: dict[int, tuple[int, int]] = field(default_factory=dict)  # horizontal and vertical, by component
     bits_left: dict[int, list[int]] = field(default_factory=dict)  # of each coefficient, by component
     scans: list[tuple[int, int]] = field(default_factory=list)  # first byte and end of the coded pixels
 
     def unit_count(self, components: list[int]) -> int:
-        """The units that a scan of these components codes: blocks of 8 x 8 of one, groups of such of several."""
+        """Number of coded units of a scan: 8 x 8 blocks for one component, else groups of blocks."""
         most = [max(values) for values in zip(*self.sampling.values(), strict=True)]
         own = self.sampling[components[0]] if len(components) == 1 else (1, 1)
         sides = zip((self.width, self.height), own, most, strict=True)
@@ -79,11 +70,7 @@ class _Layout:
 
 
 def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
-    """The file as it is to be decoded: once, or twice and then to the same pixels.
-
-    Raises:
-        FileError: It is cut off, lacks its end, a scan of a component, or codes pixels in a way that cannot be checked.
-    """
+    """The JPEG to decode, or two variants that must decode to the same pixels; raises `FileError` if truncated."""
     layout = _walk(path, data)
     if not layout.scans or any(bits for left in layout.bits_left.values() for bits in left):
         raise FileError(path, "cut off: it ends before the scans of all its channels", remedy=_REMEDY)
@@ -95,7 +82,7 @@ def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
 
 
 def _walk(path: Any, data: bytes) -> _Layout:
-    """The segments up to the end mark; what follows it (some cameras write further pictures there) is not read."""
+    """Parse the segments up to the end marker; data after it is ignored."""
     layout, place = _Layout(), 2
     while True:
         marker, place = _marker(path, data, place)
@@ -130,8 +117,7 @@ def _walk(path: Any, data: bytes) -> _Layout:
 
 
 def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int) -> None:
-    """Hold a scan's bytes and restart marks against what it should code, before memory is taken for the picture."""
-    if not layout.scans and units > 8 * len(coded):  # in a first scan each takes one bit at least
+    if not layout.scans and units > 8 * len(coded):  # each takes at least one bit in a first scan
         reason = f"{layout.width} x {layout.height} pixels cannot lie in {len(coded)} bytes"
         raise FileError(path, f"cut off or damaged: {reason}", where=f"byte {begin}", remedy=_REMEDY)
     if layout.restart_interval:
@@ -142,7 +128,7 @@ def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int
 
 
 def _marker(path: Any, data: bytes, place: int) -> tuple[int, int]:
-    """The marker at a byte, behind any filling, and the byte behind it."""
+    """The marker at a byte, after fill bytes, and the position after it."""
     if place >= len(data):
         raise FileError(path, "cut off: the end of the JPEG is missing", where=f"byte {place}", remedy=_REMEDY)
     start = place
@@ -164,7 +150,7 @@ def _read_frame(path: Any, segment: bytes, begin: int, layout: _Layout) -> None:
 
 
 def _read_scan(path: Any, segment: bytes, begin: int, layout: _Layout) -> list[int]:
-    """The components of a scan, of whose coefficients it is noted how many bits later scans have to bring."""
+    """The components of a scan; records how many coefficient bits later scans must add."""
     count = segment[0] if segment else 0
     components = [*segment[1 : 1 + 2 * count : 2]]
     if not count or len(segment) < 4 + 2 * count or not layout.sampling.keys() >= {*components}:
@@ -178,7 +164,7 @@ def _read_scan(path: Any, segment: bytes, begin: int, layout: _Layout) -> list[i
     return components
 
 
-# Larger pictures are refused before anything is allocated: 2^28 pixels are 0.75 GiB of colour, and no camera has more.
+# Larger images are rejected before allocation: 2^28 pixels are 0.75 GiB of color, more than any camera has.
 PIXEL_LIMIT = 2**28
 
 # A 7-Scenes depth map takes 119 KiB and 7 ms at level 1, 90 KiB and 20 ms at level 6, the default.
@@ -191,7 +177,7 @@ _NPY_MAGIC = b"\x93NUMPY"
 
 @dataclasses.dataclass(frozen=True)
 class PictureHeader:
-    """What the first bytes of a picture say; `kind` is "png" or "jpeg", `bits` those of a channel."""
+    """Size and type of an image; `kind` is "png" or "jpeg", `bits` is per channel."""
 
     kind: str
     width: int
@@ -201,15 +187,15 @@ class PictureHeader:
 
 
 def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.float32]:
-    """Read a depth map as it is stored; its unit is the data set's.
+    """Read a depth map as stored, without scaling.
 
-    A 16-bit grey PNG gives uint16, a .npy file of a 2-D float32 array gives float32. Nothing is scaled or filled in.
+    A 16-bit gray PNG gives uint16, a .npy file of a 2-D float32 array gives float32.
 
     Returns:
-        Shape [h, w]; writable.
+        Shape (h, w); writable.
 
     Raises:
-        FileError: Unreadable, damaged, too large, or a picture that is no depth map (8 bits, colour).
+        FileError: Unreadable, damaged, too large, or no depth map (8 bits, color).
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -222,24 +208,20 @@ def read_depth(path: str | os.PathLike[str]) -> NDArray[np.uint16] | NDArray[np.
 
 
 def decode_depth(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint16]:
-    """The bytes of a 16-bit grey PNG as a depth map, shape [h, w]; `path` is for errors.
-
-    Raises:
-        FileError: Damaged, too large, or no such picture.
-    """
+    """Decode a 16-bit gray PNG to a depth map, shape (h, w); `path` is for errors."""
     header = _parse_header(path, io.BytesIO(data))
     check_depth_header(path, header)
     return _decode(path, data, header, "I;16")
 
 
 def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
-    """Read a PNG or JPEG picture as RGB; grey is replicated, transparency is dropped.
+    """Read a PNG or JPEG image as RGB; gray is replicated, transparency is dropped.
 
     Returns:
-        Shape [h, w, 3], uint8, writable.
+        Shape (h, w, 3), uint8, writable.
 
     Raises:
-        FileError: Unreadable, damaged, too large, or 16-bit grey, which is a depth map.
+        FileError: Unreadable, damaged, too large, or 16-bit gray, which is a depth map.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -255,20 +237,7 @@ def read_color(path: str | os.PathLike[str]) -> NDArray[np.uint8]:
 
 
 def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint8]:
-    """The bytes of a picture as RGB, or RGBA if it has transparency, by a channel or tRNS; gray is replicated.
-
-    Read are PNG and JPEG, and TIFF, BMP and TGA (by the name) of 8 bits a channel.
-
-    Args:
-        path: The file, for errors.
-        data: Its bytes.
-
-    Returns:
-        Shape [h, w, 3 or 4], uint8.
-
-    Raises:
-        FileError: Damaged, too large, of another kind, or 16-bit grey.
-    """
+    """Decode a PNG, JPEG, TIFF, BMP or TGA image (8 bits per channel) to uint8 (h, w, 3 or 4); `path` is for errors."""
     if plugin := _plugin_of(path, data):
         return _decode_other(path, data, plugin)
     header = _parse_header(path, io.BytesIO(data))
@@ -278,18 +247,12 @@ def decode_texture(path: str | os.PathLike[str], data: bytes) -> NDArray[np.uint
 
 
 def encode_png(array: NDArray[np.uint8] | NDArray[np.uint16]) -> bytes:
-    """An array that `write_png` takes, or RGBA, as the bytes of a PNG file."""
     file = io.BytesIO()
     Image.fromarray(np.ascontiguousarray(array)).save(file, "PNG", compress_level=_PNG_LEVEL)
     return file.getvalue()
 
 
 def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
-    """The size and kind of a PNG or JPEG picture from its first bytes; no pixel is decoded.
-
-    Raises:
-        FileError: Unreadable, of another kind, or too large.
-    """
     try:
         with path_of(path).open("rb") as file:
             return _parse_header(path, file)
@@ -298,11 +261,7 @@ def read_picture_header(path: str | os.PathLike[str]) -> PictureHeader:
 
 
 def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tuple[int, int]:
-    """Width and height of a picture that `decode_texture` takes; no pixel is decoded.
-
-    Raises:
-        FileError: Of another kind, damaged or too large.
-    """
+    """Width and height of an image that `decode_texture` accepts, without decoding it."""
     plugin = _plugin_of(path, data)
     if plugin is None:
         header = _parse_header(path, io.BytesIO(data))
@@ -315,7 +274,6 @@ def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tup
 
 
 def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
-    """Refuse a picture that is not a 16-bit grey PNG."""
     if header.kind != "png" or header.channels != 1 or header.bits != 16:
         found = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
         remedy = "Store depth as 16-bit grey PNG (or float32 .npy); pictures coloured for viewing hold no depth"
@@ -323,23 +281,12 @@ def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> N
 
 
 def check_color_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
-    """Refuse a picture that is a depth map."""
     if header.channels == 1 and header.bits == 16:
         raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Read depth maps with read_depth")
 
 
 def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
-    """Write an array as PNG; an existing file is replaced once the new one is complete.
-
-    Args:
-        path: Place of the file; ends in .png.
-        image: uint8 of shape [h, w] or [h, w, 3] (RGB), or uint16 of shape [h, w].
-
-    Raises:
-        TypeError: Another type; nothing is converted silently.
-        ValueError: Another shape, or no pixels.
-        FileError: Another extension, or the place cannot be written.
-    """
+    """Write uint8 (h, w) or (h, w, 3), or uint16 (h, w), as PNG atomically; no type is converted silently."""
     if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
         remedy = "; loom.render(geometry) makes a picture" if hasattr(image, "transform") else ""
@@ -413,13 +360,13 @@ def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHea
 def _open_picture(
     path: str | os.PathLike[str], file: IO[bytes], plugin: type[ImageFile.ImageFile]
 ) -> ImageFile.ImageFile:
-    """The picture by its own class: `Image.open` would guess the kind and warn of sizes that are allowed here."""
+    """Open an image by its format class: `Image.open` would guess and warn of sizes that are allowed here."""
     with foreign_errors(path, "damaged picture"):
         return plugin(file)
 
 
 def _plugin_of(path: str | os.PathLike[str], data: Source | bytes | memoryview) -> type[ImageFile.ImageFile] | None:
-    """Pillow's class for a TIFF, BMP or TGA file, of which the last has no mark but its name; None for other kinds."""
+    """Pillow's class for a TIFF, BMP or TGA file (TGA by its extension only); None for other formats."""
     start = bytes(data[:4])
     if start in (b"II*\0", b"MM\0*"):
         return TiffImagePlugin.TiffImageFile
@@ -441,7 +388,7 @@ def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageF
 
 
 def _check_whole(path: str | os.PathLike[str]) -> None:
-    """Raise an error if Pillow fills in the pixels that a file lacks."""
+    """Raise an error if Pillow fills in missing pixels."""
     if ImageFile.LOAD_TRUNCATED_IMAGES:
         remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
         raise FileError(path, "somebody told Pillow to make up the pixels that a picture lacks", remedy=remedy)
@@ -468,16 +415,7 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
 
 
 def resize_color(color: NDArray[np.uint8], size: tuple[int, int], name: str) -> NDArray[np.uint8]:
-    """A colour picture in another size, each pixel the mean of those that it covers.
-
-    Args:
-        color: Shape [h, w, 3].
-        size: Rows and columns wanted; of the same shape, up to a pixel.
-        name: What it is, for errors.
-
-    Raises:
-        ValueError: The sizes are not of the same shape, so that the two pictures cannot show the same view.
-    """
+    """Resize a color image by area averaging; raises `ValueError` if the aspect ratio changes by more than a pixel."""
     height, width = color.shape[:2]
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
         raise ValueError(f"{name}: is {width} x {height}, which is of another shape than {size[1]} x {size[0]}")

@@ -1,12 +1,7 @@
-"""Photographs of kinds beside PNG and JPEG: HEIC, TIFF, WebP and DNG, decoded by packages whose errors become ours.
+"""Photographs as HEIC (pi-heif or pillow-heif), TIFF, WebP (Pillow) and DNG (rawpy): `pip install "pointloom[photos]"`.
 
-TIFF and WebP are Pillow's. HEIC wants pi-heif (libheif and libde265; where somebody installed pillow-heif, that does as
-well), DNG rawpy (LibRaw): `pip install "pointloom[photos]"`. Each is loaded where such a file is read. Decoders of raw
-files take what is missing for black, so the extent of a DNG's pixels is held against the file's length before. Colour
-profiles are not applied.
-
-Whether all pixels that a TIFF or DNG promises lie in its file: strips and tiles of each of its directories. What is
-read is the table of contents alone (TIFF 6.0, Adobe 1992; SubIFDs of the DNG specification, chapter 4).
+Raw decoders fill missing data with black, so the extents of TIFF and DNG strips and tiles are checked first. Color
+profiles are not applied. TIFF 6.0 (Adobe 1992); DNG specification, chapter 4 (SubIFDs).
 """
 
 from __future__ import annotations
@@ -34,16 +29,11 @@ _SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12
 _FORMS = {1: "B", 3: "H", 4: "I", 13: "I"}
 _PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
 _SUB = 330  # directories below one
-_MOST = 64  # directories: a DNG has some five; more, or a ring of them, is damage
+_MOST = 64  # directories: a DNG has about five; more, or a cycle, is damage
 _AGAIN = "Fetch or write the file again"
 
 
 def check_extents(path: FilePath, data: bytes) -> None:
-    """Refuse a file that ends before its pixels do.
-
-    Raises:
-        FileError: Cut off, damaged, or no TIFF.
-    """
     order = _MAGIC.get(data[:4])
     if order is None:
         raise FileError(path, "is no DNG", where="byte 0", remedy="Convert it to PNG or JPEG")
@@ -75,7 +65,7 @@ def _directories(data: bytes, order: str) -> Iterator[dict[int, tuple[int, ...]]
 
 
 def _entry(data: bytes, order: str, place: int) -> tuple[int, tuple[int, ...]]:
-    """The tag of an entry and its whole numbers; none of other types."""
+    """The tag of an entry and its integers; none for other types."""
     tag, kind, count = struct.unpack_from(f"{order}HHI", data, place)
     if kind not in _FORMS or tag not in (_SUB, *(tag for pair in _PARTS for tag in pair)):
         return tag, ()
@@ -84,26 +74,19 @@ def _entry(data: bytes, order: str, place: int) -> tuple[int, tuple[int, ...]]:
     return tag, struct.unpack_from(f"{order}{count}{_FORMS[kind]}", data, where)
 
 
-# The kind of a file, by its name's ending.
 KINDS = {".heic": "heif", ".heif": "heif", ".tif": "tiff", ".tiff": "tiff", ".webp": "webp", ".dng": "dng"}
 EXTRA = "photos"
 
-_ORIENTATION, _INNER = 0x0112, 0x8769  # EXIF's tags: how it lies, where more stands
+_ORIENTATION, _INNER = 0x0112, 0x8769  # EXIF tags: orientation, offset of further tags
 _DEEP_GREY = ("I;16", "I;16B", "I;16L", "I;16N")
-_NUMBERS = ("F", "I", "LAB")  # modes of Pillow that are no colours, or that it cannot make RGB of
+_NUMBERS = ("F", "I", "LAB")  # Pillow modes that are no colors or cannot be converted to RGB
 
 
 def is_photo(path: FilePath) -> bool:
-    """Whether a file is of one of these kinds, by the ending of its name."""
     return Path(path).suffix.lower() in KINDS
 
 
 def read_photo_header(path: FilePath) -> PictureHeader:
-    """The size and kind of a photograph, as `read_photo` gives it; no pixel is decoded.
-
-    Raises:
-        FileError: Unreadable, damaged, of another kind, too large, or the package for its kind is missing.
-    """
     kind = KINDS[Path(path).suffix.lower()]
     if kind == "dng":
         with _opened_raw(path) as raw:
@@ -114,22 +97,14 @@ def read_photo_header(path: FilePath) -> PictureHeader:
 
 
 def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], int]:
-    """The pixels of a photograph, and how they lie.
-
-    Returns:
-        Colours of shape [h, w, 3], uint8, or 16-bit grey [h, w], uint16; and the orientation that is left to be
-        applied, as EXIF numbers it. HEIC is decoded upright.
-
-    Raises:
-        FileError: As of `read_photo_header`.
-    """
+    """Pixels, uint8 (h, w, 3) or uint16 gray (h, w), and the remaining EXIF orientation. HEIC is upright."""
     kind = KINDS[Path(path).suffix.lower()]
     if kind == "dng":
         return _develop(path), orientation_of(read_exif(path))
     with _opened(path, kind) as picture:
         _header_of(path, kind, picture)
         with foreign_errors(path, "damaged picture"):
-            picture.load()  # turns a TIFF upright, and then says no more that it is not
+            picture.load()  # makes a TIFF upright and clears its orientation
         orientation = orientation_of(picture.getexif())
         if picture.mode in _DEEP_GREY:
             return np.array(picture).astype(np.uint16), orientation
@@ -138,11 +113,7 @@ def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], 
 
 
 def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
-    """The transparency of a TIFF or WebP picture as `read_photo` lays it, shape [h, w]; None where it has none.
-
-    Raises:
-        FileError: As of `read_photo_header`.
-    """
+    """The alpha of a TIFF or WebP image in the layout of `read_photo`, shape (h, w), or None."""
     kind = KINDS[Path(path).suffix.lower()]
     if kind == "dng":
         return None
@@ -155,19 +126,16 @@ def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
 
 
 def read_exif(path: FilePath) -> Image.Exif:
-    """What EXIF says of a picture of any kind; empty where it says nothing, or nothing that makes sense.
-
-    Of HEIC and of an upright TIFF it says that it lies as `read_photo` gives it.
-    """
+    """The EXIF data of an image, empty if missing or invalid. Orientation matches `read_photo`, so HEIC is upright."""
     kind = KINDS.get(Path(path).suffix.lower())
     exif = Image.Exif()
-    # EXIF is written by all sorts of programs; what makes no sense says nothing
+    # EXIF is often invalid; such values are ignored
     with ignored_errors():
-        if kind in ("dng", "tiff"):  # what EXIF is made of
+        if kind in ("dng", "tiff"):  # EXIF's own types
             exif.load(b"Exif\0\0" + path_of(path).read_bytes())
             exif.get_ifd(_INNER)
             if kind == "tiff":
-                exif.pop(_ORIENTATION, None)  # Pillow turns the pixels
+                exif.pop(_ORIENTATION, None)  # Pillow rotates the pixels
         elif kind is None:
             with Image.open(path) as picture:
                 exif = picture.getexif()
@@ -180,7 +148,7 @@ def read_exif(path: FilePath) -> Image.Exif:
 
 
 def orientation_of(exif: Image.Exif) -> int:
-    """How a picture lies: 1 upright, or unknown."""
+    """The EXIF orientation; 1 if upright or unknown."""
     with ignored_errors():
         orientation = int(exif.get(_ORIENTATION, 1))
         return orientation if 1 <= orientation <= 8 else 1
@@ -188,7 +156,7 @@ def orientation_of(exif: Image.Exif) -> int:
 
 
 def plain_number(value: Any) -> str:
-    """A number of EXIF to four digits; nothing where it is none, or 0, which says that it is unknown."""
+    """An EXIF number with four digits; "" if invalid or 0 (unknown)."""
     try:
         number = float(value)
     except (TypeError, ValueError, ZeroDivisionError):
@@ -213,7 +181,7 @@ def _checked(path: FilePath, header: PictureHeader) -> PictureHeader:
 
 
 def _opened(path: FilePath, kind: str) -> Any:
-    """A picture by its own class, from the bytes of its file; closed by `with`."""
+    """An image opened by its format class from bytes, for `with`."""
     plugins = {"tiff": TiffImagePlugin.TiffImageFile, "webp": WebPImagePlugin.WebPImageFile}
     plugin = plugins.get(kind) or _heif(path).HeifImageFile
     with foreign_errors(path, "damaged picture, or none of its kind"):
@@ -221,7 +189,6 @@ def _opened(path: FilePath, kind: str) -> Any:
 
 
 def _heif(path: FilePath) -> Any:
-    """The package that decodes HEIC: pi-heif, or pillow-heif where that is what there is."""
     for name in ("pi_heif", "pillow_heif"):
         with contextlib.suppress(ImportError):
             return importlib.import_module(name)
@@ -247,6 +214,6 @@ def _opened_raw(path: FilePath) -> Any:
 
 
 def _develop(path: FilePath) -> NDArray[np.uint8]:
-    """A raw picture as colours of 8 bits, by the camera's white balance, as it is stored; no brightness is guessed."""
+    """A raw image as 8-bit colors with the camera's white balance, without auto-brightness, orientation as stored."""
     with _opened_raw(path) as raw, foreign_errors(path, "damaged picture"):
         return raw.postprocess(use_camera_wb=True, user_flip=0, no_auto_bright=True, output_bps=8)

@@ -1,11 +1,7 @@
-"""A PNG file's chunks and its stream of pixels, held against its header before a decoder sees them.
+"""Validate the chunks and pixel stream of a PNG before decoding.
 
-Decoders skip the checksums of the pixels, and where the stream ends before the picture does they leave the rest black:
-no depth where there was some. Here every checksum is verified, and the stream is inflated and its length compared with
-what size, depth, colour type and interlacing ask for. What goes on to the decoder is a PNG with the same rows, stored,
-so that they are inflated once, and without what is no pixel: texts and profiles, however much they would unpack to.
-
-Source: W3C, Portable Network Graphics (third edition), sections 5, 8.1, 10 and 11.2.
+Decoders skip pixel checksums and fill truncated images with black (no depth). The decoder gets a verified PNG with
+stored rows, without texts and profiles. W3C, Portable Network Graphics (third edition), sections 5, 8.1, 10 and 11.2.
 """
 
 from __future__ import annotations
@@ -20,23 +16,23 @@ from ...core.errors import FileError
 
 PNG_MAGIC = b"\x89PNG\r\n\x1a\n"
 
-# Channels of each colour type, and the bits that a channel may have.
+# Channels of each color type, and allowed bits per channel.
 _COLOR_TYPES = {
     0: (1, (1, 2, 4, 8, 16)), 2: (3, (8, 16)), 3: (1, (1, 2, 4, 8)), 4: (2, (8, 16)), 6: (4, (8, 16)),
 }  # fmt: skip
 
-# Adam7: first column and row of each pass, and the steps between its pixels.
+# Adam7: first column and row of each pass, and its pixel steps.
 _PASSES = ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2))
 
 _NEEDED = (b"IHDR", b"PLTE", b"tRNS")
-_LAST_FILTER = 4  # Paeth's
+_LAST_FILTER = 4  # Paeth filter
 
 _REMEDY = "Fetch or write the file again"
 
 
 @dataclass(frozen=True)
 class PngHeader:
-    """What the first chunk says; `channels` and `bits` are those of a pixel as stored, a palette's index being one."""
+    """The first chunk; `channels` and `bits` are per stored pixel, a palette index counts as one channel."""
 
     width: int
     height: int
@@ -45,7 +41,7 @@ class PngHeader:
     is_interlaced: bool
 
     def passes(self) -> Iterator[tuple[int, int]]:
-        """Rows of each pass that has any, and the bytes of a row, the first of which names its filter."""
+        """Rows of each nonempty pass, and bytes per row including the filter byte."""
         for column, row, across, down in _PASSES if self.is_interlaced else ((0, 0, 1, 1),):
             width = (self.width - column + across - 1) // across
             height = (self.height - row + down - 1) // down
@@ -54,11 +50,6 @@ class PngHeader:
 
 
 def parse_png_header(path: Any, start: bytes) -> PngHeader:
-    """The header of a PNG file, from its first 33 bytes.
-
-    Raises:
-        FileError: Damaged, or a combination that PNG does not have.
-    """
     if len(start) < 33 or start[8:16] != b"\0\0\0\rIHDR" or zlib.crc32(start[12:29]) != _uint32(start, 29):
         raise FileError(path, "damaged PNG header", where="byte 8", remedy=_REMEDY)
     width, height, bits, color_type, compression, filtering, interlace = struct.unpack(">IIBBBBB", start[16:29])
@@ -75,11 +66,7 @@ def parse_png_header(path: Any, start: bytes) -> PngHeader:
 
 
 def whole_png(path: Any, data: bytes) -> bytes:
-    """The same picture as a PNG whose stream is stored, once all of it is there and nothing more.
-
-    Raises:
-        FileError: Cut off, damaged, an animation, or a stream of pixels that is shorter or longer than the header asks.
-    """
+    """The same image as a PNG with a stored stream; raises `FileError` if truncated, damaged or animated."""
     header = parse_png_header(path, data[:33])
     chunks, stream = _split_chunks(path, data)
     rows = _inflate(path, stream, header)
@@ -87,7 +74,7 @@ def whole_png(path: Any, data: bytes) -> bytes:
 
 
 def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
-    """The chunks that a decoder needs before the pixels, and the pixels' stream; all are of a right checksum."""
+    """The chunks needed before the pixels, and the pixel stream, with checksums verified."""
     view, place, kind, last = memoryview(data), len(PNG_MAGIC), b"", b""
     needed, pixels = [], []
     while kind != b"IEND":
@@ -119,7 +106,7 @@ def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
 
 
 def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:
-    """The rows of the picture; memory follows what the stream delivers, and ends one byte behind what is asked for."""
+    """The rows of the image; memory is bounded by the expected size plus one byte."""
     expected = sum(height * length for height, length in header.passes())
     inflate = zlib.decompressobj()
     try:
@@ -136,7 +123,7 @@ def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:
         how = "goes on behind its end" if inflate.eof else "lacks its end and checksum"
         raise FileError(path, f"damaged: the stream of pixels {how}", where="IDAT", remedy=_REMEDY)
     at = 0
-    for height, length in header.passes():  # Pillow may have been told to go on behind a wrong filter
+    for height, length in header.passes():  # Pillow may be configured to continue after an invalid filter
         if max(rows[at : at + height * length : length]) > _LAST_FILTER:
             raise FileError(path, "damaged: a row of pixels has an unknown filter", where="IDAT", remedy=_REMEDY)
         at += height * length

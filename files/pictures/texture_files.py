@@ -1,4 +1,4 @@
-"""Pictures that lie beside a mesh file and are named in it: found, read, and written together with it."""
+"""Texture images beside a mesh file: find, read and write them."""
 
 from __future__ import annotations
 
@@ -20,17 +20,15 @@ from ...core.paths import path_of
 from ..source import Source, open_source
 from .image_files import decode_texture, encode_png, texture_size
 
-# The pictures of one mesh, together: 16 pages of 8192 x 8192, 3 GiB as RGB.
+# Maximum pixels of a mesh's textures: 16 pages of 8192 x 8192, 3 GiB as RGB.
 TOTAL_PIXELS = 2**30
 
-# What is said of a name that leads out of the folder.
 OUTSIDE = "leads out of its folder (copy it there, or ask for outside_files=True)"
 
 _Key = TypeVar("_Key")
 
 
 def leads_outside(name: str) -> bool:
-    """Whether a name in a file leads out of the file's folder: an absolute one, or one that climbs by `..`."""
     if PurePosixPath(name).is_absolute() or PureWindowsPath(name).anchor:
         return True
     depth = 0
@@ -42,10 +40,7 @@ def leads_outside(name: str) -> bool:
 
 
 def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool = False) -> Path | None:
-    """The file that a mesh file names relative to its own folder; None where there is none.
-
-    Names that lead out of the folder are followed with `outside_files` alone.
-    """
+    """A file named relative to a mesh file, or None; names outside its folder require `outside_files`."""
     if not name or (leads_outside(name) and not outside_files):
         return None
     try:
@@ -56,21 +51,14 @@ def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool 
 
 
 def why_missing(name: str, *, outside_files: bool) -> str:
-    """Why `find_beside` found nothing under a name, as the end of a sentence about it."""
+    """Why `find_beside` returned None, as the end of a sentence."""
     return OUTSIDE if leads_outside(name) and not outside_files else "does not lie beside it"
 
 
 def read_textures(
     path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
 ) -> tuple[NDArray[np.uint8], ...]:
-    """Read the pictures of these names beside a mesh file.
-
-    A picture that several names mean is decoded once, and they share it.
-
-    Returns:
-        The pictures; none at all, with a warning, if one is missing, damaged or of none of the kinds of
-        `decode_texture`, or if all of them are too large together.
-    """
+    """Read textures beside a mesh file, each once; none, with a warning, if one is unreadable or all are too large."""
     places = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, place in zip(names, places, strict=True) if place is None]
     if missing:
@@ -90,15 +78,7 @@ def read_textures(
 def decode_textures(
     path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
 ) -> dict[_Key, NDArray[np.uint8]]:
-    """Pictures by what tells them apart, each decoded once; read-only.
-
-    Args:
-        path: The mesh file.
-        given: The name of each, for errors, and the bytes of a file.
-
-    Raises:
-        FileError: A picture is damaged, or all of them are too large together; that is seen before any is decoded.
-    """
+    """Decode images by key, each once, read-only; raises `FileError` before decoding if the total is too large."""
     sizes = [texture_size(name, data) for name, data in given.values()]
     total = sum(width * height for width, height in sizes)
     if total > TOTAL_PIXELS:
@@ -112,14 +92,14 @@ def decode_textures(
 
 
 def alpha_mode(picture: NDArray[np.uint8]) -> str:
-    """The mode of glTF that shows the alpha of a picture: OPAQUE, MASK if it is 0 or 255 everywhere, else BLEND."""
+    """The glTF mode of an image: OPAQUE, MASK if alpha is only 0 or 255, else BLEND."""
     if picture.shape[2] < 4 or (picture[..., 3] == 255).all():
         return "OPAQUE"
     return "MASK" if np.isin(picture[..., 3], (0, 255)).all() else "BLEND"
 
 
 def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.uint8]:
-    """A picture without alpha, read-only; or with an alpha of 0 and 255 if some alphas, of 0..1, are below a cutoff."""
+    """Drop alpha, or threshold it to 0 and 255 if a `cutoff` in 0..1 is given; read-only."""
     alpha = picture[..., 3] if picture.shape[2] == 4 else np.full(picture.shape[:2], 255, np.uint8)
     shown = alpha / np.float32(255) >= cutoff
     found = np.ascontiguousarray(picture[..., :3])
@@ -130,17 +110,15 @@ def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.ui
 
 
 def warn_left_behind(path: Any, reason: str) -> None:
-    """Warn that textures are left behind, for a reason."""
     warnings.warn(escaped(f"{path}: the textures are left behind, since {reason}"), UserWarning, stacklevel=5)
 
 
 def derived_name(path: str | os.PathLike[str], ending: str) -> str:
-    """A file name from that of a mesh file, without characters that a list of names could be parted at."""
+    """A file name derived from a mesh file, without characters that separate names in lists."""
     return re.sub(r"[^A-Za-z0-9._-]", "_", Path(path).stem) + ending
 
 
 def picture_names(path: str | os.PathLike[str], count: int) -> list[str]:
-    """The names under which the pictures of a mesh file are written."""
     return [derived_name(path, f"_{k}.png") for k in range(count)]
 
 
@@ -148,13 +126,7 @@ def picture_names(path: str | os.PathLike[str], count: int) -> list[str]:
 def write_with(
     path: str | os.PathLike[str], beside: dict[str, bytes | NDArray[np.uint8]], *, overwrite: bool
 ) -> Iterator[IO[bytes]]:
-    """A binary file, with others beside it that appear before it does, each whole or not at all.
-
-    Args:
-        path: The file.
-        beside: What else is written, by name: bytes, or pictures as PNG.
-        overwrite: Whether existing files may be replaced.
-    """
+    """A binary file with dependent files (bytes, or images as PNG) that appear before it, each atomically."""
     with contextlib.ExitStack() as files:
         main = files.enter_context(atomic_write(path, overwrite=overwrite))
         for name, content in beside.items():

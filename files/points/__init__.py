@@ -1,1 +1,1 @@
-"""Formats of point clouds: PLY, PCD, text, NPZ, LAS, E57, KITTI."""
+"""Point cloud formats: PLY, PCD, text, NPZ, LAS, E57, KITTI."""

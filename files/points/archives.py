@@ -1,4 +1,4 @@
-"""NPZ archives of a kind: written whole or not at all, and none of their arrays used before all were checked."""
+"""Typed NPZ archives, written atomically and validated completely before use."""
 
 from __future__ import annotations
 
@@ -22,7 +22,6 @@ Expected = Mapping[str, tuple[Any, tuple[int, ...]]]  # type and shape of each a
 
 
 def write_archive(path: str | os.PathLike[str], form: bytes, arrays: Arrays, *, overwrite: bool) -> None:
-    """Write arrays under a first member `format` that names what they are."""
     members: dict[str, Any] = {"format": np.frombuffer(form, np.uint8)} | arrays
     with atomic_write(path, overwrite=overwrite) as file:
         np.savez_compressed(file, **members)
@@ -36,19 +35,8 @@ def read_archive(
     expected_of: Callable[[Arrays], Expected],
     find_fault: Callable[[Arrays], str],
 ) -> Arrays:
-    """The arrays of an archive, checked against each other.
-
-    Args:
-        path: The file.
-        form: Its member `format`.
-        what: The kind, for messages.
-        writer: What writes such files, for messages.
-        expected_of: Types and shapes of all other arrays, by those that are there.
-        find_fault: What no such file holds, of arrays of these types and shapes; empty where there is nothing.
-
-    Raises:
-        FileError: Missing, damaged, of another kind, or with other arrays.
-        MemoryError: The memory does not hold it.
+    """The validated arrays of an archive with the member `format` equal to `form`; `what`, `writer` are for messages.
+    `expected_of` returns types and shapes of all other arrays, `find_fault` why well-shaped arrays are invalid, or "".
     """
     arrays = _read_members(path, what)
     if arrays.get("format", np.zeros(0)).tobytes() != form:
@@ -61,7 +49,7 @@ def read_archive(
 
 
 def find_wrong_array(arrays: Arrays, expected: Expected) -> str:
-    """The first array that is missing, unknown or of another type or shape than expected; empty if there is none."""
+    """The first missing, unknown or mistyped array, or ""."""
     if arrays.keys() != expected.keys():
         missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
         return f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}"
@@ -74,11 +62,7 @@ def find_wrong_array(arrays: Arrays, expected: Expected) -> str:
 
 
 def check_arrays(state: Any, expected_of: Callable[[Arrays], Expected], find_fault: Callable[[Arrays], str]) -> Arrays:
-    """Check the arrays of a pickle as those of an archive.
-
-    Raises:
-        ValueError: They are damaged.
-    """
+    """Validate the arrays of a pickle like those of an archive; raises `ValueError`."""
     arrays = {name: np.asarray(values) for name, values in dict(state).items()}
     if reason := find_wrong_array(arrays, expected_of(arrays)) or find_fault(arrays):
         raise ValueError(reason)
@@ -86,12 +70,11 @@ def check_arrays(state: Any, expected_of: Callable[[Arrays], Expected], find_fau
 
 
 def rows_of(arrays: Arrays, name: str) -> int:
-    """The rows of an array that may not be there."""
     return len(arrays[name]) if name in arrays and arrays[name].ndim else 0
 
 
 def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
-    """The arrays of an NPZ archive, none of which is allocated before its sizes are known to be true."""
+    """The arrays of an NPZ archive, allocated only after their sizes are validated."""
     remedy = "The file may be truncated"
     try:
         arrays = {}
@@ -114,6 +97,6 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
 
 
 def _ends_archive(file: IO[bytes]) -> bool:
-    """Whether the last bytes are the record that ends a ZIP archive without a comment, which NumPy never writes."""
+    """True if the last bytes are a ZIP end record without a comment, as NumPy writes it."""
     file.seek(-22, os.SEEK_END)
     return file.read(4) == b"PK\5\6"

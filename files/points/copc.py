@@ -1,10 +1,6 @@
-"""Cloud Optimized Point Clouds: LAZ files whose chunks are the nodes of an octree.
+"""Read Cloud Optimized Point Clouds: LAZ files whose chunks are octree nodes, validated before decompression.
 
-A record tells the octree's cube, and pages at the end of the file which chunk each node is. So a window, or the coarse
-levels alone, is read without the rest of the file. Every page and every node is held against the file and against the
-table of chunks before a byte is unpacked by them; a file without such records is an ordinary LAZ file.
-
-Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
+Hobu Inc., "COPC: Cloud Optimized Point Cloud specification 1.0" (2021).
 """
 
 from __future__ import annotations
@@ -32,22 +28,14 @@ INFO, HIERARCHY = ("copc", 1), ("copc", 1000)
 INFO_FIELDS = struct.Struct("<5d2Q2d11Q")
 ENTRY = np.dtype([("level", "<i4"), ("cell", "<i4", 3), ("begin", "<u8"), ("size", "<i4"), ("count", "<i4")])
 POINT_FORMATS = (6, 7, 8)
-IN_PAGE = -1  # a count that says that the entry's node is told by another page
-_MOST_LEVELS = 31  # cells are told in 32 bits
+IN_PAGE = -1  # point count of an entry that refers to another page
+_MOST_LEVELS = 31  # cells have 32-bit indices
 
 
 @dataclass(frozen=True, eq=False)
 class CopcFile:
-    """A file whose octree is known to go with its chunks.
-
-    Attributes:
-        file: The file as LAZ.
-        corner: Low corner of the octree's cube, float64 [3].
-        side: Of that cube.
-        spacing: Of points of the coarsest level; each finer level halves it.
-        times: Lowest and highest GPS time, as the file says.
-        nodes: The nodes that hold points, coarse before fine, with the fields of ENTRY.
-    """
+    """A file with a validated octree: lower `corner` (3,) and `side` of its cube, `spacing` of the coarsest level.
+    `nodes` are those with points, coarse to fine, with the fields of ENTRY; `times` is the GPS time range as stored."""
 
     file: LasFile
     corner: NDArray[np.float64]
@@ -58,12 +46,11 @@ class CopcFile:
 
     @property
     def path(self) -> Path:
-        """The file."""
         return self.file.path
 
     @cached_property
     def full(self) -> int:
-        """The value of a full colour: 255 where none of the coarsest level exceeds that, else 65535."""
+        """Maximum color value: 255 if the coarsest level does not exceed it, else 65535."""
         row = self.file.layout.dtype()
         if COLORS[0] not in row.names:
             return 65535
@@ -73,17 +60,12 @@ class CopcFile:
         return 255 if 0 < brightest <= 255 else 65535
 
     def nodes_within(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> NDArray[np.int64]:
-        """Which nodes may hold points of a box, down to the first level that is as fine as a spacing.
-
-        Args:
-            low, high: The box, in the file's unit, both ends included; None has no end.
-            spacing: Between points [unit of the coordinates]; 0 takes all levels.
-        """
+        """Indices of nodes that may intersect a box (None: unbounded), down to the first level as fine as `spacing`."""
         widths = self.side / 2.0 ** self.nodes["level"]
         lows = self.corner + self.nodes["cell"] * widths[:, None]
         keep = self.spacing / 2.0 ** (self.nodes["level"] - 1.0) > spacing
         keep[self.nodes["level"] == 0] = True
-        slack = 1e-9 * self.side  # corners of cells are rounded
+        slack = 1e-9 * self.side  # cell corners are rounded
         if low is not None:
             keep &= (lows + widths[:, None] + slack >= low).all(axis=1)
         if high is not None:
@@ -92,13 +74,7 @@ class CopcFile:
 
     def read(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> PointTable:
         """The points of a box, down to a spacing; see `nodes_within`.
-
-        Raises:
-            FileError: The compressed bytes are damaged, or colours look like 8 bits in the coarsest level alone.
-
-        Notes:
-            Memory: the nodes that reach into the box, unpacked and as columns; then the result.
-        """
+        Needs memory for the intersecting nodes, raw and as columns, and the result."""
         file = self.file
         warn_of_wide_integers(self.path, file.layout)
         columns = file.decode(np.frombuffer(self.unpack(self.nodes_within(low, high, spacing)), file.layout.dtype()))
@@ -114,7 +90,6 @@ class CopcFile:
         return table_of(file, columns)
 
     def unpack(self, which: NDArray[np.int64]) -> bytes:
-        """The points of nodes as they lie in an uncompressed file, one node after the other."""
         nodes, header = self.nodes[which], self.file.header
         rows = np.empty(int(nodes["count"].sum()) * header.record_length, np.uint8)
         if not len(nodes):
@@ -130,21 +105,16 @@ class CopcFile:
 
 
 def is_copc(file: LasFile) -> bool:
-    """Whether a file says that it is one."""
     return file.header.is_compressed and file.header.find(*INFO) is not None
 
 
 def open_copc(path: str | os.PathLike[str]) -> CopcFile:
-    """Open a file and hold its octree against its chunks; no point is unpacked.
-
-    Raises:
-        FileError: It cannot be read, is no COPC file, or does not go with its header; or laspy is missing.
-    """
+    """Open a file and check its octree against its chunks, without decompressing points."""
     return octree_of(open_las(path))
 
 
 def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
-    """The octree of an opened file, as of `open_copc`; not `strict` leaves out nodes that are no chunk of the file."""
+    """The octree of an opened file; not `strict` skips nodes that match no chunk."""
     if not is_copc(file):
         raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
     header, source = file.header, file.source
@@ -166,7 +136,7 @@ def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
 
 
 def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[Any]:
-    """The entries of all pages that hold points, coarse before fine, along the cells of a level."""
+    """Entries with points of all pages, coarse to fine, sorted by cell within a level."""
     pages, wanted, read = [], [(begin, size)], set()
     while wanted:
         begin, size = wanted.pop()
@@ -195,7 +165,7 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
 
 
 def _check_nodes(file: LasFile, nodes: NDArray[Any], strict: bool) -> NDArray[Any]:
-    """Hold that each chunk of the file is one node; the nodes that are one."""
+    """Check that each chunk is exactly one node; returns the valid nodes."""
     chunks, header = np.empty((0, 3), np.int64), file.header
     if header.point_count:
         with file.path.open("rb") as stream:

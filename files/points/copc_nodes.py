@@ -1,4 +1,4 @@
-"""The points of a COPC file node by node, as a viewer wants them: `CopcNodes`; a damaged node spoils no other."""
+"""Read a COPC file node by node for viewers; a damaged node does not affect others."""
 
 from __future__ import annotations
 
@@ -23,30 +23,14 @@ from .las_header import parse_las_header
 from .las_units import units_of
 from .laszip import RECORD, check_chunk
 
-MEMORY = 1 << 28  # bytes of unpacked points that are kept
-MOST_POINTS = 1 << 22  # of one node: writers make some 100,000, and a few bytes may claim any number
+MEMORY = 1 << 28  # [B] cache of unpacked points
+MOST_POINTS = 1 << 22  # maximum points of a node: writers use about 100,000, and a few bytes may claim any number
 
 
 class CopcNodes:
-    """A COPC file that is open only while a node is read.
-
-    Args:
-        path: The file.
-        memory: Unpacked bytes that are kept, those that were asked for longest ago go first; a node that is larger
-            takes its own.
-
-    Attributes:
-        path: The file.
-        octree: Its octree; nodes that are no chunk of the file are left out.
-        unit: Of the coordinates, where the file tells it.
-        nodes_read, bytes_read: Nodes that were unpacked, each time that they were, and their compressed bytes.
-
-    Raises:
-        FileError: As of `open_copc`, but for damages within chunks: those show when a node is read.
-
-    Notes:
-        Safe from several threads. Of a file, opening reads the header, the table of chunks and the octree.
-    """
+    """A COPC file that is open only while a node is read; thread-safe.
+    `memory` is the size of the LRU cache of unpacked nodes [B]; a larger node is cached alone. `nodes_read` and
+    `bytes_read` count unpacked nodes and compressed bytes."""
 
     def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY):
         self._rows: LruCache[NDArray[Any]] = LruCache(check_count("memory", memory, minimum=0))
@@ -60,26 +44,17 @@ class CopcNodes:
 
     @property
     def held(self) -> int:
-        """Bytes of unpacked points that are kept now."""
         return self._rows.size
 
     def table(self, k: int, full: int) -> PointTable:
-        """The points of a node.
-
-        Args:
-            k: Its place in `octree.nodes`.
-            full: The value of a full colour; brighter ones are cut.
-
-        Raises:
-            FileError: The node is damaged, or the file is another one than was opened.
-        """
+        """The points of node `k` of `octree.nodes`; `full` is the maximum color value, brighter colors are clipped."""
         columns = self.octree.file.decode(self.rows(k))
         if "colors" in columns:
             columns["colors"] = np.minimum(columns["colors"] / np.float32(full), np.float32(1))
         return table_of(self.octree.file, columns)
 
     def rows(self, k: int) -> NDArray[Any]:
-        """The points of a node as they lie in an uncompressed file; see `table`."""
+        """The uncompressed points of a node; see `table`."""
         with self._lock:
             rows = self._rows.find(k)
         if rows is None:
@@ -89,13 +64,12 @@ class CopcNodes:
         return rows
 
     def name_of(self, k: int) -> str:
-        """What errors call a node: its level and cell, and where it lies in the file."""
         node = self.octree.nodes[k]
         cell = "-".join(map(str, node["cell"].tolist()))
         return f"node {int(node['level'])}-{cell} of the octree, at byte {int(node['begin'])}"
 
     def full_of(self, which: NDArray[np.int64]) -> int:
-        """The value of a full colour: 255 where none of some nodes exceeds that, else 65535."""
+        """Maximum color value: 255 if no given node exceeds it, else 65535."""
         if COLORS[0] not in (self.row.names or ()):
             return 65535
         brightest = max((int(self.rows(k)[name].max(initial=0)) for k in which.tolist() for name in COLORS), default=0)
@@ -131,11 +105,7 @@ def _open(path: Path) -> CopcFile:
 
 
 def says_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
-    """Whether a LAZ file says that it is a COPC file, and has more than so many points; only its header is read.
-
-    Raises:
-        FileError: It has no header that goes with it.
-    """
+    """True if the header of a LAZ file declares COPC and more than `more_than` points."""
     path = Path(path)
     header = parse_las_header(path, open_source(path))
     return header.is_compressed and header.find(*INFO) is not None and header.point_count > more_than

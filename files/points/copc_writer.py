@@ -1,15 +1,8 @@
-"""Writing Cloud Optimized Point Clouds: LAZ whose chunks are the nodes of an octree; reading is copc.py's matter.
+"""Write Cloud Optimized Point Clouds: LAZ (formats 6 to 8) whose chunks are octree nodes.
 
-The cube of the octree has the low corner of the points and their longest extent, as some readers take it from the
-header's bounds and not from the octree's record. Each voxel of a 128th of a node's side is
-stood for by one of its points, picked by a scattered priority, in the coarsest node that it can be in; where few points
-lie deeper they join the node above (pcd/detail_nodes.py). Within a node points keep their order. Cells are those of the
-coordinates as they are stored, rounded to their steps.
-
-Points are stored in format 6, 7 or 8, as COPC wants; whole degrees of `scan_angle_rank` become `scan_angle`, in its
-steps of 0.006 degrees.
-
-Source: Hobu Inc. 2021, "COPC: Cloud Optimized Point Cloud specification 1.0".
+The cube starts at the lower corner with the longest extent, as some readers use the header's bounds. Each voxel of
+1/128 of a node's side is represented by one point in the coarsest possible node (pcd/detail_nodes.py). Hobu Inc., "COPC
+specification 1.0" (2021).
 """
 
 from __future__ import annotations
@@ -39,12 +32,12 @@ from .las_writer import LasLayout, lay_out, with_scan_angle
 from .laszip import RECORD as LASZIP
 from .laszip import chunks_at
 
-# Deeper points that join the node above: smaller nodes compress worse, larger ones are read for few points.
+# Nodes with fewer points join their parent: smaller nodes compress worse, larger ones are slower to query.
 _LEAST = 8192
-_BATCH = 1 << 20  # points compressed at a time, a node a core
+_BATCH = 1 << 20  # points compressed at a time, one node per core
 _EXTENDED_HEADER = 60  # bytes
-_PAGE_DEPTH = 5  # from this level on the branches of a large octree have pages of their own
-_PAGE = 1 << 12  # entries that one page may have before
+_PAGE_DEPTH = 5  # from this level on, branches of a large octree have their own pages
+_PAGE = 1 << 12  # maximum entries of the first page
 
 
 def write_copc(
@@ -57,21 +50,8 @@ def write_copc(
     overwrite: bool = True,
     device: Any = None,
 ) -> None:
-    """Write points as a COPC file.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points.
-        scale, offset, like: As of write_las.
-        overwrite: Whether an existing file may be replaced.
-        device: Where the octree is made; the file is the same on each.
-
-    Raises:
-        FileError, ValueError: As write_las.
-
-    Notes:
-        Memory: 100 B a point beside the table, while the octree is made.
-    """
+    """Write points as a COPC file atomically, with options as in `write_las`; the file does not depend on `device`.
+    Needs 100 B per point in addition to the table."""
     path, where = check_writable(path, overwrite=overwrite), resolve_device(device)
     layout = lay_out(path, with_scan_angle(table), scale, offset, like)
     corner, side, nodes = _octree(layout, where)
@@ -88,15 +68,7 @@ def write_copc(
 
 
 class CopcWriter:
-    """Nodes of an octree to a file, in any order.
-
-    Args:
-        path: The file's name, for errors.
-        file: An empty file that can be read too, which is left open.
-        layout: How points are stored.
-        corner: Low corner of the octree's cube.
-        side: Of that cube.
-    """
+    """Write octree nodes to an empty readable file, in any order; `corner` and `side` define the cube."""
 
     def __init__(self, path: Any, file: IO[bytes], layout: LasLayout, corner: NDArray[np.float64], side: float):
         lazrs = import_for(path, "lazrs", "las")
@@ -118,17 +90,11 @@ class CopcWriter:
         self._header.vlrs.append(self._laspy.VLR(*LASZIP, "", self._laszip.record_data()))
         self._header.write_to(file)
         self._begin = file.tell()
-        file.write(bytes(8))  # the place of the table of chunks
+        file.write(bytes(8))  # offset of the chunk table
         self.pack = partial(pack_chunks, str(path), self._laszip.record_data())
 
     def add(self, levels: Any, cells: Any, records: list[Any], chunks: list[bytes] | None = None) -> None:
-        """Add nodes.
-
-        Args:
-            levels, cells: Of each.
-            records: Its points, at least one, as `LasLayout.pack` makes them.
-            chunks: What `pack` makes of the rows of each; None has them made here.
-        """
+        """Add nodes with their points; `chunks` are the results of `pack_chunks`, or None to compress here."""
         if chunks is None:
             chunks = self.pack([record.array for record in records])
         for record in records:
@@ -143,7 +109,6 @@ class CopcWriter:
         self._counts += [len(record) for record in records]
 
     def finish(self, extended: Any) -> None:
-        """Write the octree, further records that follow the points, and the header."""
         file, header = self._file, self._header
         table = file.tell()
         lazrs = import_for(self._path, "lazrs", "las")
@@ -165,7 +130,7 @@ class CopcWriter:
         header.write_to(file, ensure_same_size=True)
 
     def _entries(self) -> NDArray[Any]:
-        """The nodes with their chunks, and a node without points where only nodes below it have some."""
+        """Entries of the nodes, including empty parents of nodes."""
         entries = np.zeros(len(self._counts), ENTRY)
         if len(entries):
             entries["level"], entries["cell"], entries["count"] = self._levels, self._cells, self._counts
@@ -187,13 +152,7 @@ class CopcWriter:
 
 
 def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[bytes]:
-    """The compressed bytes of the rows of each of some nodes, which depend on nothing else.
-
-    Args:
-        path: The file's name, for errors.
-        record: Of LASzip, that says how rows are packed.
-        rows: The points of each node, at least one.
-    """
+    """Compress the rows of each node; `record` is LASzip's record."""
     lazrs, stream = import_for(path, "lazrs", "las"), io.BytesIO()
     with foreign_errors(path, "its points cannot be packed"):
         compressor = lazrs.ParLasZipCompressor(stream, lazrs.LazVlr(record))
@@ -204,7 +163,7 @@ def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[byte
 
 
 def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float, NodeTable]:
-    """Corner and side of a cube about the points as they are stored, and the nodes in it."""
+    """Corner and side of the cube around the stored points, and the octree nodes."""
     points, header = layout.table.points, layout.header
     stored = np.empty((len(points), 3))
     for axis in range(3):
@@ -218,7 +177,6 @@ def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float,
 
 
 def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:
-    """All pages of an octree, from byte `begin` on, and the bytes of the first."""
     entries = entries[np.lexsort((*entries["cell"].T[::-1], entries["level"]))]
     if len(entries) <= _PAGE:
         return entries.tobytes(), entries.nbytes

@@ -1,13 +1,8 @@
-"""E57 files of scans; the package pye57 (libE57Format) reads them. Writing is e57_writer.py's matter.
+"""Read E57 scans with pye57 (libE57Format), transformed by their pose T_world_scan.
 
-The points of one scan, or of all with the attribute `scan_index`, each scan moved by its pose T_world_scan; spherical
-coordinates become cartesian ones; points that the scanner marked as invalid are left out. Intensities and times that it
-marked so are NaN, and colors are white with a warning. Colours are taken to 0..1 by the scan's limits. rowIndex,
-columnIndex, returnIndex, returnCount, timeStamp and intensity become attributes of the same name in our spelling, in
-the narrowest type that holds them; normals are those of the extension "nor". Of several scans only what all of them
-have is kept. Pictures and scanner data are not read. All lengths are metres.
-
-Source: ASTM E2807-11; the extension "nor" of libe57.org.
+All scans together get the attribute `scan_index` and keep only common fields. Invalid points are dropped; invalid
+intensities and times become NaN, invalid colors white with a warning. Lengths are meters. Images are not read. ASTM
+E2807-11; extension "nor" (normals) of libe57.org.
 """
 
 from __future__ import annotations
@@ -41,7 +36,7 @@ COLORS: tuple[str, ...] = ("colorRed", "colorGreen", "colorBlue")
 NORMALS: tuple[str, ...] = ("nor:normalX", "nor:normalY", "nor:normalZ")
 _INVALID = ("cartesianInvalidState", "sphericalInvalidState")  # 0 is valid, 1 a direction without a range
 
-_FLAGS = {"intensity": "isIntensityInvalid", "timeStamp": "isTimeStampInvalid"}  # 1 where a point has no such value
+_FLAGS = {"intensity": "isIntensityInvalid", "timeStamp": "isTimeStampInvalid"}  # 1 where a point lacks the value
 _COLOR_FLAG = "isColorInvalid"
 
 _SCANNER_DATA = (
@@ -56,30 +51,17 @@ ATTRIBUTES = {
     "returnIndex": "return_index", "returnCount": "return_count", "timeStamp": "time_stamp",
 }  # fmt: skip
 NARROW = [np.dtype(code) for code in ("u1", "i1", "u2", "i2")]
-WIDE = np.dtype("q")  # pye57 takes no 32-bit integers, and 64-bit ones rightly under this of their two names only
+WIDE = np.dtype("q")  # pye57 has no 32-bit integers, and 64-bit ones work only under this of their two names
 
 
 class ScanFrame(NamedTuple):
-    """The name of a scan and its pose T_world_scan, float64 (4, 4), or None."""
-
     name: str
     pose: NDArray[np.float64] | None
 
 
 def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
-    """Read the points of an E57 file.
-
-    Args:
-        path: The file.
-        scan: Which scan, from 0; None reads all, which then have the attribute `scan_index`.
-
-    Raises:
-        FileError: Missing, no E57 file, damaged, without scans, or pye57 is missing.
-        IndexError: There is no such scan.
-
-    Notes:
-        Memory: the result and twice the largest scan.
-    """
+    """Read the points of one scan, or of all with `scan_index` if `scan` is None.
+    Needs memory for the result and twice the largest scan."""
     with open_e57(path) as (image, scans):
         if scan is not None and not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
@@ -93,11 +75,7 @@ def read_e57(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
 
 
 def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """The name, the number of points, the fields and the pose's position [m] of each scan.
-
-    Raises:
-        FileError: As `read_e57`.
-    """
+    """Name, point count, fields and position [m] of each scan."""
     with open_e57(path) as (_, scans), foreign_errors(path, "a scan is damaged"):
         return [
             {
@@ -111,11 +89,6 @@ def describe_e57(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
 
 
 def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str]]:
-    """The name and the pose of each scan, and what the file has beside points.
-
-    Raises:
-        FileError: As `read_e57`.
-    """
     with open_e57(path) as (image, scans), foreign_errors(path, "a scan is damaged"):
         frames = []
         for node in scans:
@@ -132,7 +105,6 @@ def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str
 
 @contextlib.contextmanager
 def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
-    """The file as libE57 sees it, and its scans."""
     source = open_source(path)
     if source[:8] != b"ASTM-E57":
         raise FileError(path, "is no E57 file: its first eight bytes are not ASTM-E57", where="byte 0")
@@ -151,7 +123,6 @@ def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
 
 
 def _libe57() -> Any:
-    """pye57's module, of which it is known by now that it is there."""
     return importlib.import_module("pye57.libe57")
 
 
@@ -169,7 +140,7 @@ def _fields(scan: Any) -> dict[str, Any]:
 
 @quiet()
 def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> PointTable:
-    """The points of a scan, moved by its pose, or in its own coordinates."""
+    """The points of a scan in world coordinates, or in scanner coordinates if not `placed`."""
     with foreign_errors(path, "a scan is damaged"):
         fields = _fields(scan)
         R, translation = read_pose(path, scan) if placed else (np.eye(3), np.zeros(3))
@@ -208,12 +179,12 @@ def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> Point
 
 
 def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
-    """The type of floats that holds all numbers of a type, of 64-bit integers those up to 2^53."""
+    """The float type that represents all numbers of a type; for 64-bit integers only up to 2^53."""
     return np.result_type(dtype, np.float32)
 
 
 def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
-    """The colors, white where a point has none, with a warning; None if no point has one."""
+    """Set missing colors to white with a warning; None if all are missing."""
     if is_missing.all():
         return None
     if is_missing.any():
@@ -224,7 +195,7 @@ def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) 
 
 
 def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
-    """The fields of all points; memory follows what the file delivers, not what it says."""
+    """Read the fields of all points; memory is bounded by the delivered data, not by the declared count."""
     libe57 = _libe57()
     count = vector.childCount()
     blocks = {name: np.empty(min(count, BLOCK), dtype) for name, dtype in wanted.items()}
@@ -250,7 +221,7 @@ def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype
 def _to_cartesian(
     x: NDArray[np.float64], y: NDArray[np.float64], z: NDArray[np.float64], *, is_spherical: bool
 ) -> NDArray[np.float64]:
-    """Positions [n, 3]; spherical ones are range [m], azimuth and elevation [rad] (ASTM E2807-11, section 8.4.4)."""
+    """Positions (n, 3); spherical input is range [m], azimuth and elevation [rad] (ASTM E2807-11, section 8.4.4)."""
     if is_spherical:
         reach, azimuth, elevation = x, y, z
         flat = reach * np.cos(elevation)
@@ -259,7 +230,7 @@ def _to_cartesian(
 
 
 def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Rotation [3, 3] and translation [3] of T_world_scan; the identity where the scan has no pose."""
+    """Rotation (3, 3) and translation (3,) of T_world_scan; identity without a pose."""
     quaternion, translation = np.array([0, 0, 0, 1.0]), np.zeros(3)
     if scan.isDefined("pose/rotation"):
         quaternion = np.array([scan["pose"]["rotation"][axis].value() for axis in "xyzw"], np.float64)
@@ -283,7 +254,7 @@ def _narrowest(node: Any) -> np.dtype[Any]:
 
 
 def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]]:
-    """What black and full brightness are for each channel: the scan's limits, else the range of the stored type."""
+    """Minimum and maximum of each channel: the scan's limits, else the range of the stored type."""
     libe57 = _libe57()
     limits = []
     for name in COLORS:
@@ -297,7 +268,7 @@ def _color_limits(scan: Any, fields: dict[str, Any]) -> list[tuple[float, float]
 
 
 def merge_scans(tables: list[PointTable]) -> PointTable:
-    """The points of all scans with what every one of them has; an attribute takes a type that holds all its values."""
+    """Concatenate scans with their common fields; attribute types are promoted."""
     names = [name for name in tables[0].attributes if all(name in table.attributes for table in tables)]
     normals = [table.normals for table in tables if table.normals is not None]
     colors = [table.colors for table in tables if table.colors is not None]

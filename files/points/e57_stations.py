@@ -1,7 +1,4 @@
-"""E57 and PTX files as stations: each scan in its scanner's own coordinates, with its pose; E57 is written back so.
-
-What a scan holds is what e57.py or ptx.py reads of it and e57_writer.py writes.
-"""
+"""E57 and PTX files as stations: each scan in scanner coordinates with its pose."""
 
 from __future__ import annotations
 
@@ -33,10 +30,10 @@ class Stations:
     """The scans of a file.
 
     Attributes:
-        names: Theirs; numbered where the file has none, or two that are the same.
-        clouds: Each in its scanner's coordinates.
-        poses: T_world_scanner of each, float64 [n, 4, 4]; the identity where the file has none.
-        posed: Whether the file has a pose of each, bool [n].
+        names: Names of the scans; numbered if missing or duplicated.
+        clouds: Clouds in scanner coordinates.
+        poses: T_world_scanner, float64 (n, 4, 4); identity if the file has none.
+        posed: True if the file has a pose, bool (n,).
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -52,20 +49,19 @@ class Stations:
 
 
 def read_stations(path: str | os.PathLike[str], *, device: Any = "auto") -> Stations:
-    """Read the scans of an E57 or PTX file, each in its own coordinates, and their poses.
+    """Read the scans of an E57 or PTX file in scanner coordinates, with their poses.
+
+    `read_point_cloud` reads them as one cloud in world coordinates.
 
     Args:
         path: The file.
-        device: Where the clouds lie.
+        device: Device of the clouds.
 
     Returns:
-        Names, clouds and poses, as `registration.register_stations` takes them.
+        Names, clouds and poses, for `registration.register_stations`.
 
     Raises:
         FileError: As `read_point_cloud`.
-
-    Notes:
-        Memory: all scans. `read_point_cloud` reads them as one cloud in the world's coordinates.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -112,18 +108,18 @@ def write_stations(
     names: Sequence[str] | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write clouds as the scans of an E57 file, each in its own coordinates with its pose.
+    """Write clouds as scans of an E57 file, each in its own coordinates with its pose, atomically.
 
     Args:
-        path: The file; it appears whole or not at all.
-        clouds: One a station.
-        poses: T_world_scanner of each, [n, 4, 4].
-        names: Of the scans; None numbers them.
-        overwrite: Whether an existing file may be replaced.
+        path: The file.
+        clouds: One per station.
+        poses: T_world_scanner of each, (n, 4, 4).
+        names: Names of the scans; None numbers them.
+        overwrite: Replace an existing file.
 
     Raises:
-        FileError: The file cannot be made, or E57 cannot hold an attribute.
-        ValueError: Not as many poses and names as clouds, or a pose that is not rigid.
+        FileError: The file cannot be written, or E57 cannot store an attribute.
+        ValueError: Different numbers of poses, names and clouds, or a pose that is not rigid.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,10 +1,6 @@
-"""Writing E57 files; reading is e57.py's matter.
+"""Write E57 files: one scan per value of `scan_index`, with poses if given, positions in meters, 8-bit colors.
 
-Positions are float or double as the table has them, in metres; one scan for each value of `scan_index`, or one. Scans
-have a pose where one is given: by e57_stations.py, or by the file that the points came from. Colours take 8 bits,
-normals are the extension "nor". Attributes other than those that e57.py reads cannot be stored.
-
-Source: ASTM E2807-11; the extension "nor" of libe57.org.
+Only the attributes of e57.py can be stored. ASTM E2807-11; the extension "nor" (normals) of libe57.org.
 """
 
 from __future__ import annotations
@@ -31,26 +27,15 @@ from .header_units import in_metres
 
 _NORMALS_URI = "http://www.libe57.org/E57_NOR_surface_normals.txt"
 _FLOATS = ("f4", "f8")
-Scan = tuple[str, dict[str, NDArray[Any]], NDArray[np.float64] | None]  # a name, columns by E57's names, a pose or None
+Scan = tuple[str, dict[str, NDArray[Any]], NDArray[np.float64] | None]  # name, columns by E57 names, pose or None
 
 
 @quiet()
 def write_e57(
     path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True, frames: Sequence[ScanFrame] = ()
 ) -> None:
-    """Write points as E57.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points, in the coordinates of the world.
-        overwrite: Whether an existing file may be replaced.
-        frames: Names and poses of scans by `scan_index`. Points of scans with a pose are stored in its coordinates.
-
-    Raises:
-        FileError: The place cannot be written, a coordinate is not finite, an attribute cannot be stored, or pye57 is
-            missing; or the table's unit is degrees.
-        ValueError: An array of the table has the wrong shape.
-    """
+    """Write points in world coordinates as E57 atomically; `frames` are names and poses of scans by `scan_index`.
+    Points of scans with a pose are stored in scan coordinates."""
     path = check_writable(path, overwrite=overwrite)
     table = check_e57(path, table)
     columns = columns_of(path, table)
@@ -75,7 +60,6 @@ def _in_scan(columns: dict[str, NDArray[Any]], pose: NDArray[np.float64]) -> dic
 
 
 def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
-    """Write scans, each of a name, columns by E57's names and a pose or None; the file appears whole or not at all."""
     libe57 = import_for(path, "pye57.libe57", "e57")
     folder = part_name(path)
     part = folder / "part.e57"  # libE57 opens files by name
@@ -90,11 +74,7 @@ def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
 
 
 def check_e57(path: Any, table: PointTable) -> PointTable:
-    """The table in metres, once E57 is known to hold it.
-
-    Raises:
-        FileError: A coordinate is not finite, an attribute cannot be stored, or the table's unit is degrees.
-    """
+    """The table in meters; raises `FileError` if E57 cannot store it (non-finite, unknown attribute, degrees)."""
     table = in_metres(path, table.checked(), "E57")
     lost = unstorable_in_e57(table)
     if lost:
@@ -108,7 +88,6 @@ def check_e57(path: Any, table: PointTable) -> PointTable:
 
 
 def unstorable_in_e57(table: PointTable) -> list[str]:
-    """The names of the attributes that E57 cannot hold."""
     return [name for name, values in table.attributes.items() if not _is_storable(name, values)]
 
 
@@ -124,7 +103,6 @@ def _is_storable(name: str, values: NDArray[Any]) -> bool:
 
 
 def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
-    """What goes into the file, by E57's names."""
     columns: dict[str, NDArray[Any]] = dict(zip(CARTESIAN, table.points.T, strict=True))
     if table.normals is not None:
         columns |= dict(zip(NORMALS, table.normals.T, strict=True))
@@ -138,7 +116,6 @@ def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
 
 
 def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
-    """Write scans with libE57."""
     image = libe57.ImageFile(str(path), "w")
     try:
         image.extensionsAdd("", libe57.E57_V1_0_URI)
@@ -159,7 +136,6 @@ def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
 
 
 def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
-    """A pose as E57 has it: a unit quaternion and a translation [m]."""
     node = libe57.StructureNode(image)
     quaternion = rotations_to_quaternions(np.asarray(pose, np.float64)[None, :3, :3])[0]
     for field, names, values in (("rotation", "xyzw", quaternion), ("translation", "xyz", pose[:3, 3])):
@@ -219,7 +195,7 @@ def _write_scan(
 
 
 def _integer_range(values: NDArray[Any]) -> tuple[int, int]:
-    """The range of a field of integers: that of a narrow type, which then reads back as it was, else of the values."""
+    """The range of an integer field: that of a narrow type, which is then restored when reading, else of the values."""
     if values.dtype in NARROW:
         return int(np.iinfo(values.dtype).min), int(np.iinfo(values.dtype).max)
     return (int(values.min()), int(values.max())) if len(values) else (0, 0)

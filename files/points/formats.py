@@ -1,4 +1,4 @@
-"""Which reader and which writer of clouds an extension names: tables in NumPy."""
+"""Readers and writers of clouds by extension, as NumPy tables."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _READERS: dict[str, Callable[..., PointTable]] = {
     ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
 }  # fmt: skip
 
-#: The readers by extension; whatever a file's content makes them raise is a FileError.
+#: The readers by extension; they raise only FileError for invalid content.
 READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 COPC = ".copc.laz"
@@ -44,11 +44,7 @@ _NAMED_COLUMNS: dict[str, Callable[..., PointTable]] = {
 
 
 def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
-    """The names of the columns for each of several files: `columns` if its format takes them, else None.
-
-    Raises:
-        ValueError: No format takes them.
-    """
+    """The column names for each file: `columns` if its format supports them, else None; raises if none does."""
     takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
     if columns is not None and not any(takes):
         found = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
@@ -57,13 +53,6 @@ def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] |
 
 
 def read_points(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    """Read a cloud by the reader of its extension, which is one of READERS, with the names of its columns if given.
-
-    Raises:
-        FileError: The file cannot be read.
-        TypeError: `columns` are no names.
-        ValueError: `columns` of a format that names its columns itself, without x, y and z, or with a name twice.
-    """
     extension = Path(path).suffix.lower()
     if columns is None:
         return READERS[extension](path)
@@ -88,15 +77,9 @@ def write_table(
     frames: Sequence[ScanFrame] = (),
     device: Any = None,
 ) -> None:
-    """Write a table in the format of the path's extension, which is one of WRITTEN.
-
-    Attributes whose names the format cannot hold are written under others (attribute_names.py), with a warning.
-    `ascii` is for .ply and .pcd; `scale`, `offset` and `like` are for .las and .laz, see write_las; a name that ends in
-    .copc.laz is a COPC file, whose octree is made on the device. `frames` are for .e57, see write_e57.
-
-    Raises:
-        FileError: The file cannot be made, or the format cannot hold an attribute.
-    """
+    """Write a table by extension (one of WRITTEN), renaming attributes with a warning if needed (attribute_names.py).
+    `ascii` is for .ply and .pcd; `scale`, `offset`, `like` for LAS, see `write_las`; `frames` for .e57, see
+    `write_e57`. The octree of .copc.laz is computed on the device."""
     extension = Path(path).suffix.lower()
     table = with_fitting_names(path, table, stacklevel=4)
     if Path(path).name.lower().endswith(COPC):
@@ -117,7 +100,7 @@ def write_table(
 
 
 def with_fitting_names(path: str | os.PathLike[str], table: PointTable, *, stacklevel: int = 3) -> PointTable:
-    """The table with attributes under names that the format of the path's extension holds; warns of other names."""
+    """The table with attribute names that the format supports; warns of changes."""
     extension = Path(path).suffix.lower()
     if extension == ".ply":
         format, rules = "PLY", ply.name_rules(table.normals, table.colors)

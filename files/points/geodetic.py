@@ -1,4 +1,4 @@
-"""The coordinate system of a LAS file, or of a name, as pyproj's CRS."""
+"""Coordinate systems of LAS files or names as pyproj CRS."""
 
 from __future__ import annotations
 
@@ -13,11 +13,7 @@ _PROJECTED_KEY, _GEOGRAPHIC_KEY = 3072, 2048
 
 
 def system_of(path: Any, header: LasHeader) -> Any:
-    """pyproj's CRS of a file; None if the file has none, or none on the Earth, such as one that gives the unit alone.
-
-    Raises:
-        FileError: The system cannot be read, or pyproj is missing; `path` is the file's.
-    """
+    """The pyproj CRS of a file; None without a system on the Earth, such as a unit alone."""
     told = _told(header)
     if told is None:
         return None
@@ -28,12 +24,7 @@ def system_of(path: Any, header: LasHeader) -> Any:
 
 
 def system_named(name: str, value: Any) -> Any:
-    """pyproj's CRS of what a user calls it, such as "EPSG:25832".
-
-    Raises:
-        ValueError: There is none; `name` is the argument's.
-        FileError: pyproj is missing.
-    """
+    """The pyproj CRS of a name such as "EPSG:25832"; `name` is the argument's, for errors."""
     pyproj: Any = import_for(name, "pyproj", "geo")
     try:
         return pyproj.CRS.from_user_input(value)

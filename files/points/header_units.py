@@ -1,7 +1,6 @@
-"""The unit of lengths in files that have no place of their own for it: a comment in the headers of PLY and PCD.
+"""Units of length in PLY and PCD as header comments: `comment unit foot`, `# unit foot`.
 
-`comment unit foot` in PLY and `# unit foot` in PCD, with the name as `text_of` writes it; other programs pass comments
-over. Anything else behind `unit`, such as "mm" or a sentence, says nothing, and so do two lines that differ.
+Unknown names and contradictory comments are ignored.
 """
 
 from __future__ import annotations
@@ -23,12 +22,11 @@ PLY, PCD = ("comment", "end_header"), ("#", "DATA")  # what comments begin with,
 
 
 def unit_comment(table: PointTable | MeshTable) -> list[str]:
-    """The text of the comment that tells a table's unit; none where that is not known."""
     return [] if table.unit is None else [f"unit {text_of(table.unit)}"]
 
 
 def tells_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Make a reader of tables look for the unit in the file's header, too."""
+    """Decorator: the reader also reads the unit from the file's header."""
 
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(reader)
@@ -42,7 +40,7 @@ def tells_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[.
 
 
 def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
-    """Make a reader of tables say that lengths are metres, for a format whose standard does."""
+    """Decorator: the reader's format is always in meters."""
 
     @functools.wraps(reader)
     def read(path: str | os.PathLike[str], **options: Any) -> T:
@@ -52,7 +50,6 @@ def is_metric(reader: Callable[..., T]) -> Callable[..., T]:
 
 
 def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
-    """The unit that a header's comments tell, PLY or PCD; None where they tell none."""
     mark, end = form
     head = bytes(source[:MAX_HEADER_BYTES])
     stop = head.find(f"\n{end}".encode())
@@ -65,17 +62,13 @@ def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
 
 
 def warn_of_lost_unit(path: Any, table: PointTable | MeshTable) -> None:
-    """Say of a file that has no place for the unit that it does not tell one other than metres."""
+    """Warn that a format cannot store a unit other than meters."""
     if not is_same(table.unit, METRE):
         warn_of_units(f"{path}: has no place for the unit, so it does not tell that coordinates are in {table.unit}")
 
 
 def in_metres(path: Any, table: T, format: str) -> T:
-    """A table for a format whose lengths are metres by its standard: multiplied where its unit is another one.
-
-    Raises:
-        FileError: Its unit is degrees.
-    """
+    """Convert a table to meters for a metric format; raises `FileError` for degrees."""
     if is_same(table.unit, METRE) or table.unit is None:
         return table
     if table.unit.metres is None:

@@ -1,8 +1,6 @@
-"""Files of points read in parts, for clouds that should never lie in memory whole: binary PLY and PCD, LAS and LAZ.
+"""Read point files in parts, for clouds larger than memory: binary PLY and PCD (memory-mapped), LAS and LAZ.
 
-Binary PLY and PCD are mapped: a part is decoded from the file when its turn comes, and its pages are given back after
-it. They are held to their headers before, as by the readers of whole files. Text, compressed PCD and rows of varying
-length have to be read whole.
+Files are validated first. Text, compressed PCD and rows of variable length must be read whole.
 """
 
 from __future__ import annotations
@@ -29,23 +27,12 @@ from .las_units import units_of
 from .pcd_header import read_header as read_pcd_header
 from .ply_header import read_header as read_ply_header
 
-_SAMPLE = 4096  # points of which the origin is the median
+_SAMPLE = 4096  # sample size of the median for the origin
 
 
 class RowsInParts:
-    """Rows of one length in a mapped file.
-
-    Args:
-        path: The file.
-        source: Its bytes.
-        columns: Views into them.
-        table_of: Makes a table of a path and some rows of the columns.
-
-    Attributes:
-        count: Points.
-        is_proven: Whether the file is large enough for them.
-        unit: Of the coordinates, where the file tells it.
-    """
+    """Fixed-length rows of a mapped file, from views (`columns`); `table_of` builds a table from a path and some rows.
+    `is_proven` is True if the file is large enough for `count` points."""
 
     is_proven = True
 
@@ -61,16 +48,15 @@ class RowsInParts:
         self._source, self._columns, self._table_of, self.unit = source, columns, table_of, unit
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """The points, `size` at a time, the last part shorter; of a file without points one part of none."""
+        """Yield `size` points at a time; one empty part if there are none."""
         for begin in range(0, max(self.count, 1), size):
             yield self._rows(slice(begin, begin + size))
 
     def sample(self, count: int) -> PointTable:
-        """At most so many points, evenly over the file."""
+        """At most `count` points, evenly spaced."""
         return self._rows(slice(None, None, -(-self.count // count) or 1))
 
     def origin(self) -> NDArray[np.float64]:
-        """An origin for all parts, by the median of a sample."""
         return choose_origin(self.sample(_SAMPLE).points)
 
     def _rows(self, rows: slice) -> PointTable:
@@ -81,38 +67,27 @@ class RowsInParts:
 
 
 class LasInParts:
-    """A LAS or LAZ file; see RowsInParts."""
-
     def __init__(self, file: LasFile):
         self.path, self.count, self._file = file.path, file.header.point_count, file
         self.is_proven, self.unit = not file.header.is_compressed, units_of(file.header).plane
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """The points, `size` at a time."""
         for part in iterate_las(self._file, size):
             yield part
             _give_back(self._file.source)
 
     def sample(self, count: int) -> PointTable:
-        """At most so many points; of a compressed file the first ones of its chunks."""
+        """At most `count` points; of a compressed file the first of its chunks."""
         table = self._file.sample(count)
         _give_back(self._file.source)
         return table
 
     def origin(self) -> NDArray[np.float64]:
-        """An origin for all parts, by the median of a sample."""
         return choose_origin(self.sample(_SAMPLE).points, np.array(self._file.header.scales, np.float64))
 
 
 def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:
-    """Open a file for reading in parts; no point is read.
-
-    Returns:
-        The file; None where its format can only be read whole.
-
-    Raises:
-        FileError: As of the reader of the whole file; what is wrong with a point shows when its part is read.
-    """
+    """Open a file for reading in parts, without reading points; None if its format must be read whole."""
     path = path_of(path)
     suffix = path.suffix.lower()
     if suffix in (".las", ".laz"):
@@ -140,7 +115,7 @@ def _held(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any
 
 
 def _give_back(source: Source) -> None:
-    """Let the system take back the pages of a file that were read; they would count as ours until it is closed."""
+    """Release the pages of a mapped file that were read, which would count as used memory until it is closed."""
     if isinstance(source, mmap.mmap):
-        with contextlib.suppress(AttributeError, OSError, ValueError):  # systems that know no such advice
+        with contextlib.suppress(AttributeError, OSError, ValueError):  # systems without this advice
             source.madvise(mmap.MADV_DONTNEED)

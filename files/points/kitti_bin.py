@@ -1,10 +1,7 @@
-"""LiDAR scans without a header: float32 columns, one point after another, as KITTI, nuScenes and others store them.
+"""Headerless LiDAR scans of float32 columns (KITTI, nuScenes), by default x, y, z, intensity.
 
-Without names of the columns the file is taken for a scan of KITTI: x, y, z, intensity. Nothing in the file says so.
-The reader therefore refuses a size that is not a whole number of points, coordinates that no scanner measures, and
-numbers that repeat with the period of another number of columns.
-
-Source: Geiger et al. 2012; the development kit of the KITTI odometry benchmark; Caesar et al. 2020 (nuScenes).
+The file does not define its layout, so invalid sizes, implausible coordinates and other periods raise. Geiger et al.
+2012 (KITTI odometry benchmark); Caesar et al. 2020 (nuScenes).
 """
 
 from __future__ import annotations
@@ -31,28 +28,16 @@ LAYOUTS = {
     7: "x y z and four others",
     8: "x y z and five others",
 }
-FARTHEST = 1e6  # [m] no scanner sees as far; other data read as float32 nearly always holds larger numbers
-NEAREST = 1e-12  # [m] whole numbers of 8 to 32 bits read as float32 are smaller, or larger than that
+FARTHEST = 1e6  # [m] beyond any scanner's range; other data read as float32 nearly always has larger numbers
+NEAREST = 1e-12  # [m] integers of 8 to 32 bits read as float32 are smaller, or larger than the range
 MIN_POINTS = 64  # fewer points have no reliable statistics
-SAMPLE = 840 * 120  # numbers that the statistics are made of: whole points of each layout
-PERIOD_MARGIN = 0.1  # of the variance that another number of columns has to explain beside that of KITTI
+SAMPLE = 840 * 120  # numbers in the statistics: whole points in each layout
+PERIOD_MARGIN = 0.1  # minimum gain in explained variance of another number of columns over KITTI's
 
 
 @quiet()
 def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    """Read one scan of float32 columns.
-
-    Points that are not finite are kept.
-
-    Args:
-        path: The file.
-        columns: The names of the columns: x, y, z and attributes in any order. None for x, y, z, intensity.
-
-    Raises:
-        FileError: Missing, empty, not a whole number of points, numbers that are no coordinates, or, without
-            `columns`, numbers of another layout; names the place and the layouts that fit.
-        TypeError, ValueError: `columns` without x, y and z, or with a name twice.
-    """
+    """Read one scan of float32 columns, including non-finite points; `columns` None means x, y, z, intensity."""
     names = [*KITTI] if columns is None else check_columns(columns)
     source = open_source(path)
     step = len(names) * 4
@@ -83,18 +68,16 @@ def _fitting(size: int) -> str:
 
 
 def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> None:
-    """Raise a FileError if the numbers repeat with the period of another number of columns than four.
-
-    In the right layout each column has a distribution of its own, so the column explains a part of the variance. For
-    any other number of columns it explains no more than that.
-    """
+    """Raise `FileError` if the numbers repeat with another period than four.
+    In the right layout the column explains a part of the variance; for any other number of columns it explains no more
+    than that."""
     if len(rows) < MIN_POINTS:
         return
     values = rows.ravel()
     explained = {width: _explained(values, width) for width in LAYOUTS if values.size % width == 0 and width != 8}
     gains = {width: float((part - explained[4]).max()) for width, part in explained.items()}
     most = max(gains.values())
-    width = min(found for found, gain in gains.items() if gain >= 0.9 * most)  # its multiples explain as much
+    width = min(found for found, gain in gains.items() if gain >= 0.9 * most)  # multiples explain as much
     if gains[width] <= PERIOD_MARGIN:
         if values.size % 8 or not _has_whole_column(values.reshape(-1, 8)[:SAMPLE]):
             return
@@ -107,7 +90,7 @@ def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> No
 
 
 def _explained(values: NDArray[np.float32], width: int) -> NDArray[np.float64]:
-    """The fraction of the variance that the column explains: of the size, the sign and whether a number is whole."""
+    """Fraction of variance explained by the column: of magnitude, sign and integrality."""
     rows = np.nan_to_num(values[:SAMPLE].astype(np.float64), posinf=0, neginf=0).reshape(-1, width)
     features = np.stack([np.log1p(np.abs(rows)), rows < 0, rows == np.floor(rows)])
     total = features.var(axis=(1, 2))
@@ -116,7 +99,7 @@ def _explained(values: NDArray[np.float32], width: int) -> NDArray[np.float64]:
 
 
 def _has_whole_column(rows: NDArray[np.float32]) -> bool:
-    """True if, of points of eight numbers, one of the last has whole numbers alone and the coordinates have none."""
+    """True if, of 8 columns, one of columns 4 to 6 has only integers in 0..255 and columns 0 to 2 have other values."""
     with np.errstate(invalid="ignore"):
         whole = (rows == np.floor(rows)) & (rows >= 0) & (rows <= 255)
     varies = (rows != rows[0]).any(axis=0)

@@ -1,19 +1,8 @@
-"""LAS and LAZ files of points, versions 1.0 to 1.4, point formats 0 to 10; the packages laspy and lazrs read them.
+"""LAS and LAZ files, versions 1.0 to 1.4, point formats 0 to 10, with laspy and lazrs.
 
-Reading: positions are X * scale + offset in float64, in the file's own unit (metres or feet, which las_units.py tells:
-nothing is converted) and coordinate system (las_crs.py tells its name). Every other dimension is an attribute by
-laspy's name and in the file's type: intensity, return_number, number_of_returns, classification, synthetic, key_point,
-withheld, scan_angle_rank (whole degrees, formats 0 to 5) or scan_angle (steps of 0.006 degrees, formats 6 to 10),
-user_data, point_source_id, gps_time, nir, and so on, and each extra dimension by its own name, scaled where it says so,
-and NaN where it has the no_data value that the file declares (las_extra.py).
-Red, green and blue are colours in 0..1: of 65535, or of 255 where no value in the file exceeds that, as many writers
-store 8 bits in the 16-bit fields (a file of 16-bit colours darker than 1/257 throughout would come out too bright).
-Extra dimensions NormalX, NormalY and NormalZ, or "normal x", "normal y" and "normal z" (Metashape), are normals.
-Waveforms are not read.
-
-The file is held to its header by las_header.py and laszip.py before memory is taken.
-
-Source: ASPRS, LAS Specification 1.4-R15.
+Positions are float64 in the file's unit and coordinate system; other dimensions are attributes with laspy's names.
+Colors are divided by 255 if no value exceeds it (many writers store 8 bits), else by 65535. NormalX.. or "normal x"..
+are normals. Waveforms are not read. ASPRS, LAS Specification 1.4-R15.
 """
 
 from __future__ import annotations
@@ -40,8 +29,8 @@ from .las_header import LasHeader, parse_las_header
 from .las_units import units_of
 from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 
-# Points decoded at a time: blocks of some 10 MB, in which LAZ's chunks (50,000 points as a rule) keep all cores busy;
-# fewer of points that claim to be long, of which compressed bytes tell nothing.
+# Points decoded at a time: blocks of about 10 MB, so that LAZ chunks (usually 50,000 points) use all cores;
+# fewer for long records, since compressed bytes do not bound them.
 _BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
@@ -53,14 +42,7 @@ _NAMES_OF_NORMALS = (NORMALS, ("normal x", "normal y", "normal z"))  # the latte
 
 @dataclass(frozen=True)
 class LasFile:
-    """A file whose header and layout are known to be right.
-
-    Attributes:
-        path: The file.
-        source: Its bytes.
-        header: What its header says.
-        layout: laspy's PointFormat: the dimensions of a point.
-    """
+    """A file with a validated header; `layout` is laspy's PointFormat."""
 
     path: Path
     source: Source
@@ -68,7 +50,7 @@ class LasFile:
     layout: Any
 
     def rows(self, size: int) -> Iterator[NDArray[Any]]:
-        """The points as they lie in an uncompressed file, at most `size` of them at a time."""
+        """Raw point records of an uncompressed file, at most `size` at a time."""
         row = self.layout.dtype()
         if self.header.is_compressed:
             for block in unpack_blocks(self.path, self.header, size):
@@ -79,16 +61,13 @@ class LasFile:
             yield rows[begin : begin + size]
 
     def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
-        """The points as columns, at most `size` of them at a time; first a block of none, which tells the types."""
+        """Points as columns, at most `size` at a time; the first block is empty and defines the types."""
         yield self.decode(np.empty(0, self.layout.dtype()))
         for rows in self.rows(size):
             yield self.decode(rows)
 
     def sample(self, count: int) -> PointTable:
-        """At most so many points, evenly over the file, or of a compressed one the first of each chunk.
-
-        Colours are of 255 where all of these look so.
-        """
+        """At most `count` points: evenly spaced, or the first of each chunk if compressed."""
         row = self.layout.dtype()
         if self.header.is_compressed:
             rows = np.frombuffer(unpack_beginnings(self.path, self.header, count), row)
@@ -102,7 +81,7 @@ class LasFile:
 
     @quiet()
     def decode(self, rows: Any) -> dict[str, NDArray[Any]]:
-        """Positions as "points", colours as stored as "colors", any other dimension by its name behind a dot."""
+        """Positions as "points", raw colors as "colors", other dimensions as "." plus name."""
         from laspy import PackedPointRecord
 
         record, names = PackedPointRecord(rows, self.layout), [*self.layout.dimension_names]
@@ -123,13 +102,8 @@ class LasFile:
 
 
 def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFile:
-    """Open a file and hold it to its header and, if compressed, its table of chunks; no point is read.
-
-    Without `layers_too` the chunks themselves are not looked into: see `check_laszip`.
-
-    Raises:
-        FileError: It cannot be read, is no LAS or LAZ file, or does not go with its header; or laspy is missing.
-    """
+    """Open a file and check its header and chunk table without reading points.
+    `layers_too` also checks the layers of compressed chunks, see `check_laszip`."""
     path = Path(path)
     source = open_source(path)
     header = parse_las_header(path, source)
@@ -140,17 +114,7 @@ def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFil
 
 
 def read_las(path: str | os.PathLike[str]) -> PointTable:
-    """Read a LAS or LAZ file.
-
-    Returns:
-        The points, float64, with colours, normals and attributes.
-
-    Raises:
-        FileError: Missing, no LAS or LAZ file, truncated, or other than its header says; or laspy is missing.
-
-    Notes:
-        Memory: the result, and some 20 MB; for a LAZ file up to half as much again while it grows.
-    """
+    """Read a LAS or LAZ file. Needs memory for the result and about 20 MB; up to 1.5 times the result for LAZ."""
     file = open_las(path)
     warn_of_wide_integers(path, file.layout)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
@@ -167,13 +131,8 @@ def _scale_colors(colors: NDArray[np.float32]) -> None:
 
 
 def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
-    """Read an opened file in parts of `chunk_size` points, the last one shorter.
-
-    Whether colours are of 255 or 65535 is settled by the first part that has any other than black.
-
-    Raises:
-        FileError: As `read_las`; also colours that turn out to be of 65535 after a part that looked like 255.
-    """
+    """Read an opened file in chunks of `chunk_size` points.
+    The first color that is not black decides between 255 and 65535; later contradictions raise `FileError`."""
     warn_of_wide_integers(file.path, file.layout)
     full = 0
     for number, block in enumerate(file.blocks(chunk_size)):
@@ -192,7 +151,6 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
 
 
 def attribute_types(file: LasFile) -> dict[str, str]:
-    """What a file holds beside positions: NumPy's types by the names that they have in a cloud."""
     table = table_of(file, next(file.blocks(1)))
     named = {"normals": table.normals, "colors": table.colors, **table.attributes}
     present = {name: values for name, values in named.items() if values is not None}
@@ -200,11 +158,7 @@ def attribute_types(file: LasFile) -> dict[str, str]:
 
 
 def scale_by(full: int, colors: NDArray[np.float32], path: Path, remedy: str) -> None:
-    """Bring colours of some points to 0..1, in place, by the value of a full one that others have told.
-
-    Raises:
-        FileError: They exceed it.
-    """
+    """Scale colors to 0..1 in place with a known maximum; raises `FileError` if they exceed it."""
     if colors.max(initial=0) > full:
         reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
         raise FileError(path, reason, remedy=remedy)
@@ -212,7 +166,6 @@ def scale_by(full: int, colors: NDArray[np.float32], path: Path, remedy: str) ->
 
 
 def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
-    """The table of columns as `decode` makes them, colours in 0..1."""
     attributes = {name[1:]: values for name, values in arrays.items() if name.startswith(".")}
     normals = None
     for names in _NAMES_OF_NORMALS:
@@ -225,11 +178,7 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
 
 
 def layout_of(path: Any, header: LasHeader) -> Any:
-    """The dimensions of a point: those of the format, those that the file describes, and what is left of its bytes.
-
-    Raises:
-        FileError: The record of extra dimensions is damaged or does not go with the points; or laspy is missing.
-    """
+    """The dimensions of a point: standard, extra, and remaining bytes; raises `FileError` if the record is damaged."""
     laspy = import_for(path, "laspy", "las")
     layout = laspy.PointFormat(header.point_format)
     described = header.find(*EXTRA_BYTES)

@@ -1,9 +1,7 @@
-"""The record of a LAS file that describes extra bytes: their types, scales, no_data values, ranges and descriptions.
+"""The Extra Bytes record of LAS: types, scales, no_data values, ranges and descriptions.
 
-laspy parses the record, but leaves out the no_data values when it reads, and computes ranges from single points when it
-writes. Both are done here.
-
-Source: ASPRS, LAS Specification 1.4-R15 (table 24, Extra Bytes).
+laspy ignores no_data values when reading and computes ranges from single points when writing. ASPRS, LAS Specification
+1.4-R15 (table 24, Extra Bytes).
 """
 
 from __future__ import annotations
@@ -28,24 +26,16 @@ _ENTRY = struct.Struct("<2sBB32s4s24s24s24s3d3d32s")
 _NO_DATA_BYTES, _TEXTS = slice(40, 64), (slice(4, 36), slice(160, 192))
 _NO_DATA, _MIN, _MAX, _SCALE, _OFFSET = 1, 2, 4, 8, 16
 _WIDE = {"u": "<u8", "i": "<i8", "f": "<f8"}  # the types of no_data values and ranges
-_WITH_NAN: dict[int, str] = {1: "f4", 2: "f4", 4: "f8"}  # floating-point types by the bytes of integers that they hold
+_WITH_NAN: dict[int, str] = {1: "f4", 2: "f4", 4: "f8"}  # float types by the size of the integers that they represent
 
 
 def parameters_of(known: Any, data: bytes) -> list[Any]:
-    """Parse the record.
-
-    Args:
-        known: The module `laspy.vlrs.known`.
-        data: The content of the record.
-
-    Returns:
-        laspy's ExtraBytesParams, with no_data values as the record has them.
-    """
+    """Parse the record to laspy's ExtraBytesParams with no_data values; `known` is the module `laspy.vlrs.known`."""
     record = known.ExtraBytesVlr()
     record.parse_record_data(b"".join(_with_utf8(data[k : k + _ENTRY.size]) for k in range(0, len(data), _ENTRY.size)))
     parameters = record.type_of_extra_dims()
     for described, dimension in zip(record.extra_bytes_structs, parameters, strict=True):
-        if not described.data_type:  # bytes without a type: the options are their number
+        if not described.data_type:  # untyped bytes: the options are their count
             dimension.scales = dimension.offsets = None
         elif described.options & _NO_DATA:
             kind = dimension.type.base
@@ -55,7 +45,7 @@ def parameters_of(known: Any, data: bytes) -> list[Any]:
 
 
 def _with_utf8(entry: bytes) -> bytes:
-    """An entry whose name and description are UTF-8; text in other encodings is taken for Latin-1."""
+    """An entry with name and description in UTF-8; other encodings are read as Latin-1."""
     for place in _TEXTS:
         text = entry[place].split(b"\0")[0]
         try:
@@ -66,17 +56,14 @@ def _with_utf8(entry: bytes) -> bytes:
 
 
 def _fitting(text: str) -> bytes:
-    """UTF-8 of at most 32 bytes, without a part of a character."""
+    """UTF-8 of at most 32 bytes, cut at a character."""
     return text.encode()[:32].decode(errors="ignore").encode()
 
 
 @quiet()
 def decode_extra(dimension: Any, raw: NDArray[Any]) -> NDArray[Any]:
-    """The values of an extra dimension: scaled, and NaN where the raw value is the no_data value.
-
-    Integers with a no_data value become float32 (8 and 16 bits) or float64 (32 bits). Those of 64 bits stay as they
-    are, since floating point does not hold them.
-    """
+    """Scaled values of an extra dimension, NaN for no_data.
+    Integers with no_data become float32 (8 and 16 bits) or float64 (32 bits); 64-bit integers are unchanged."""
     values = raw * dimension.scales + dimension.offsets if dimension.is_scaled else raw
     kind = _type_with_nan(dimension)
     if kind is None:
@@ -87,7 +74,7 @@ def decode_extra(dimension: Any, raw: NDArray[Any]) -> NDArray[Any]:
 
 
 def _type_with_nan(dimension: Any) -> np.dtype[Any] | None:
-    """The type of values of which some are missing; None if the record has no no_data value or no type holds both."""
+    """The type of values with NaN; None without no_data or if no type fits."""
     if dimension.no_data is None:
         return None
     if dimension.is_scaled:
@@ -98,7 +85,6 @@ def _type_with_nan(dimension: Any) -> np.dtype[Any] | None:
 
 
 def warn_of_wide_integers(path: Any, layout: Any) -> None:
-    """Warn of no_data values that stay numbers."""
     for dimension in layout.extra_dimensions:
         if dimension.no_data is not None and _type_with_nan(dimension) is None:
             message = (
@@ -109,14 +95,7 @@ def warn_of_wide_integers(path: Any, layout: Any) -> None:
 
 
 class ExtraColumn(NamedTuple):
-    """An extra dimension as it is stored.
-
-    Attributes:
-        values: The stored numbers.
-        description: Text of the record.
-        scale, offset: The value is `stored * scale + offset`; both None if values are stored as they are.
-        no_data: The stored number of a missing value, or None.
-    """
+    """An extra dimension as stored: value = stored * `scale` + `offset` (None: unscaled); `no_data` or None."""
 
     values: NDArray[Any]
     description: str = ""
@@ -126,12 +105,7 @@ class ExtraColumn(NamedTuple):
 
 
 def store_extra(columns: dict[str, NDArray[Any]], layout: Any) -> dict[str, ExtraColumn]:
-    """Choose how columns are stored: as another file stores dimensions of the same names, if no value changes by that.
-
-    Args:
-        columns: Values by name, each of shape (n,).
-        layout: laspy's PointFormat of the other file, or None.
-    """
+    """Choose the storage of columns (n,): as in another file's `layout` if lossless."""
     known = {} if layout is None else _known(layout)
     stored = {}
     for name, values in columns.items():
@@ -140,7 +114,7 @@ def store_extra(columns: dict[str, NDArray[Any]], layout: Any) -> dict[str, Extr
 
 
 def _known(layout: Any) -> dict[str, tuple[Any, int]]:
-    """The extra dimensions of a file and their components, by the names under which they are written."""
+    """The extra dimensions of a file and their components, by written name."""
     known = {}
     for dimension in layout.extra_dimensions:
         for k in range(dimension.num_elements):
@@ -150,7 +124,7 @@ def _known(layout: Any) -> dict[str, tuple[Any, int]]:
 
 @quiet()
 def _stored_like(values: NDArray[Any], dimension: Any, k: int) -> ExtraColumn:
-    """A column as component `k` of a dimension is stored; in its own type if that would change a value."""
+    """A column stored like component `k` of a dimension, or in its own type if that would change a value."""
     kind, description = dimension.dtype.base, dimension.description
     if f"{kind.kind}{kind.itemsize}" not in TYPES:
         return ExtraColumn(values, description)
@@ -174,12 +148,7 @@ def _stored_like(values: NDArray[Any], dimension: Any, k: int) -> ExtraColumn:
 
 
 def record_of(columns: dict[str, ExtraColumn], *, with_ranges: bool) -> bytes:
-    """The content of the record.
-
-    Args:
-        columns: The extra dimensions in their order.
-        with_ranges: Whether the columns are those of all points, so that their least and greatest values are written.
-    """
+    """The content of the record; `with_ranges` writes minima and maxima and requires the columns of all points."""
     entries = []
     for name, column in columns.items():
         kind, options = column.values.dtype, 0
@@ -197,10 +166,7 @@ def record_of(columns: dict[str, ExtraColumn], *, with_ranges: bool) -> bytes:
 
 
 def value_record(layout: Any) -> tuple[bytes, int]:
-    """The record of the extra dimensions of a file in the types of their values, and the bytes of these types.
-
-    Points of which the values may have changed are stored so, in the same types whatever the values are.
-    """
+    """The record of the extra dimensions in their value types, and its size per point, for possibly modified points."""
     columns = {}
     for name, (dimension, _) in _known(layout).items():
         empty = decode_extra(dimension, np.empty((0, *dimension.dtype.shape), dimension.dtype.base))
@@ -210,7 +176,7 @@ def value_record(layout: Any) -> tuple[bytes, int]:
 
 
 def join_ranges(records: Sequence[bytes]) -> bytes:
-    """The record of several files with the same extra dimensions together: the first one, with the range of all."""
+    """The record of several files with equal extra dimensions, with the common range."""
     joined = []
     for entries in zip(*([*_ENTRY.iter_unpack(record)] for record in records), strict=True):
         fields = [*entries[0]]
@@ -226,7 +192,6 @@ def join_ranges(records: Sequence[bytes]) -> bytes:
 
 
 def _range_of(column: ExtraColumn) -> tuple[Any, Any] | None:
-    """The least and the greatest stored number of the values that are not missing; None if all are."""
     values = column.values
     if column.no_data is not None:
         values = values[values != column.no_data]

@@ -1,9 +1,6 @@
-"""The header and the records of a LAS or LAZ file, held against the file's size before anything is read by them.
+"""The header and records of a LAS or LAZ file, validated against the file size before use.
 
-Every count, length and position that the header gives is compared with the bytes that are there, so that a damaged or
-forged one is an error with its place, never a large allocation or a long loop. What the points hold is las.py's matter.
-
-Source: ASPRS, LAS Specification 1.4-R15 (tables 1 to 8); the older versions differ in what is noted below.
+ASPRS, LAS Specification 1.4-R15 (tables 1 to 8).
 """
 
 from __future__ import annotations
@@ -18,10 +15,10 @@ from ...core.coordinates import FLOAT32_MAX
 from ...core.errors import FileError
 from ..source import Source
 
-# Bytes of the header by minor version.
+# Header bytes by minor version.
 _HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}
 
-# Bytes of a point without extra ones, by point format; 6 and above came with version 1.4.
+# Bytes per point by point format, without extra bytes; 6 and above are of version 1.4.
 _RECORD_BYTES = {0: 20, 1: 28, 2: 26, 3: 34, 4: 57, 5: 63, 6: 30, 7: 36, 8: 38, 9: 59, 10: 67}
 _FIRST_NEW_FORMAT = 6
 
@@ -29,24 +26,16 @@ _HEADER = struct.Struct("<4sHH16sBB32s32sHHHIIBHI20s12d")
 _RECORD_HEADER = struct.Struct("<H16sHH32s")
 _EXTENDED_HEADER = struct.Struct("<H16sHQ32s")
 
-# Bit 7 of the point format is LASzip's mark; bit 6 was that of a predecessor which nothing reads.
+# Bit 7 of the point format marks LASzip; bit 6 marked an obsolete predecessor.
 _COMPRESSED = 0x80
 
-PROJECTION = "LASF_Projection"  # whose records tell the coordinate system
+PROJECTION = "LASF_Projection"  # user id of the coordinate system records
 SPEC = "LASF_Spec"
 
 
 @dataclass(frozen=True)
 class LasRecord:
-    """A variable-length record.
-
-    Attributes:
-        user_id: Whose record it is.
-        record_id: Which of theirs.
-        data: Its bytes; a view into the file for extended records of other users than the coordinate system.
-        description: Text beside it.
-        extended: True if it follows the points.
-    """
+    """A variable-length record; `data` of extended records is a view, except for the coordinate system."""
 
     user_id: str
     record_id: int
@@ -55,31 +44,19 @@ class LasRecord:
     extended: bool = False
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the bytes of a view."""
         return LasRecord, (self.user_id, self.record_id, bytes(self.data), self.description, self.extended)
 
 
 @dataclass(frozen=True)
 class LasHeader:
-    """What the header says, once it is known to go with the file.
+    """A validated header.
 
     Attributes:
-        version: Such as "1.4".
-        encoding: The bits of the global encoding: 1 for GPS time that counts from 1980, 16 for a system as WKT.
-        point_format: 0 to 10, without the mark of compression.
-        is_compressed: Whether the points are LASzip's.
-        record_length: Bytes of a point.
-        point_count: Points in the file.
-        begin: Byte at which the points start.
-        scales: Steps of the coordinates, one for each axis, in the file's own unit.
-        offsets: What is added to the scaled coordinates.
-        bounds: Lowest and highest coordinates as the header says; nobody holds it to be right.
-        records: The variable-length records, then the extended ones.
-        software: What wrote the file.
-        source_id: Such as the number of a flight line.
-        guid: Identifier of the project, 16 bytes.
-        system: What measured the points, or the operation that made the file.
-        created: Day of creation, or None.
+        encoding: Global encoding bits: 1 for GPS time since 1980, 16 for a WKT coordinate system.
+        record_length, begin: Bytes of a point, and byte offset of the points.
+        scales, offsets: Coordinate steps [unit of the file], and what is added to scaled coordinates.
+        bounds: Bounding box, unverified.
+        records: Variable-length records, then extended ones.
     """
 
     version: str
@@ -100,22 +77,13 @@ class LasHeader:
     created: date | None
 
     def find(self, user_id: str, record_id: int) -> bytes | None:
-        """The bytes of a record, or None."""
         found = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
         data = next(found, None)
         return None if data is None else bytes(data)
 
 
 def parse_las_header(path: Any, source: Source) -> LasHeader:
-    """The header of a file, held against its size.
-
-    Args:
-        path: The file, for errors.
-        source: Its bytes.
-
-    Raises:
-        FileError: No LAS file, one of an unknown version or point format, or a header that does not go with the file.
-    """
+    """The header of a file; raises `FileError` if it is invalid or does not match the file size."""
     fields = _unpack_header(path, source)
     minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
     extended_begin, extended_count, point_count = 0, 0, fields[15]
@@ -148,14 +116,12 @@ def parse_las_header(path: Any, source: Source) -> LasHeader:
 
 
 def _day_of(day: int, year: int) -> date | None:
-    """A day from its number in the year; None if there is no such day."""
     if not (1 <= day <= 366 and 1 <= year <= 9999):
         return None
     return date(year, 1, 1) + timedelta(day - 1) if (year, day) < (9999, 366) else None
 
 
 def _unpack_header(path: Any, source: Source) -> tuple[Any, ...]:
-    """The fields that all versions share, once the file is long enough for the version's header."""
     if source[:4] != b"LASF":
         raise FileError(path, "is no LAS file: its first four bytes are not LASF", where="byte 0")
     if len(source) < _HEADER.size:
@@ -202,7 +168,7 @@ def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
 
 
 def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
-    """Hold the count against the bytes from `begin` on; behind them only records that the header knows may follow."""
+    """Check the point count against the file size; only known records may follow the points."""
     held = (size - begin) // length
     if held < count:
         reason = f"truncated: the header counts {count} points, the file holds {held}"
@@ -214,10 +180,7 @@ def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, 
 
 
 def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, end: int, count: int) -> list[LasRecord]:
-    """The records from byte `begin` on, none of which reaches beyond `end`.
-
-    Extended ones may hold gigabytes, so that only those of the coordinate system are copied from the file.
-    """
+    """The records from `begin`, none beyond `end`. Large extended records are views, except the coordinate system."""
     if count > (end - begin) // form.size:
         reason = f"{count} records cannot lie in the {end - begin} bytes from byte {begin} to {end}"
         raise FileError(path, reason, where="byte 100" if form is _RECORD_HEADER else "byte 243")

@@ -1,8 +1,7 @@
-"""What a LAS file takes over from another one beside points: its records and the identification in its header.
+"""Copy records and header identification from another LAS file.
 
-Records that describe the layout of the points (extra bytes, LASzip, COPC) are written anew. Waveforms and spatial
-indexes are left out with a warning, since waveforms are not read and the order of the points may change. All other
-records are copied.
+Records on point layout (extra bytes, LASzip, COPC) are rewritten. Waveforms (not read) and spatial indexes (point order
+may change) are dropped with a warning.
 """
 
 from __future__ import annotations
@@ -25,15 +24,15 @@ GPS_TIME_BIT, WKT_BIT = 1, 16
 _WAVEFORM_BITS, _SYNTHETIC_RETURNS_BIT = 2 | 4, 8
 FIRST_OF_1_4 = 6  # point format
 _MAX_RECORD_BYTES = 0xFFFF
-_LIBLAS_WKT = ("liblas", WKT)  # where libLAS stored the text before LAS 1.4 defined a record for it
+_LIBLAS_WKT = ("liblas", WKT)  # where libLAS stored WKT before LAS 1.4 defined a record
 
 _LAYOUT = (EXTRA_BYTES, LASZIP, INFO, HIERARCHY)
-_WAVEFORMS = {*range(100, 355), 65535}  # record ids of LASF_Spec: descriptions of packets, and the packets
+_WAVEFORMS = {*range(100, 355), 65535}  # record ids of LASF_Spec: waveform descriptors and waveform data
 _SPATIAL_INDEX = ("LAStools", 30)
 
 
 def needs_1_4(like: LasHeader) -> bool:
-    """True if the records of a file need LAS 1.4: a coordinate system as text, or extended records."""
+    """True if a file's records require LAS 1.4: a WKT coordinate system or extended records."""
     return bool(like.encoding & WKT_BIT) or any(_is_extended(record) for record in _carried(like))
 
 
@@ -59,10 +58,7 @@ def _carried(like: LasHeader) -> list[LasRecord]:
 
 
 def system_of(header: LasHeader) -> LasHeader:
-    """A header with the coordinate system, the steps and the kind of GPS time of another one, and nothing else of it.
-
-    It is for points that are not those of the file, or not of one file alone.
-    """
+    """A header with only coordinate system, steps and GPS time type, for points that are not from one file alone."""
     records = tuple(record for record in header.records if _is_projection(record))
     encoding = header.encoding & (GPS_TIME_BIT | WKT_BIT)
     nobody = {"source_id": 0, "guid": bytes(16), "system": "", "software": "", "created": None}
@@ -70,18 +66,13 @@ def system_of(header: LasHeader) -> LasHeader:
 
 
 def own_records(header: LasHeader) -> list[str]:
-    """The names of the copied records that do not tell the coordinate system, such as "LAStools 10"."""
+    """Names of copied records other than the coordinate system, such as "LAStools 10"."""
     return [f"{record.user_id} {record.record_id}" for record in _carried(header) if not _is_projection(record)]
 
 
 def for_tiles(header: LasHeader, layout: Any, *, is_only: bool) -> LasHeader:
-    """The header that tiles of files are written like.
-
-    Args:
-        header: Of the first file.
-        layout: Its laspy.PointFormat. Extra dimensions keep their descriptions, in types that do not vary.
-        is_only: True if there is no other file: then its other records and its identification are kept.
-    """
+    """The template header of tiles; other records and identification are kept only if there `is_only` one file.
+    Extra dimensions of `layout` keep their descriptions, in fixed types."""
     kept = replace(header, encoding=header.encoding & ~_WAVEFORM_BITS) if is_only else system_of(header)
     content, size = value_record(layout)
     length = layout.size - layout.num_extra_bytes + size
@@ -89,14 +80,13 @@ def for_tiles(header: LasHeader, layout: Any, *, is_only: bool) -> LasHeader:
 
 
 def left_out_of(like: LasHeader) -> list[str]:
-    """The kinds of records that a copy of a file does not have."""
     waveforms = like.encoding & _WAVEFORM_BITS or any(map(_is_waveform, like.records))
     index = any(_key(record) == _SPATIAL_INDEX for record in like.records)
     return ["waveforms"] * bool(waveforms) + ["spatial index (record LAStools 30)"] * index
 
 
 def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> None:
-    """Give laspy's header the record of extra bytes of several files with the same dimensions, with joint ranges."""
+    """Set the extra bytes record of files with equal dimensions, with joint ranges."""
     records = [record for told in headers if (record := told.find(*EXTRA_BYTES)) is not None]
     if records:
         kept = [record for record in header.vlrs if (record.user_id, record.record_id) != EXTRA_BYTES]
@@ -104,23 +94,8 @@ def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> 
 
 
 def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
-    """Give a header the identification, records and kind of GPS time of another one.
-
-    GeoTIFF keys become text where the points are in a format of LAS 1.4, which has no place for keys.
-
-    Args:
-        laspy: The package.
-        path: The new file, for warnings.
-        header: laspy's.
-        like: The header of the other file.
-
-    Returns:
-        The extended records, which follow the points.
-
-    Warns:
-        UserWarning: Some records are left out.
-        LostSystemWarning: As of `text_of_keys`.
-    """
+    """Copy identification, records and GPS time type to laspy's header; returns the extended records.
+    GeoTIFF keys become WKT in point formats of LAS 1.4. Warns of dropped records."""
     header.global_encoding.value = like.encoding & (GPS_TIME_BIT | WKT_BIT | _SYNTHETIC_RETURNS_BIT)
     header.file_source_id = like.source_id
     for name, text in (("system_identifier", like.system), ("generating_software", like.software)):
@@ -146,12 +121,12 @@ def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
 
 
 def _ascii(text: str) -> str:
-    """A text in the characters that LAS allows in its fields."""
+    """Text restricted to the characters of LAS fields."""
     return text.encode("ascii", "replace").decode()
 
 
 def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
-    """The record that tells a length's unit where no file's system does; warns where such a system has another one."""
+    """The unit record, unless the coordinate system defines the unit; warns if that differs."""
     if like is not None:
         told = units_of(like).plane
         if not is_same(unit, told):

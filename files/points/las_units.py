@@ -1,9 +1,7 @@
-"""The units of a LAS file's coordinates, from the records of its coordinate system: well-known text, or GeoTIFF keys.
+"""Units of LAS coordinates from WKT or GeoTIFF keys; None if missing or incomplete, never guessed.
 
-What is not told, or told by a text that is not whole, is None: no unit is ever guessed from a name or from numbers.
-
-Source: OGC 01-009 and 18-010 (well-known text, both versions); GeoTIFF 1.0, section 2.7 and 6.3.1.3 (keys and codes of
-units); ASPRS, LAS Specification 1.4-R15, table 4 (bit 4 of the encoding: the text counts, and not the keys).
+OGC 01-009 and 18-010 (WKT); GeoTIFF 1.0, sections 2.7 and 6.3.1.3; ASPRS, LAS Specification 1.4-R15, table 4 (encoding
+bit 4: WKT overrides keys).
 """
 
 from __future__ import annotations
@@ -24,7 +22,7 @@ _USER_DEFINED = 32767
 _DEGREES = (9102, 9122)
 _WKT_BIT = 16
 
-# Codes of the EPSG register.
+# EPSG codes.
 _LENGTHS = {
     9001: METRE, 9002: FOOT, 9003: US_FOOT, 9036: unit_by_name("kilometre"), 9096: unit_by_name("yard"),
     9005: LengthUnit("Clarke's foot", "Clarke's ft", 0.3047972654),
@@ -41,19 +39,13 @@ _TOKEN = re.compile(
 _COMPOUNDS = ("COMPD_CS", "COMPOUNDCRS")
 _HEIGHTS = ("VERT_CS", "VERTCRS", "VERTICALCRS", "VERTCS")
 _ANGLES = ("GEOGCS", "GEOGCRS", "GEOGRAPHICCRS")
-_GEODETIC = ("GEODCRS", "GEODETICCRS")  # of angles or, about the earth's middle, of lengths
+_GEODETIC = ("GEODCRS", "GEODETICCRS")  # angles or, in geocentric systems, lengths
 _PLANES = ("PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOCCS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS")
 
 
 @dataclass(frozen=True)
 class LasUnits:
-    """What the records of a file say of its units.
-
-    Attributes:
-        plane: Of x and y; None where nothing is told.
-        height: Of z, likewise.
-        doubt: What speaks against taking all three for lengths in `plane`; None where nothing does.
-    """
+    """Units of a file: `plane` of x and y, `height` of z, and `doubt`, what contradicts a common unit, or None."""
 
     plane: LengthUnit | None = None
     height: LengthUnit | None = None
@@ -62,7 +54,7 @@ class LasUnits:
 
 @dataclass
 class _Node:
-    """`KEYWORD[...]` of well-known text: what stands in the brackets, in its order."""
+    """`KEYWORD[...]` of WKT, with its contents in order."""
 
     keyword: str
     items: list[_Node | str | float] = field(default_factory=list)
@@ -76,10 +68,7 @@ class _Node:
 
 
 def units_of(header: LasHeader) -> LasUnits:
-    """The units that a file's records tell: the text's where there is one, else those of the keys.
-
-    Where both are there and differ, the text counts in a file that says so (LAS 1.4), else the keys.
-    """
+    """The units in the records: WKT if present, else keys; if both differ, bit 4 of the encoding decides (LAS 1.4)."""
     text, keys = _units_of_text(find_text(header)), _units_of_keys(header)
     says_text = bool(header.encoding & _WKT_BIT)
     if says_text or not (text.plane and keys.plane):
@@ -96,7 +85,7 @@ def _doubt_of(units: LasUnits) -> str | None:
     plane, height = units.plane, units.height
     if plane is None or height is None or height.metres is None:
         return None
-    factor = height.metres / (plane.metres or 1.0)  # degrees become metres
+    factor = height.metres / (plane.metres or 1.0)  # degrees become meters
     if is_same(plane, height) or factor == 1:
         return None
     first = "" if plane.metres else "cloud = project_to_utm(cloud); "
@@ -104,14 +93,11 @@ def _doubt_of(units: LasUnits) -> str | None:
     return f"x and y are in {plane}, z is in {height}, so that no length is right; to mend it: {remedy}"
 
 
-# ------------------------------------------------------------------------------------------------ text
-
-
 def _units_of_text(text: str) -> LasUnits:
     root = _parse(text)
     if root is None:
         return LasUnits()
-    while root.keyword == "BOUNDCRS":  # a system and how it goes over into another
+    while root.keyword == "BOUNDCRS":  # a system and its transformation to another
         inner = [node for source in root.named("SOURCECRS") for node in source.nodes]
         if not inner:
             return LasUnits()
@@ -135,7 +121,6 @@ def _units_of_text(text: str) -> LasUnits:
 
 
 def _unit_below(node: _Node) -> LengthUnit | None:
-    """The unit that stands in these brackets themselves; None where there is none, or one that says nothing."""
     found = node.named("UNIT", "LENGTHUNIT", "ANGLEUNIT")
     if len(found) != 1 or len(found[0].items) < 2:
         return None
@@ -149,13 +134,12 @@ def _unit_below(node: _Node) -> LengthUnit | None:
 
 
 def _parse(text: str) -> _Node | None:
-    """The tree of a text; None of one that is not whole."""
     top, at = _Node(""), 0
     stack = [top]
     text = text.strip("\0 \t\r\n")
     while at < len(text):
         token = _TOKEN.match(text, at)
-        if token is None or (len(stack) == 1 and top.items):  # no token, or more than one system
+        if token is None or (len(stack) == 1 and top.items):  # no token, or several systems
             return None
         at = token.end()
         if token["open"]:
@@ -175,9 +159,6 @@ def _parse(text: str) -> _Node | None:
             stack[-1].items.append(token["text"].replace('""', '"'))
     root = top.items[0] if len(stack) == 1 and top.items else None
     return root if isinstance(root, _Node) else None
-
-
-# ------------------------------------------------------------------------------------------------ keys
 
 
 def _units_of_keys(header: LasHeader) -> LasUnits:

@@ -1,9 +1,7 @@
-"""The coordinate system of GeoTIFF keys as well-known text, which the point formats 6 and up of LAS 1.4 ask for.
+"""Convert GeoTIFF keys to WKT, as required by LAS 1.4 point formats 6 and up, with pyproj.
 
-Only what the EPSG register names is put into words, by pyproj. Systems that keys describe part by part (user-defined
-ones), and keys whose unit is not that of the register's system, are not.
-
-Source: ASPRS, LAS Specification 1.4-R15, section 2.4 (bit 4 of the global encoding); GeoTIFF 1.0, section 2.7.
+Only EPSG systems with matching units are converted, not user-defined ones. ASPRS, LAS Specification 1.4-R15, section
+2.4; GeoTIFF 1.0, section 2.7.
 """
 
 from __future__ import annotations
@@ -26,7 +24,7 @@ SAME = 1e-9  # of a unit's length
 
 
 class LostSystemWarning(UserWarning):
-    """The coordinate system of a file could not be written in the form that the new file's format has.
+    """A coordinate system could not be converted to the new file's format.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -37,13 +35,9 @@ class LostSystemWarning(UserWarning):
 
 
 def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
-    """What a file's keys say, as well-known text (version 1, as readers of LAS know it); None without keys.
-
-    Warns:
-        LostSystemWarning: There are keys, and no text says the same.
-    """
+    """The keys as WKT version 1, which LAS readers support; None, with a warning, if there is no equivalent."""
     keys = find_keys(header)
-    if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit the keys do not count
+    if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit set, keys are ignored
         return None
     codes = [_code(keys, key) for key in (_PROJECTED, _GEOGRAPHIC)]
     code = next((code for code in codes if code), 0)
@@ -81,13 +75,11 @@ def _registered(pyproj: Any, code: int) -> Any:
 
 
 def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
-    """Whether a system's first axis has a unit, where one is told."""
     factor = system.axis_info[0].unit_conversion_factor
     return unit is None or not unit.metres or abs(unit.metres / factor - 1) <= SAME
 
 
 def with_system(header: LasHeader, text: str) -> LasHeader:
-    """A header with another coordinate system, as well-known text, in place of what its records say."""
     kept = tuple(record for record in header.records if record.user_id != PROJECTION)
     record = LasRecord(PROJECTION, WKT, text.encode("utf-8") + b"\0")
     return replace(header, records=(*kept, record), encoding=header.encoding | _WKT_BIT)

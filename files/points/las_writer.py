@@ -1,13 +1,7 @@
-"""Writing LAS and LAZ files of points; reading is las.py's matter.
+"""Write LAS and LAZ: formats 6 to 8 (LAS 1.4), or 0 to 3 (LAS 1.2) for tables with `scan_angle_rank`.
 
-Coordinates are stored as whole multiples of a scale about an offset, in 32 bits. The point format follows the
-attributes: 6, 7 or 8 of LAS 1.4; or 0 to 3 of LAS 1.2 for those that come from such a file, which `scan_angle_rank`
-tells. Attributes with the name of a standard dimension go there, where their values are whole and in its range; others
-become extra dimensions in their own type, one of shape [n, c] as the scalars a_0 .. a_{c-1}. Colours take 16 bits,
-normals are the extra dimensions NormalX, NormalY and NormalZ. The grid of an organised cloud is not stored. Its unit is
-told by the coordinate system that is taken over, else by one that says nothing but the unit.
-
-Source: ASPRS, LAS Specification 1.4-R15.
+Coordinates are 32-bit multiples of a scale plus an offset. Attributes go to standard dimensions if name and range fit,
+else to extra dimensions (shape (n, c) as a_0 .. a_{c-1}). ASPRS, LAS Specification 1.4-R15.
 """
 
 from __future__ import annotations
@@ -33,19 +27,19 @@ from .las_extra import EXTRA_BYTES, TITLE, TYPES, ExtraColumn, record_of, store_
 from .las_header import LasHeader
 from .las_records import WKT_BIT, needs_1_4, take_over, unit_record
 
-# Where no scale is given: a millimetre where the unit is metres, below what scanners measure; finer for an axis along
-# which the points lie within 1000 units, so that objects and degrees keep a millionth of their extent.
+# Default scale: a millimeter for meters, below what scanners measure; finer for an axis along
+# which the points are within 1000 units, so that objects and degrees keep a millionth of their extent.
 _COARSEST_SCALE = 0.001
 _STEPS_ACROSS = 1.0e6
-_SAMPLE = 1 << 16  # points whose extent counts, without the hundredth at either end: strays do not coarsen the rest
+_SAMPLE = 1 << 16  # sample size of the extent, without 1 % at either end: robust to outliers
 
 _BLOCK = 1 << 18  # points packed at a time
 _ANGLE_STEP = 0.006  # degrees, of LAS 1.4's scan angle
 _MAX_STEPS = 2**31 - 1
 _MAX_NAME_BYTES = 32
-RENAMED = "_value"  # behind the name of a value that LAS has in another range
+RENAMED = "_value"  # suffix for values outside the range of a LAS dimension
 
-# Names that LAS uses for other things than an attribute of a cloud could mean.
+# Names that LAS uses with another meaning than an attribute of a cloud.
 _TAKEN = {"X", "Y", "Z", *COLORS, *NORMALS, "ExtraBytes", "bit_fields", "raw_classification", "classification_flags"}
 
 _NEW_FORMAT_ONLY = {"scan_angle", "overlap", "scanner_channel", "nir"}
@@ -60,24 +54,10 @@ def write_las(
     like: LasHeader | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write points as LAS, or as LAZ where the path ends so.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points.
-        scale: Step of the coordinates [unit of the coordinates], one for all axes or one for each; None takes 0.001,
-            or for an axis along which most points lie within 1000 units a finer power of ten.
-        offset: What the steps count from; None takes the middle of the points in whole units.
-        like: The header of a file whose records, identification and kind of GPS time are taken over; scale and offset,
-            too, where they are None. Attributes that it has as extra dimensions are stored as it stores them, if no
-            value changes by that.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, a coordinate is not finite or beyond 2^31 steps, an attribute cannot be
-            stored, or laspy is missing.
-        ValueError: An array of the table has the wrong shape, or a scale is not above 0.
-    """
+    """Write points as LAS, or as LAZ if the extension is .laz, atomically.
+    A `scale` of None is 0.001, or finer on axes where most points are within 1,000 units; an `offset` of None is the
+    center of the points in whole units. Records, identification, GPS time type and missing scale and offset are copied
+    from `like`."""
     path = check_writable(path, overwrite=overwrite)
     layout = lay_out(path, table, scale, offset, like)
     compress = path.suffix.lower() == ".laz"
@@ -95,15 +75,7 @@ def write_las(
 
 @dataclass(frozen=True)
 class LasLayout:
-    """How a table is stored.
-
-    Attributes:
-        laspy: The package.
-        table: The points, known to be storable.
-        header: laspy's, without counts and bounds.
-        extra: What is stored beside the standard dimensions, by name.
-        extended: Records that follow the points.
-    """
+    """The storage layout of a table: laspy's `header`, `extra` dimensions by name, and `extended` records."""
 
     laspy: Any
     table: PointTable
@@ -113,13 +85,13 @@ class LasLayout:
 
     @quiet()
     def pack(self, part: Any) -> Any:
-        """Some of the points, by a slice or indices, as laspy's record."""
+        """Some points (slice or indices) as laspy's record."""
         points = self.table.points[part].astype(np.float64, copy=False)
         rows: Any = np.zeros(len(points), self.header.point_format.dtype())
         record = self.laspy.PackedPointRecord(rows, self.header.point_format)
         for axis, name in enumerate("XYZ"):
             steps = np.rint((points[:, axis] - self.header.offsets[axis]) / self.header.scales[axis])
-            rows[name] = np.clip(steps, -_MAX_STEPS - 1, _MAX_STEPS)  # beyond by less than the points' type rounds
+            rows[name] = np.clip(steps, -_MAX_STEPS - 1, _MAX_STEPS)  # within the rounding of the points' type
         if self.table.colors is not None:
             for axis, name in enumerate(COLORS):
                 rows[name] = np.rint(self.table.colors[part, axis] * np.float32(65535))
@@ -134,18 +106,14 @@ class LasLayout:
 def lay_out(
     path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None, *, is_part: bool = False
 ) -> LasLayout:
-    """How `write_las` stores a table; the ranges of extra dimensions are left out if it is a part of the points.
-
-    Raises:
-        FileError, ValueError: As write_las.
-    """
+    """The storage layout for `write_las`; without ranges of extra dimensions if the table is a part of the points."""
     table, laspy = table.checked(), import_for(path, "laspy", "las")
     lost = unstorable_in_las(path, table)
     if lost:
         name, reason = next(iter(lost.items()))
         raise FileError(path, f"attribute {name!r} {reason}", remedy="Change, rename or drop it")
     if table.colors is not None:
-        table.colors = stack_colors(path, [*table.colors.T])  # refuses what is outside 0..1
+        table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
     told = unit_record(laspy, path, table.unit, like)
     version = "1.4" if _is_new(table) or told or (like is not None and needs_1_4(like)) else "1.2"
@@ -165,11 +133,6 @@ def lay_out(
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
-    """The attributes that LAS cannot hold, and why.
-
-    Raises:
-        FileError: laspy is missing.
-    """
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions}
     lost, taken = {}, {*standard, *_TAKEN}
@@ -185,11 +148,7 @@ def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
 
 
 def name_rules(path: Any, table: PointTable) -> NameRules:
-    """The names that attributes may have as dimensions: that of a standard one if their values fit it.
-
-    Raises:
-        FileError: laspy is missing.
-    """
+    """Allowed names of dimensions; standard names only if the values fit."""
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
     held = {name: values for name, values in table.attributes.items() if name in standard}
@@ -199,7 +158,6 @@ def name_rules(path: Any, table: PointTable) -> NameRules:
 
 
 def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
-    """Why values cannot go to a standard dimension; empty if they can."""
     if values.ndim != 1:
         return f"has {values.shape[1]} components, LAS's dimension of that name one"
     with np.errstate(invalid="ignore", over="ignore"):
@@ -213,7 +171,6 @@ def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
 
 
 def _why_no_extra(name: str, values: NDArray[Any], taken: set[str]) -> str:
-    """Why values cannot become extra dimensions; empty if they can."""
     if f"{values.dtype.kind}{values.dtype.itemsize}" not in TYPES:
         return f"is of type {values.dtype}, which LAS does not have"
     if values.ndim == 2 and not values.shape[1]:
@@ -231,7 +188,6 @@ def _split(name: str, values: NDArray[Any]) -> dict[str, NDArray[Any]]:
 
 
 def _is_new(table: PointTable) -> bool:
-    """Whether the points need, or may as well have, a point format of LAS 1.4."""
     names, limits = table.attributes, {"return_number": 7, "number_of_returns": 7, "classification": 31}
     if "scan_angle_rank" not in names or not _NEW_FORMAT_ONLY.isdisjoint(names):
         return True
@@ -259,7 +215,7 @@ def _extra_columns(table: PointTable, standard: set[str]) -> dict[str, NDArray[A
 def _scaling(
     path: Any, points: NDArray[Any], scale: Any, offset: Any, like: LasHeader | None
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Scales and offsets about which every coordinate fits into 32 bits."""
+    """Scales and offsets so that every coordinate fits into 32 bits."""
     if like is not None:
         scale = like.scales if scale is None else scale
         offset = like.offsets if offset is None else offset
@@ -278,7 +234,7 @@ def _scaling(
     scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
     if not (np.isfinite(scales).all() and (scales > 0).all()):
         raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
-    slack = np.spacing(np.maximum(np.abs(low), np.abs(high)).astype(points.dtype))  # what the points' type rounds by
+    slack = np.spacing(np.maximum(np.abs(low), np.abs(high)).astype(points.dtype))  # rounding of the points' type
     if not fits_steps(low + slack, high - slack, scales, offsets):
         needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
         reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
@@ -288,14 +244,13 @@ def _scaling(
 
 @quiet()
 def fits_steps(low: Any, high: Any, scales: Any, offsets: Any) -> bool:
-    """True if steps from the offsets to all coordinates between two corners fit into 32 bits."""
     first, last = (np.rint((np.asarray(end) - offsets) / np.asarray(scales)) for end in (low, high))
     return bool((first >= -(2**31)).all() and (last < 2**31).all())
 
 
 @quiet()
 def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
-    """A power of ten for each axis, no finer than what 32 bits and the points' own type can tell apart."""
+    """A power of ten per axis, not finer than 32 bits and the points' type can resolve."""
     if not len(points):
         return [_COARSEST_SCALE] * 3
     sample = points[:: len(points) // _SAMPLE | 1]
@@ -315,7 +270,7 @@ def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[fl
 
 
 def with_scan_angle(table: PointTable) -> PointTable:
-    """A table that goes to the point formats of LAS 1.4 whatever its values: whole degrees of angle as its steps."""
+    """Convert whole degrees of angle to LAS 1.4 steps."""
     if "scan_angle_rank" not in table.attributes or "scan_angle" in table.attributes:
         return table
     attributes = dict(table.attributes)

@@ -1,12 +1,8 @@
-"""Compressed points of a LAZ file: its tables held against the file, then unpacked by lazrs block by block.
+"""LAZ decompression with lazrs, block by block, after validating the tables.
 
-lazrs takes the sizes in the tables as they stand and would ask for as much memory; where there is none it ends the
-process. So the table of chunks, and in the layered form (point formats 6 to 10) the sizes of each chunk's layers, are
-compared with the bytes that are there first. How many points some bytes unpack to has no bound, so chunks that claim
-very many are unpacked point after point, which takes no memory for the rest of the chunk.
-
-Source: Isenburg 2013, "LASzip: lossless compression of LiDAR data"; the LASzip record and chunk table as LASzip 3 has
-them.
+lazrs allocates the sizes in the tables and aborts the process if that fails, so they are checked first. Chunks that
+claim very many points are unpacked point by point. Isenburg, "LASzip: lossless compression of LiDAR data" (2013);
+LASzip 3.
 """
 
 from __future__ import annotations
@@ -30,13 +26,13 @@ RECORD = ("laszip encoded", 22204)
 _FIELDS = struct.Struct("<HHBBHIIqqH")
 _CHUNK_SIZE_AT = 12
 _ITEM = struct.Struct("<HHH")
-_VARIABLE = 0xFFFFFFFF  # a chunk size that says that the table gives each chunk's own
+_VARIABLE = 0xFFFFFFFF  # chunk size meaning that the table has the size of each chunk
 _POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs knows
 
-# Unpacked bytes of a chunk up to which several are unpacked at a time: 40 times those of the usual 50,000 points.
+# Unpacked bytes up to which several chunks are unpacked at a time: 40 times those of the usual 50,000 points.
 _PARALLEL_CHUNK_BYTES = 1 << 26
 
-# Bytes of an item, and the layers that it has in a layered chunk; None for those of any length (extra bytes).
+# Bytes and layers of an item in a layered chunk; None for variable length (extra bytes).
 _ITEMS = {
     0: (None, 0), 6: (20, 0), 7: (8, 0), 8: (6, 0), 9: (29, 0),
     10: (30, 9), 11: (6, 1), 12: (8, 2), 13: (29, 1), 14: (None, None),
@@ -44,11 +40,7 @@ _ITEMS = {
 
 
 def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearray]:
-    """The points as they lie in an uncompressed file, at most `size` of them at a time, once check_laszip has passed.
-
-    Raises:
-        FileError: The compressed bytes are damaged.
-    """
+    """Decompress at most `size` points at a time, after `check_laszip`."""
     if not header.point_count:
         return
     lazrs = import_for(path, "lazrs", "las")
@@ -66,13 +58,7 @@ def unpack_blocks(path: Path, header: LasHeader, size: int) -> Iterator[bytearra
 
 
 def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
-    """The first points of chunks, as many of each, at most `count` together, once check_laszip has passed.
-
-    A chunk cannot be entered in its middle. Files of many chunks give of every so-manieth.
-
-    Raises:
-        FileError: The compressed bytes are damaged.
-    """
+    """The first points of evenly spaced chunks (no random access), at most `count`, after `check_laszip`."""
     rows = bytearray()
     if not header.point_count:
         return rows
@@ -96,24 +82,18 @@ def unpack_beginnings(path: Path, header: LasHeader, count: int) -> bytearray:
 
 
 def chunks_at(path: Any, file: IO[bytes], begin: int, record: bytes) -> NDArray[np.int64]:
-    """First byte, points and bytes of each chunk of an open file whose compressed points start at a byte, [m, 3].
-
-    The file must have passed check_laszip, or be our own.
-
-    Raises:
-        FileError: lazrs is missing.
-    """
+    """First byte, points and bytes of each chunk, (m, 3), of a validated file with compressed points at `begin`."""
     lazrs = import_for(path, "lazrs", "las")
     with foreign_errors(path, "the table of chunks is damaged"):
         file.seek(begin)
         chunks = np.array(lazrs.read_chunk_table(file, lazrs.LazVlr(record)), np.int64)
     points, sizes = chunks.reshape(-1, 2).T
-    ends = np.cumsum(sizes) + begin + 8  # behind the place of the table
+    ends = np.cumsum(sizes) + begin + 8  # after the offset of the table
     return np.column_stack([ends - sizes, points, sizes])
 
 
 def _lower_chunk_size(header: LasHeader) -> bytes:
-    """The LASzip record; of a file of one chunk, the chunk is no larger than the points: lazrs takes memory for it."""
+    """The LASzip record; for one chunk, its size is limited to the point count, since lazrs allocates it."""
     record = bytearray(header.find(*RECORD) or b"")
     (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
     if chunk_size != _VARIABLE:
@@ -122,13 +102,7 @@ def _lower_chunk_size(header: LasHeader) -> bytes:
 
 
 def check_laszip(path: Any, source: Source, header: LasHeader, *, layers_too: bool = True) -> None:
-    """Hold that the LASzip record, the table of chunks and the chunks' layers go with the file.
-
-    Without `layers_too`, who unpacks a chunk holds its layers with `check_chunk` before: that looks into no chunk here.
-
-    Raises:
-        FileError: They do not, or lazrs is missing.
-    """
+    """Check the LASzip record, chunk table and, if `layers_too`, chunk layers (else use `check_chunk` later)."""
     lazrs = import_for(path, "lazrs", "las")
     record = header.find(*RECORD)
     if record is None:
@@ -142,17 +116,7 @@ def check_laszip(path: Any, source: Source, header: LasHeader, *, layers_too: bo
 
 
 def check_chunk(path: Any, header: LasHeader, chunk: bytes, what: str) -> None:
-    """Hold that the layers of one chunk fit into its bytes, once check_laszip has passed but for the layers.
-
-    Args:
-        path: The file, for errors.
-        header: Of it.
-        chunk: The bytes.
-        what: What the chunk is, for errors.
-
-    Raises:
-        FileError: They do not.
-    """
+    """Raise `FileError` if the layers of one chunk exceed its bytes."""
     compressor, _, layers = _check_record(path, header.find(*RECORD) or b"", header)
     if compressor == _LAYERED and not _fits(chunk, 0, len(chunk), header.record_length + 4, layers):
         raise FileError(path, f"{what}, is damaged: its layers do not fit into its {len(chunk)} bytes")
@@ -181,18 +145,18 @@ def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int
 def _read_chunk_table(
     path: Any, source: Source, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
 ) -> list[tuple[int, int]]:
-    """(Points, bytes) of each chunk; the points are the chunk size where all are of one size."""
+    """(Points, bytes) of each chunk; points are the chunk size if it is constant."""
     first = header.begin + 8
     if len(source) < first + 8:
         raise FileError(path, "truncated: no compressed points follow the header", where=f"byte {len(source)}")
     (table,) = struct.unpack_from("<q", source, header.begin)
-    if table == -1:  # written where nobody could go back; the file's last bytes say it
+    if table == -1:  # written by streaming writers; the last bytes of the file hold the offset
         (table,) = struct.unpack_from("<q", source, len(source) - 8)
     if not first <= table <= len(source) - 8:
         reason = f"truncated or damaged: the table of chunks should be at byte {table} of {len(source)}"
         raise FileError(path, reason, where=f"byte {header.begin}")
     version, count = struct.unpack_from("<II", source, table)
-    if version or count > (table - first) // header.record_length:  # each chunk begins with a point as it is
+    if version or count > (table - first) // header.record_length:  # each chunk starts with an uncompressed point
         reason = f"the table of chunks is damaged: version {version}, {count} chunks in {table - first} bytes"
         raise FileError(path, reason, where=f"byte {table}")
     if chunk_size != _VARIABLE and not (count - 1) * chunk_size <= header.point_count <= count * chunk_size:
@@ -212,7 +176,7 @@ def _read_chunk_table(
 
 
 def _check_layers(path: Any, source: Source, header: LasHeader, chunks: list[tuple[int, int]], layers: int) -> None:
-    """Hold the sizes of each chunk's layers, which follow its first point and its count, against the chunk."""
+    """Check the layer sizes of each chunk, which follow its first point and count."""
     at, prefix = header.begin + 8, header.record_length + 4
     for number, (_, length) in enumerate(chunks):
         if not _fits(source, at, length, prefix, layers):
@@ -223,7 +187,6 @@ def _check_layers(path: Any, source: Source, header: LasHeader, chunks: list[tup
 
 
 def _fits(source: Source, at: int, length: int, prefix: int, layers: int) -> bool:
-    """Whether the layers of a chunk, told behind its first point and its count, fit into it."""
     sizes = struct.Struct(f"<{layers}I")
     if length < prefix + sizes.size:
         return False

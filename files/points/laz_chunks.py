@@ -1,4 +1,4 @@
-"""The points of a LAZ file chunk by chunk, as they lie in an uncompressed file; it is open only while it is read."""
+"""Read the uncompressed points of a LAZ file by chunk; the file is open only while reading."""
 
 from __future__ import annotations
 
@@ -17,21 +17,9 @@ from .laszip import chunks_at
 
 
 class LazChunks:
-    """A file whose table of chunks is known to go with it.
-
-    Attributes:
-        path: The file.
-        header: What its header says.
-        row: The type of a point's row.
-        counts: Points of each chunk, int64 [m].
-    """
+    """A file with a validated chunk table: `header`, `row` type and `counts`, points per chunk, int64 (m,)."""
 
     def __init__(self, path: Path):
-        """Open a file; no point is read.
-
-        Raises:
-            FileError: As `open_las`, or it is not compressed.
-        """
         file = open_las(path)
         if not file.header.is_compressed or not file.header.point_count:
             raise FileError(path, "is no LAZ file with points")
@@ -41,15 +29,10 @@ class LazChunks:
         with path.open("rb") as stream:
             chunks = chunks_at(path, stream, file.header.begin, self._record)
         self._begins, self._sizes = chunks[:, 0], chunks[:, 2]
-        ends = np.minimum(np.cumsum(chunks[:, 1]), file.header.point_count)  # the last may be told as a full one
+        ends = np.minimum(np.cumsum(chunks[:, 1]), file.header.point_count)  # the last may be declared as full
         self.counts = np.diff(ends, prepend=0)
 
     def rows(self, which: NDArray[np.int64]) -> NDArray[Any]:
-        """The points of some chunks, one after the other.
-
-        Raises:
-            FileError: The file is gone, or the compressed bytes are damaged.
-        """
         lazrs = import_for(self.path, "lazrs", "las")
         out = np.empty(int(self.counts[which].sum()), self.row)
         told = list(zip(self.counts[which].tolist(), self._sizes[which].tolist(), strict=True))
@@ -66,6 +49,6 @@ def _bytes_at(stream: Any, begin: int, size: int) -> bytes:
 
 
 def is_alike(header: LasHeader, other: LasHeader) -> bool:
-    """Whether rows of two files mean the same: format, length, scales and offsets."""
+    """True if rows of two files are compatible: format, length, scales and offsets."""
     names = ("point_format", "record_length", "scales", "offsets")
     return all(getattr(header, name) == getattr(other, name) for name in names)

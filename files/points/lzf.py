@@ -1,10 +1,7 @@
-"""LZF, the compression inside PCD files: a bounded decompressor and a greedy compressor, in Python and NumPy.
+"""LZF, the compression of PCD files, in Python and NumPy: about 0.2 us a token for reading, 0.4 us for writing.
 
-A stream is a sequence of tokens. A control byte below 32 is followed by that many + 1 literal bytes; any other holds
-length - 2 in its upper 3 bits (7: the next byte is added) and the upper 5 bits of distance - 1, whose lower 8 follow.
-Cost: about 0.2 us a token for reading and 0.4 us a token for writing.
-
-Source: Marc Lehmann, liblzf 3.6 (lzf_d.c, lzf_c.c).
+A control byte < 32 precedes that many + 1 literals; others hold length - 2 in the upper 3 bits (7: add the next byte)
+and the upper 5 bits of distance - 1, whose lower 8 follow. Marc Lehmann, liblzf 3.6 (lzf_d.c, lzf_c.c).
 """
 
 from __future__ import annotations
@@ -12,19 +9,19 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-#: A 3-byte token stands for at most 264 bytes, so no stream expands by more than this.
+#: A 3-byte token decodes to at most 264 bytes, which limits the expansion.
 MAX_EXPANSION = 88
 
 _MAX_DISTANCE = 1 << 13
 _MAX_LITERALS = 32
 _MAX_MATCH = 264
 
-# Bytes searched for matches at a time; the search needs some 40 bytes of memory for each.
+# Bytes searched for matches at a time; the search needs about 40 bytes of memory for each.
 _BLOCK = 1 << 20
 
 
 class LzfError(ValueError):
-    """A stream that is damaged; `position` is the byte of it at which this was seen."""
+    """A damaged stream, detected at byte `position`."""
 
     def __init__(self, reason: str, position: int):
         super().__init__(reason)
@@ -32,12 +29,7 @@ class LzfError(ValueError):
 
 
 def decompress(stream: bytes, size: int) -> bytes:
-    """The `size` bytes that a stream stands for.
-
-    Raises:
-        LzfError: The stream ends within a token, refers to before the beginning, or stands for another size. Never
-            more than `size` + 264 bytes are held.
-    """
+    """Decompress to exactly `size` bytes, with at most 264 bytes of additional memory; raises `LzfError` if damaged."""
     if size > MAX_EXPANSION * len(stream):
         raise LzfError(f"{len(stream)} bytes cannot expand to {size}", 0)
     out = bytearray()
@@ -65,7 +57,7 @@ def decompress(stream: bytes, size: int) -> bytes:
                     raise LzfError("a reference points before the beginning", at)
                 if distance >= length:
                     out += out[begin : begin + length]
-                else:  # the copy reads what it writes: the last `distance` bytes repeat
+                else:  # overlapping copy: the last `distance` bytes repeat
                     out += (out[begin:] * (length // distance + 1))[:length]
             if len(out) > size:
                 raise LzfError(f"more than the declared {size} bytes come out", at)
@@ -77,7 +69,7 @@ def decompress(stream: bytes, size: int) -> bytes:
 
 
 def compress(data: bytes) -> bytes:
-    """A stream that stands for `data`; greedy, each match the nearest earlier one of its first three bytes."""
+    """Compress greedily; each match is the nearest earlier occurrence of its first three bytes."""
     out = bytearray()
     for begin in range(0, len(data), _BLOCK):
         _compress_block(data[begin : begin + _BLOCK], out)
@@ -85,7 +77,6 @@ def compress(data: bytes) -> bytes:
 
 
 def _compress_block(data: bytes, out: bytearray) -> None:
-    """Append the tokens of one block, which refers to nothing before itself."""
     positions, earlier = _candidates(data)
     end, at = len(data), 0
     for here, before in zip(positions, earlier, strict=True):
@@ -104,7 +95,7 @@ def _compress_block(data: bytes, out: bytearray) -> None:
 
 
 def _candidates(data: bytes) -> tuple[list[int], list[int]]:
-    """Positions whose three bytes occurred within reach before, and where they last did."""
+    """Positions whose three bytes occurred before within range, and the last occurrence."""
     text = np.frombuffer(data, np.uint8).astype(np.int32)
     if len(text) < 4:
         return [], []
@@ -118,7 +109,6 @@ def _candidates(data: bytes) -> tuple[list[int], list[int]]:
 
 
 def _match_length(data: bytes, earlier: int, here: int, limit: int) -> int:
-    """How many bytes from `here` repeat those from `earlier`; at least the three that are known to."""
     length = 3
     while length < limit and data[earlier + length] == data[here + length]:
         length += 1

@@ -1,12 +1,7 @@
-"""Points as NPZ, NumPy's archive of arrays: every type, name and shape survives, colours in full precision.
+"""Points as NPZ, lossless: `points`, `normals`, `colors` (n, 3), `grid` (height, width), `unit` (text), attributes.
 
-Members: `points` [n, 3] (float32 or float64), `normals` and `colors` [n, 3] where there are any, `grid` (height, width)
-for an organised cloud, `unit`, the unit of lengths as text such as "foot", where it is known; every other member is an
-attribute of shape [n] or [n, c], so is a `unit` of numbers. Objects (pickles) are never loaded. The sizes in the
-archive's directory and in each array's header are held against each other and against what the stored bytes can unpack
-to before an array is allocated.
-
-Source: NumPy Enhancement Proposal 1 (the .npy format); PKWARE's APPNOTE for ZIP.
+Pickles are never loaded. Sizes are validated against the stored bytes before allocation. NumPy Enhancement Proposal 1
+(.npy); PKWARE APPNOTE (ZIP).
 """
 
 from __future__ import annotations
@@ -37,12 +32,12 @@ from ..table import PointTable
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
 _MAX_DEFLATE_RATIO = 1032
 
-MOST_AXES = 4  # of an array
+MOST_AXES = 4  # maximum number of array axes
 
-# The record that ends an archive without a comment, which NumPy never writes.
+# The end record of an archive without a comment, as NumPy writes it.
 _END_BYTES = 22
 
-# A fixed time stamp (the first that ZIP can hold), so that the same table gives the same file.
+# A fixed timestamp (the first of ZIP), so that equal tables give equal files.
 _TIME_STAMP = (1980, 1, 1, 0, 0, 0)
 
 _TABLE_KEYS = ("points", "normals", "colors", "grid")
@@ -52,26 +47,13 @@ _NOT_NUMERIC = "expected real numbers or booleans"
 
 
 def read_npz(path: str | os.PathLike[str]) -> PointTable:
-    """Read points from an NPZ file.
-
-    Returns:
-        The points, float32 where they are stored so and float64 otherwise, with normals, colours and attributes.
-
-    Raises:
-        FileError: Missing, no NPZ, damaged, no `points`, an array of another shape than its header or the cloud says,
-            or one that is not numeric.
-        MemoryError: The arrays are larger than the memory; names the file.
-    """
+    """Read points from an NPZ file, float32 if stored so, else float64."""
     path = Path(path)
     return _table(path, read_arrays(path))
 
 
 def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, NDArray[Any]]:
-    """The arrays of an archive by name: all, or those that are wanted; others are not looked into.
-
-    Raises:
-        FileError, MemoryError: As `read_npz`.
-    """
+    """The arrays of an archive by name; only the wanted ones are read."""
     source = open_source(path)
     if source[-_END_BYTES:][:4] != b"PK\5\6":
         where = f"byte {len(source)}"
@@ -97,17 +79,7 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
 
 
 def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write points as NPZ, uncompressed.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points; all of it survives, to the bit.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, or an attribute's name cannot be a member's.
-        ValueError: An array of the table has the wrong shape.
-    """
+    """Write points as uncompressed NPZ, lossless and atomically."""
     path = check_writable(path, overwrite=overwrite)
     table = table.checked()
     arrays: dict[str, NDArray[Any]] = {"points": table.points}
@@ -134,13 +106,12 @@ def write_npz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
 
 
 def name_rules(table: PointTable) -> NameRules:
-    """The names that attributes may have as members of the archive."""
     used = (*_TABLE_KEYS, *([_UNIT] if table.unit is not None else []))
     return NameRules(lambda letter: letter.isprintable() and letter not in "/\\", used, in_parts=False)
 
 
 def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name: str) -> NDArray[Any]:
-    """One array, read only once its header, its directory entry and its stored bytes agree."""
+    """Read one array after checking its header, directory entry and stored bytes."""
     possible = info.compress_size * (1 if info.compress_type == zipfile.ZIP_STORED else _MAX_DEFLATE_RATIO)
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise FileError(path, f"member {name!r} is compressed in an unknown way", where=f"byte {info.header_offset}")
@@ -212,14 +183,9 @@ def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) 
 
 
 def _unit(path: Any, value: NDArray[Any]) -> LengthUnit:
-    """The unit that the archive names.
-
-    Raises:
-        FileError: It is none that a cloud can have.
-    """
     try:
         text = str(value)
-    except ValueError as error:  # no characters
+    except ValueError as error:  # no valid characters
         raise FileError(path, f"unit: the text is damaged: {error}") from error
     unit = unit_of_text(text)
     if unit is None:

@@ -1,15 +1,7 @@
 """PCD files (v0.7; .5 and .6 are read): text, binary and LZF-compressed binary.
 
-Roles of fields: x y z are positions; normal_x normal_y normal_z normals; rgb or rgba (4 bytes 0xAARRGGBB, declared F, U
-or I), or the three fields r g b, colours; every other field is an attribute, of shape [n, c] where its COUNT is c > 1.
-The alpha of an rgba field becomes the attribute `alpha` (uint8). Padding fields named "_" are skipped. Points of an
-organised cloud (HEIGHT > 1) are kept as they are, NaN rows included. VIEWPOINT is not applied, as in PCL; the table
-keeps it. Colours of a text whose field is "nan" are left out with a warning.
-
-Writing: positions in the table's own type, normals as F 4, colours rounded to 8 bits as rgb (U 4), or as rgba where
-there is an attribute `alpha` of type uint8, attributes in their own type with COUNT c for shape [n, c].
-
-Source: the PCD v0.7 format description of the Point Cloud Library; pcl/io/src/pcd_io.cpp for the compressed layout.
+Colors are rgb or rgba (4 bytes 0xAARRGGBB) or r g b; alpha is the uint8 attribute `alpha`; other fields are attributes
+of shape (n, COUNT). VIEWPOINT is stored but not applied, as in PCL. PCL's format description; pcl/io/src/pcd_io.cpp.
 """
 
 from __future__ import annotations
@@ -35,23 +27,16 @@ from . import lzf
 from .header_units import unit_comment
 from .pcd_header import ENCODINGS, STANDING, Field, PcdHeader, read_header
 
-PACKED = ("rgb", "rgba")  # fields of colours 0xAARRGGBB
+PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
 UNREADABLE = "the text of field {!r} is nan, as PCL wrote colours with red from 128 on; write the file as binary"
 
-# PCL up to 1.7 sizes a compressed file as if the payload began on the second memory page, and so leaves this many zero
-# bytes less the length of the header behind it.
+# PCL up to 1.7 pads a compressed file as if the payload began on the second memory page: this many zero
+# bytes minus the header length.
 _PAGE_BYTES = 4096
 
 
 def read_payload(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    """Decode every field but the padding.
-
-    Returns:
-        Arrays of shape [n], or [n, c] for a field of c > 1 values; they may be views into `source`.
-
-    Raises:
-        FileError: Truncated, longer than declared, or (compressed) damaged.
-    """
+    """Decode all fields except padding to arrays (n,) or (n, c), which may be views; raises `FileError` if damaged."""
     if header.encoding == "ascii":
         return _read_ascii(path, source, header)
     if header.encoding == "binary":
@@ -61,7 +46,6 @@ def read_payload(path: Any, source: Source, header: PcdHeader) -> dict[str, NDAr
 
 
 def _rows(source: Source, offset: int, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    """Fields of points that lie one after another."""
     fields: dict[str, NDArray[Any]] = {}
     for field in header.fields:
         if field.name != "_":
@@ -118,7 +102,7 @@ def _read_compressed(path: Any, source: Source, header: PcdHeader) -> dict[str, 
         raise FileError(path, f"damaged LZF payload: {error}", where=f"byte {begin + error.position}") from error
     fields: dict[str, NDArray[Any]] = {}
     offset = 0
-    for field in header.fields:  # one field's values of all points, then the next field's
+    for field in header.fields:  # structure of arrays: all values of one field, then the next field's
         if field.name != "_":
             fields[field.name] = _strided(body, offset, field, header.point_count, field.byte_count)
         offset += field.byte_count * header.point_count
@@ -161,17 +145,14 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
 
 
 def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Which points of a text have NaN for all of x, y and z, so that their colour does not matter."""
+    """Mask of text points with NaN x, y and z, whose color is irrelevant."""
     ends = np.cumsum([field.count for field in header.fields])
     places = [end - 1 for field, end in zip(header.fields, ends, strict=True) if field.name in ("x", "y", "z")]
     return np.asarray(np.isnan(table[:, places]).all(axis=1))
 
 
 def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
-    """Packed colours of a text as the floats that have their bits; None if "nan" stands for some of them.
-
-    Whole numbers are the packed number itself, as some programs write it: the float of a colour is none.
-    """
+    """Packed text colors as floats with the same bits; None if some are "nan". Integers are the packed value itself."""
     if (np.isnan(column) & ~unmeasured).any():
         return None
     known = np.where(np.isnan(column), 0.0, column)
@@ -203,22 +184,8 @@ _TYPE_REMEDY = "Convert it to an integer, float32 or float64, or write NPZ"
 
 
 def read_pcd(path: str | os.PathLike[str]) -> PointTable:
-    """Read a PCD file.
-
-    Args:
-        path: The file, in any of the three encodings.
-
-    Returns:
-        The points, float32 or float64 as stored, with normals, colours, attributes and the grid of an organised cloud.
-        Where WIDTH x HEIGHT is 0 and POINTS is not, a warning says so, and POINTS counts.
-
-    Raises:
-        FileError: Missing, not PCD, truncated, longer than its header says, damaged or inconsistent.
-
-    Notes:
-        Memory: the result, and the unpacked payload of a compressed file. Compressed files unpack in Python, at some
-        10 to 20 MB/s.
-    """
+    """Read a PCD file in any encoding, as float32 or float64 as stored, with the grid of an organized cloud.
+    Warns if WIDTH x HEIGHT is 0 and POINTS is not. Compressed files are unpacked in Python at about 10 to 20 MB/s."""
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)
@@ -229,13 +196,13 @@ def read_pcd(path: str | os.PathLike[str]) -> PointTable:
 
 
 def point_fields(path: Path, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    """The fields of the points, once the file is held to its header, of the binary encoding views into it."""
+    """The point fields, after checking the file against its header; views for the binary encoding."""
     _check_positions(path, {field.name: (field.dtype, field.count) for field in header.fields})
     return read_payload(path, source, header)
 
 
 def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
-    """The points of fields, or of some of their rows, as arrays of their own."""
+    """Copy fields, or some rows, into a point table."""
     fields = dict(fields)
     roles = _role_names(fields, {name: values.ndim for name, values in fields.items()})
     points = stack_points([fields.pop(name) for name in _POINTS])
@@ -254,7 +221,6 @@ def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
 
 
 def warn_of_viewpoint(path: Any, viewpoint: tuple[float, ...] | None, stacklevel: int = 3) -> None:
-    """Warn of a sensor's pose that is not applied to the points."""
     if viewpoint is not None:
         numbers = " ".join(f"{value:g}" for value in viewpoint)
         message = (
@@ -271,20 +237,8 @@ def write_pcd(
     encoding: Literal["binary", "ascii", "binary_compressed"] = "binary",
     overwrite: bool = True,
 ) -> None:
-    """Write points as PCD v0.7.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points; a grid becomes WIDTH and HEIGHT.
-        encoding: All three read back to the same bits, colours rounded to 8 bits. Compressing runs in Python, at some
-            5 MB/s.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, an attribute's name or type cannot be stored, or the cloud has more than
-            the 4 GiB that a compressed file can hold.
-        ValueError: An array of the table has the wrong shape, or an unknown encoding.
-    """
+    """Write points as PCD v0.7 atomically; a grid becomes WIDTH and HEIGHT.
+    All encodings read back bitwise, with 8-bit colors. Compression runs in Python at about 5 MB/s, up to 4 GiB."""
     if encoding not in ENCODINGS:
         raise ValueError(f"encoding: expected one of {', '.join(ENCODINGS)}, got {encoding!r}")
     path = check_writable(path, overwrite=overwrite)
@@ -317,7 +271,7 @@ def _check_positions(path: Any, fields: dict[str, tuple[np.dtype[Any], int]]) ->
 
 
 def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[str, ...]]:
-    """Which fields are normals ("normals") and colours ("packed" in one field, or "channels")."""
+    """The fields of normals ("normals") and colors ("packed" in one field, or "channels")."""
     single = [name for name, dim in dims.items() if dim == 1]
     roles: dict[str, tuple[str, ...]] = {}
     if all(name in single for name in _NORMALS):
@@ -331,7 +285,7 @@ def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[
 
 
 def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
-    """Colours [n, 3] and alpha [n] of a field of packed bytes 0xAARRGGBB."""
+    """Colors (n, 3) and alpha (n,) from packed bytes 0xAARRGGBB."""
     if packed.dtype.itemsize != 4 or packed.ndim != 1:
         raise FileError(path, f"field {name!r}: expected one value of 4 bytes, found {packed.dtype.name}")
     channels = np.ascontiguousarray(packed).astype(packed.dtype.newbyteorder("<"), copy=False).view(np.uint8)
@@ -340,14 +294,13 @@ def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[
 
 
 def name_rules(table: PointTable) -> NameRules:
-    """The names that attributes may have as fields."""
     used = {*_POINTS, *PACKED, "_", *(_NORMALS if table.normals is not None else ())}
     roles = [*([_NORMALS] if table.normals is None else []), *([_CHANNELS] if table.colors is None else [])]
     return NameRules(is_word, used, roles, in_parts=False)
 
 
 def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
-    """Fields by name in file order; refuses what would not read back as it was."""
+    """Fields by name in file order; raises if one would not read back."""
     attributes = dict(table.attributes)
     fields: dict[str, NDArray[Any]] = dict(zip(_POINTS, table.points.T, strict=True))
     expected: dict[str, tuple[str, ...]] = {}

@@ -1,6 +1,6 @@
-"""The header of a PCD file: fields, size, and how the payload is stored.
+"""The PCD header: fields, size and encoding.
 
-Source: the PCD v0.7 format description of the Point Cloud Library. Versions .5 and .6 (no VIEWPOINT) are read as well.
+Point Cloud Library, PCD v0.7 format; .5 and .6 (no VIEWPOINT) are also read.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from ..source import MAX_HEADER_BYTES, Source, parse_whole
 
 STANDING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
 
-#: The encodings that a DATA line may name.
+#: The encodings of a DATA line.
 ENCODINGS = ("ascii", "binary", "binary_compressed")
 
 _VERSIONS = (".5", ".6", ".7", "0.5", "0.6", "0.7")
 _KEYS = ("VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA")
 _TYPES = {"I": "i1 i2 i4 i8", "U": "u1 u2 u4 u8", "F": "f4 f8"}
 
-# PCL's largest descriptors have some 2,000 components; beyond this a COUNT is damage.
+# PCL's largest descriptors have about 2,000 components; a larger COUNT is damage.
 _MAX_COMPONENTS = 1 << 20
 
 _Lines = dict[str, tuple[list[str], int]]
@@ -33,7 +33,7 @@ _Lines = dict[str, tuple[list[str], int]]
 
 @dataclass(frozen=True)
 class Field:
-    """One field of a point: `count` values of one type; a field named "_" is padding."""
+    """A field of a point: `count` values of one type; "_" is padding."""
 
     name: str
     dtype: np.dtype[Any]
@@ -41,23 +41,13 @@ class Field:
 
     @property
     def byte_count(self) -> int:
-        """Bytes of this field in one point."""
         return self.dtype.itemsize * self.count
 
 
 @dataclass(frozen=True)
 class PcdHeader:
-    """What the header says.
-
-    Attributes:
-        fields: In file order, padding included.
-        width: Points in a row, or all of them.
-        height: Rows; 1 for an unorganised cloud.
-        encoding: One of `ENCODINGS`.
-        size: Bytes up to the payload.
-        line_count: Lines up to the payload.
-        viewpoint: Position and quaternion w x y z of the sensor; None at the origin.
-    """
+    """The header: `fields` with padding, `width` x `height`, `encoding`, payload offset `size` (`line_count` lines).
+    `viewpoint` is position and quaternion w x y z of the sensor; None at the origin."""
 
     fields: list[Field]
     width: int
@@ -69,21 +59,14 @@ class PcdHeader:
 
     @property
     def point_count(self) -> int:
-        """Number of points."""
         return self.width * self.height
 
     @property
     def point_bytes(self) -> int:
-        """Bytes of one point."""
         return sum(field.byte_count for field in self.fields)
 
 
 def read_header(path: Any, source: Source) -> PcdHeader:
-    """Parse the header.
-
-    Raises:
-        FileError: Not PCD, no DATA line, or lines that are unknown, repeated or at odds with each other.
-    """
     lines, size, line_count = _header_lines(path, source)
     words, line = lines["DATA"]
     if len(words) != 1 or words[0] not in ENCODINGS:
@@ -100,7 +83,7 @@ def read_header(path: Any, source: Source) -> PcdHeader:
 
 
 def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
-    """Words and line number by keyword, the offset behind the DATA line, and the number of lines up to there."""
+    """Words and line number by keyword, the offset after the DATA line, and the number of header lines."""
     lines: _Lines = {}
     begin = number = 0
     while "DATA" not in lines:
@@ -158,7 +141,7 @@ def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
 
 
 def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
-    """Width and height, held against POINTS; older files may leave out some of the three, or have 0 for a grid."""
+    """Width and height, checked against POINTS; older files may omit some of the three, or have 0 for a grid."""
     numbers = {key: _parse_one(path, lines, key) for key in ("WIDTH", "HEIGHT", "POINTS") if key in lines}
     height = numbers.get("HEIGHT", 1)
     if "WIDTH" not in numbers:

@@ -1,25 +1,8 @@
-"""PLY files of points and of triangle meshes, in text and in both binary byte orders.
+"""PLY files of points and triangle meshes, in text and both binary byte orders.
 
-Reading takes any elements in any order, properties in any order and of any scalar type, lists of any length anywhere,
-comments, obj_info and CRLF headers. It holds the file to its header: a missing, surplus or malformed byte is an error,
-and nothing is allocated before the counts were compared with the size of the file. What faces have is in ply_faces.py
-and below. List properties of vertices and all other elements are checked for extent and left behind.
-
-Roles of vertex properties: x y z are positions; nx ny nz normals; red green blue (or diffuse_red .., or r g b) colours;
-every other scalar, alpha included, is an attribute. In text, one row is one line.
-
-Writing: positions in the table's own type, normals as float, colours as uchar (rounded to 8 bits), attributes in their
-own type. PLY has no arrays of fixed length: an attribute `a` of shape [n, c] is written as the scalars a_0 .. a_{c-1},
-and reads back as those. The grid of an organised cloud is not stored.
-
-Source: Greg Turk, "The PLY Polygon File Format" (1994).
-
-Textures in PLY files, as MeshLab has them: coordinates in faces or at vertices, pictures in comments. A face has
-`property list uchar float texcoord`, u and v of each of its corners, and `property int texnumber`, which of the
-pictures that `comment TextureFile name` lines name. Read are also coordinates at vertices: the properties texture_u
-texture_v, or s t, or u v. (0, 0) is the lower left corner of a picture.
-
-Source: VCGlib's exporter and importer of PLY, whose names these are.
+Counts are compared with the file size before memory is allocated. An attribute (n, c) is written as a_0 .. a_{c-1}.
+Textures as in MeshLab: `texcoord` and `texnumber` of faces, `comment TextureFile`; also s t, u v or texture_u texture_v
+of vertices. Greg Turk, "The PLY Polygon File Format" (1994); VCGlib for textures.
 """
 
 from __future__ import annotations
@@ -62,11 +45,7 @@ _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
 
 
 def texture_properties(path: Any, face: Element) -> list[Property]:
-    """The properties of faces that tell their texture.
-
-    Raises:
-        FileError: One of them is a list where it should not be, or is none where it should.
-    """
+    """The texture properties of faces; raises `FileError` if a list is a scalar or the reverse."""
     found = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
     for prop in found:
         is_list = prop.count_type is not None
@@ -77,7 +56,6 @@ def texture_properties(path: Any, face: Element) -> list[Property]:
 
 
 def pair_at_vertices(attributes: dict[str, NDArray[Any]]) -> tuple[str, str] | None:
-    """Which attributes of vertices are texture coordinates; None where none are."""
     return next((pair for pair in _AT_VERTICES if all(name in attributes for name in pair)), None)
 
 
@@ -91,21 +69,7 @@ def add_textures(
     *,
     outside_files: bool = False,
 ) -> None:
-    """Give a mesh the textures of its file: the pictures that faces have, in the order of their names.
-
-    Args:
-        path: The file.
-        mesh: The mesh, whose `attributes` hold the scalars at vertices.
-        header: The file's header, with the comments.
-        columns: The texture properties of faces.
-        lengths: Corners of each face, shape [f].
-        fans: The triangles as places in the list of all corners, shape [t, 3].
-        outside_files: Whether names that lead out of the file's folder are followed.
-
-    Raises:
-        FileError: A face with another number of coordinates than two a corner, a number that no comment names, or a
-            picture that is damaged.
-    """
+    """Add textures to a mesh; `lengths` (f,) are corners per face, `fans` (t, 3) triangles as corner indices."""
     mesh.triangle_uvs = _uvs_of(path, mesh, columns, lengths, fans)
     if mesh.triangle_uvs is None:
         return
@@ -149,7 +113,7 @@ def _uvs_of(
 
 
 def face_columns(mesh: MeshTable) -> tuple[list[str], list[NDArray[Any]]]:
-    """The properties of faces that hold the texture of a mesh, and the columns behind the corners that fill them."""
+    """The texture properties of faces to write, and their columns."""
     if mesh.triangle_uvs is None:
         return [], []
     properties, columns = ["property list uchar float texcoord"], [np.broadcast_to(np.uint8(6), len(mesh.triangles))]
@@ -174,29 +138,14 @@ _TYPE_REMEDY = "Convert it to an integer of at most 32 bits or to float32 or flo
 
 
 def read_ply(path: str | os.PathLike[str]) -> PointTable:
-    """Read the vertices of a PLY file as points.
-
-    Args:
-        path: The file; text or binary.
-
-    Returns:
-        The points, float32 where x, y and z are float and float64 otherwise, with normals, colours and attributes.
-
-    Raises:
-        FileError: Missing, not PLY, truncated, longer than its header says, or inconsistent.
-
-    Warns:
-        UserWarning: Colors are out of range: they are scaled, clamped or left behind, as `colors_or_loss` has it.
-
-    Notes:
-        Memory: the result, and for text files about 25 bytes for each number in the file.
-    """
+    """Read the vertices of a PLY file, as float32 if x, y and z are float, else float64.
+    Text files need about 25 bytes of memory per number in addition to the result."""
     path = Path(path)
     return _table_of(path, vertex_columns(path, open_source(path)), colors_or_loss)
 
 
 def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
-    """The scalars of the vertices, once the file is held to its header; of binary rows views into the file."""
+    """The vertex scalars, after checking the file size against the header; views into the file for binary rows."""
     header = read_header(path, source)
     header.element(path, "vertex")
     columns = read_rows(path, source, header, _is_vertex_scalar)["vertex"]
@@ -204,7 +153,7 @@ def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
 
 
 def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
-    """The points of columns, or of some of their rows, as arrays of their own; colors out of range are refused."""
+    """Copy columns, or some rows, into a point table; raises if colors are out of range."""
     return _table_of(path, columns, stack_colors)
 
 
@@ -216,25 +165,7 @@ def _table_of(
 
 
 def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
-    """Read a PLY file as a triangle mesh.
-
-    Args:
-        path: The file; text or binary, with elements `vertex` and `face`.
-        outside_files: Whether names of pictures that lead out of the file's folder are followed.
-
-    Returns:
-        The mesh, with values and colours of faces as attributes of triangles. A face of more than three corners
-        becomes triangles as fans.py has it, a strip those that it runs through.
-
-    Raises:
-        FileError: As `read_ply`; also no faces, a face of fewer than three corners, or a corner that is no vertex; a
-            face with another number of texture coordinates or a texture that no comment names; vertices too far
-            apart for float32.
-
-    Warns:
-        UserWarning: A picture that is named is missing or damaged, and none is taken; colors are out of range; lists
-            and elements that no mesh has are left behind; faces cross themselves.
-    """
+    """Read a PLY file as a triangle mesh, with values of faces as triangle attributes; polygons are triangulated."""
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)
@@ -274,7 +205,7 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
 
 
 def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
-    """Add the triangles of strips behind those of faces, which then have nothing but corners."""
+    """Append the triangles of strips, which have no face attributes."""
     assert isinstance(strips, ListColumn)
     triangles = strip_triangles(path, strips, len(mesh.vertices))
     if not len(mesh.triangles) and not len(triangles):
@@ -293,19 +224,7 @@ def write_ply(
     overwrite: bool = True,
     comments: Sequence[str] = (),
 ) -> None:
-    """Write points as PLY, little-endian binary or text.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points.
-        ascii: Text instead of binary; either form reads back to the same bits, colours rounded to 8 bits.
-        overwrite: Whether an existing file may be replaced.
-        comments: Lines of ASCII for the header.
-
-    Raises:
-        FileError: The place cannot be written, or an attribute's name or type cannot be stored.
-        ValueError: An array of the table has the wrong shape.
-    """
+    """Write points as PLY, binary little-endian or text, atomically; lossless except for 8-bit colors."""
     path = check_writable(path, overwrite=overwrite)
     table = table.checked()
     columns = _vertex_columns(path, table.points, table.normals, table.colors, table.attributes)
@@ -323,20 +242,7 @@ def write_ply_mesh(
     overwrite: bool = True,
     comments: Sequence[str] = (),
 ) -> None:
-    """Write a triangle mesh as PLY, little-endian binary or text.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        mesh: The mesh; triangles are stored as `property list uchar int vertex_indices`, textures as the lists
-            texcoord and texnumber of its faces, with the pictures m_0.png, m_1.png, .. beside m.ply.
-        ascii: Text instead of binary.
-        overwrite: Whether existing files may be replaced.
-        comments: Lines of ASCII for the header.
-
-    Raises:
-        FileError: The place cannot be written, or an attribute's name or type cannot be stored.
-        ValueError: An array of the mesh has the wrong shape, or a triangle names a missing vertex or texture.
-    """
+    """Write a mesh as PLY, binary little-endian or text, with textures in m_0.png, m_1.png, .. beside m.ply."""
     path = check_writable(path, overwrite=overwrite)
     mesh = mesh.checked()
     if mesh.triangles.dtype != np.int32:
@@ -368,18 +274,8 @@ def write_ply_mesh_parts(
     *,
     overwrite: bool = True,
 ) -> None:
-    """Write a triangle mesh that comes in parts as one PLY, little-endian binary, a part in memory at a time.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        parts: Gives the parts anew each time it is called, twice: vertices with the same columns in each, colours
-            perhaps, and triangles that count vertices from the first of the first part.
-        counts: Vertices and triangles of all parts.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, or there are more vertices than PLY's indices reach.
-    """
+    """Write a mesh that is generated in parts as one binary PLY, with one part in memory at a time.
+    `parts` is called twice; its triangles index the vertices of all parts. `counts` are all vertices and triangles."""
     path, (vertices, triangles) = check_writable(path, overwrite=overwrite), counts
     if vertices > np.iinfo(np.int32).max:
         reason = f"PLY's 32-bit indices cannot reach {vertices:,} vertices"
@@ -402,7 +298,7 @@ def _is_vertex_scalar(element: Element, prop: Property) -> bool:
 
 
 def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
-    """Which properties are positions, normals and colours; None for a role that is not filled."""
+    """The properties of positions, normals and colors; None for a missing role."""
     missing = [name for name in _POINTS if name not in names]
     if missing and _PACKED_SPLATS in names:
         raise FileError(path, "holds compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
@@ -438,7 +334,6 @@ def _corner_property(path: Any, face: Element) -> Property:
 
 
 def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[Any]:
-    """The vertex of each corner, once all are there."""
     corners = faces.values
     bad = (corners < 0) | (corners >= vertex_count)
     if bad.any():
@@ -450,7 +345,6 @@ def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[A
 
 
 def name_rules(normals: Any, colors: Any) -> NameRules:
-    """The names that attributes of vertices may have, beside normals and colours or None."""
     used = {*_POINTS, *(_NORMALS if normals is not None else ()), *(_COLORS[0] if colors is not None else ())}
     roles = [*([_NORMALS] if normals is None else []), *(_COLORS if colors is None else [])]
     return NameRules(is_word, used, roles)
@@ -463,7 +357,7 @@ def _vertex_columns(
     colors: NDArray[Any] | None,
     attributes: dict[str, NDArray[Any]],
 ) -> dict[str, NDArray[Any]]:
-    """Columns of shape [n] by property name; refuses what would not read back as it was."""
+    """Columns of shape (n,) by property name; raises if a name or type would not read back."""
     columns: dict[str, NDArray[Any]] = dict(zip(_POINTS, points.T, strict=True))
     if normals is not None:
         columns |= dict(zip(_NORMALS, normals.T, strict=True))

@@ -1,13 +1,7 @@
-"""What PLY faces have beside corners and textures, and triangle strips.
+"""Attributes of PLY faces (colors and scalars, repeated for all triangles of a polygon), and triangle strips.
 
-Roles of face properties: red green blue (and alpha, where it is of their type) are colours; every other scalar is an
-attribute of the triangles under its own name. A face of n corners gives its values to n - 2 triangles. Lists other than
-corners and texture coordinates, and elements that no mesh has, are left behind with a warning.
-
-Strips: the element `tristrips`, whose lists run through triangles, each turned against the last; -1 begins a new one,
-and triangles that name a vertex twice, by which strips are joined, are none.
-
-Source: Greg Turk's "ply2ply" and the range scans of Stanford for strips; VCGlib's exporter for colours of faces.
+-1 starts a new strip in `tristrips`; triangles with a repeated vertex join strips and are dropped. Greg Turk's
+"ply2ply" and the Stanford range scans for strips; VCGlib for face colors.
 """
 
 from __future__ import annotations
@@ -28,17 +22,12 @@ STRIPS = "tristrips"
 _COLORS = ("red", "green", "blue")
 _ALPHA = "alpha"
 
-# Properties of faces that are no attributes.
+# Face properties that are no attributes.
 _CORNERS = ("vertex_indices", "vertex_index")
 _TEXTURE = ("texcoord", "texnumber")
 
 
 def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray[np.int64]:
-    """The triangles of strips, shape [t, 3].
-
-    Raises:
-        FileError: A strip that names a vertex which is not there.
-    """
     values = strips.values.astype(np.int64)
     bad = np.flatnonzero((values < -1) | (values >= vertex_count))
     row_of = np.repeat(np.arange(len(strips.lengths)), strips.lengths)
@@ -48,7 +37,7 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
     places = np.arange(len(values))
     begins = np.ones(len(values), bool)
     begins[1:] = (row_of[1:] != row_of[:-1]) | (values[:-1] < 0)
-    within = places - np.maximum.accumulate(np.where(begins, places, 0))  # of its part between two -1
+    within = places - np.maximum.accumulate(np.where(begins, places, 0))  # position within its strip
     third = np.flatnonzero((within >= 2) & (values >= 0))
     rows = np.stack([values[third - 2], values[third - 1], values[third]], axis=1)
     odd = within[third] % 2 == 1
@@ -59,7 +48,7 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
 def triangle_attributes(
     path: Any, columns: Mapping[str, Column], lengths: NDArray[np.int64]
 ) -> dict[str, NDArray[Any]]:
-    """The scalars of faces for their triangles; colors outside their range as `colors_or_loss` handles them."""
+    """Face scalars per triangle; colors out of range as in `colors_or_loss`."""
     scalars = {
         name: column
         for name, column in columns.items()
@@ -80,7 +69,7 @@ def triangle_attributes(
 
 
 def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
-    """Take the colors out of the scalars, with the alpha if it has their type."""
+    """Remove the colors from the scalars, with alpha if it has their type."""
     channels = [scalars.pop(name) for name in _COLORS]
     if _ALPHA in scalars and scalars[_ALPHA].dtype == channels[0].dtype:
         channels.append(scalars.pop(_ALPHA))
@@ -88,7 +77,6 @@ def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
 
 
 def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str, Column]]) -> None:
-    """Warn of lists and elements that are left behind."""
     lost = []
     for element in header.elements:
         if not element.count:
@@ -102,7 +90,6 @@ def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str
 
 
 def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
-    """The names that attributes of triangles may have, beside colours or None."""
     held = () if colors is None else (*_COLORS, _ALPHA) if colors.shape[1:] == (4,) else _COLORS
     used = {*_CORNERS, *_TEXTURE, *held}
     return NameRules(is_word, used, [] if colors is not None else [_COLORS])
@@ -111,11 +98,7 @@ def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
 def attribute_columns(
     path: Any, attributes: dict[str, NDArray[Any]], types: str, remedy: str
 ) -> tuple[list[str], list[NDArray[Any]]]:
-    """The properties that hold attributes of triangles, and their columns.
-
-    Raises:
-        FileError: A name or type that PLY has not, or a name that would be read as something else.
-    """
+    """Properties and columns of triangle attributes; raises `FileError` for unsupported names or types."""
     columns: dict[str, NDArray[Any]] = {}
     colors = attributes.get("colors")
     if colors is not None:

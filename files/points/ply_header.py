@@ -1,6 +1,6 @@
-"""The header of a PLY file: elements, their properties, and where the payload begins.
+"""The PLY header: elements, properties, payload offset.
 
-Source: Greg Turk, "The PLY Polygon File Format" (1994), and the type names that later writers added (int8..float64).
+Greg Turk, "The PLY Polygon File Format" (1994), and the later type names (int8..float64).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SCALAR_TYPES = {
     "int32": "i4", "uint32": "u4", "float32": "f4", "float64": "f8",
 }  # fmt: skip
 
-#: How the writer names each type: the older family, which every reader knows.
+#: The type names to write: the older family, which every reader supports.
 TYPE_NAMES = dict(zip(list(SCALAR_TYPES.values())[:8], SCALAR_TYPES, strict=False))
 
 ByteOrder = Literal["=", "<", ">"]
@@ -31,7 +31,7 @@ _BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<",
 
 @dataclass(frozen=True)
 class Property:
-    """One property of an element; a list where `count_type` is given."""
+    """A property of an element; a list if `count_type` is set."""
 
     name: str
     dtype: np.dtype[Any]
@@ -40,34 +40,22 @@ class Property:
 
 @dataclass
 class Element:
-    """One element: its name, how many rows it has, and their properties in order."""
-
     name: str
     count: int
     properties: list[Property] = field(default_factory=list)
 
     @property
     def has_lists(self) -> bool:
-        """Whether rows may differ in length."""
         return any(prop.count_type is not None for prop in self.properties)
 
     @property
     def least_row_bytes(self) -> int:
-        """Bytes of a binary row whose lists are all empty."""
         return sum((prop.count_type or prop.dtype).itemsize for prop in self.properties)
 
 
 @dataclass
 class PlyHeader:
-    """What the header says.
-
-    Attributes:
-        ascii: Whether the payload is text.
-        elements: In file order.
-        size: Bytes up to the payload.
-        line_count: Lines up to the payload.
-        comments: The text behind each `comment`.
-    """
+    """The header: `elements` in file order, payload offset `size`, `line_count`, and `comments`."""
 
     ascii: bool
     elements: list[Element]
@@ -76,11 +64,6 @@ class PlyHeader:
     comments: list[str] = field(default_factory=list)
 
     def element(self, path: Any, name: str) -> Element:
-        """The element of this name.
-
-        Raises:
-            FileError: There is none.
-        """
         for element in self.elements:
             if element.name == name:
                 return element
@@ -89,11 +72,6 @@ class PlyHeader:
 
 
 def read_header(path: Any, source: Source) -> PlyHeader:
-    """Parse the header.
-
-    Raises:
-        FileError: Not PLY, no end, or a line that the format does not know; with the line.
-    """
     lines, size = _header_lines(path, source)
     byte_order: ByteOrder | None = None
     elements: list[Element] = []
@@ -122,7 +100,6 @@ def read_header(path: Any, source: Source) -> PlyHeader:
 
 
 def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
-    """The lines before end_header, and the offset of the first byte behind it."""
     start = bytes(source[:5])
     if not start.startswith(b"ply") or start[3:4] not in (b"\n", b"\r", b" ", b"\t"):
         raise FileError(path, "is not a PLY file: it does not begin with 'ply'", where="byte 0")

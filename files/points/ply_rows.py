@@ -1,8 +1,7 @@
-"""The payload of a PLY file: each element's rows as columns, with every byte or line accounted for.
+"""The PLY payload: rows of each element as columns, with every byte or line checked.
 
-Rows of one length (no lists, or lists that all have the same length, such as the triangles of a mesh) are strided views
-into the file. Other binary rows are walked once to find where each begins (about 0.2 us a row) and then gathered with
-NumPy; text rows of varying length are walked column by column, all rows at once.
+Constant-length rows are strided views. Other binary rows are scanned once for their offsets (about 0.2 us a row) and
+gathered with NumPy; variable-length text rows are parsed by column.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from .ply_header import Element, PlyHeader, Property
 
 @dataclass(frozen=True)
 class ListColumn:
-    """A list property: the length of each row's list, shape [n], and all entries one after another."""
+    """A list property: list lengths (n,) and concatenated entries."""
 
     lengths: NDArray[np.int64]
     values: NDArray[Any]
@@ -36,19 +35,7 @@ Wanted = Callable[[Element, Property], bool]
 
 def read_rows(path: Any, source: Source, header: PlyHeader, wanted: Wanted) -> dict[str, dict[str, Column]]:
     """Decode the wanted properties and check the extent of all others.
-
-    Args:
-        path: The file, for errors.
-        source: Its bytes.
-        header: Its header.
-        wanted: Says which property of which element to return.
-
-    Returns:
-        Columns by property name by element name. Columns may be views into `source`, in the file's byte order.
-
-    Raises:
-        FileError: Truncated, longer than declared, or rows that do not follow the header.
-    """
+    Returns columns by property name by element name, possibly views in the file's byte order."""
     rows = _TextRows(path, source, header) if header.ascii else _BinaryRows(path, source, header)
     columns = {element.name: rows.read(element, wanted) for element in header.elements}
     rows.finish()
@@ -93,7 +80,6 @@ class _BinaryRows:
         return np.ndarray(shape, dtype, self._source, offset, strides)
 
     def _equal_lengths(self, element: Element) -> dict[str, int] | None:
-        """The length of each list where it is the same in all rows; None where it is not."""
         lengths: dict[str, int] = {}
         counts: list[tuple[Property, int]] = []
         at = self._offset
@@ -172,7 +158,7 @@ class _BinaryRows:
                 steps.append((skip, Struct(code).unpack_from, count.itemsize, prop.dtype.itemsize))
                 skip = 0
         source, end, at = self._source, len(self._source), self._offset
-        starts = array("q")  # grows with the rows that are proven to be there
+        starts = array("q")  # grows with the rows that were found
         for row in range(element.count):
             starts.append(at)
             for before, unpack, count_bytes, entry_bytes in steps:
@@ -208,7 +194,7 @@ class _TextRows:
         self._path = path
         self._rows = AsciiRows(path, bytes(source[header.size :]), header.line_count + 1)
         self._next = 0
-        for element in header.elements:  # cheap, and before any parsing
+        for element in header.elements:  # fast, and before any parsing
             if element.properties:
                 self._claim(element)
         self.finish()
@@ -252,7 +238,7 @@ class _TextRows:
         return begin
 
     def _walk(self, element: Element, begin: int, wanted: Wanted) -> dict[str, Column]:
-        """Rows with lists: one step a property, all rows at once."""
+        """Parse rows with lists, one property at a time for all rows."""
         rows = slice(begin, begin + element.count)
         at, end = self._rows.first[rows].copy(), self._rows.first[1:][rows]
         columns: dict[str, Column] = {}
@@ -280,9 +266,8 @@ class _TextRows:
         return columns
 
     def _are_undeclared_lists(self, at: NDArray[np.int64], end: NDArray[np.int64]) -> bool:
-        """Whether all that is left of each row is one list, though scalars are declared.
-
-        VCGlib writes colours of corners so: nine values behind their number, where the header has red to alpha.
+        """True if the rest of each row is a list although scalars are declared.
+        VCGlib writes colors of corners this way: nine values after their count where the header declares red to alpha.
         """
         sizes = end - at - 1
         return bool((sizes > 4).all() and (self._values[np.minimum(at, len(self._values) - 1)] == sizes).all())
@@ -298,7 +283,6 @@ def _empty(prop: Property) -> Column:
 
 
 def _spread(starts: NDArray[np.int64], lengths: NDArray[np.int64], step: int) -> NDArray[np.int64]:
-    """The positions starts[i], starts[i] + step, ... with lengths[i] of them for each i, one after another."""
     ends = np.cumsum(lengths)
     within = np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - lengths, lengths)
     return np.repeat(starts, lengths) + within * step

@@ -1,4 +1,4 @@
-"""Point clouds from and to files, by extension."""
+"""Read and write point clouds; the extension selects the format."""
 
 from __future__ import annotations
 
@@ -33,45 +33,36 @@ from .pcd import warn_of_viewpoint
 def read_point_cloud(
     path: str | os.PathLike[str], *, device: Any = None, scan: int | None = None, columns: Sequence[str] | None = None
 ) -> PointCloud:
-    """Read a cloud with all its attributes.
+    """Read a point cloud with all its attributes.
 
-    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx.
+    The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx. A truncated file,
+    trailing bytes or counts that do not match the file size raise `FileError` before memory is allocated.
 
-    The readers are strict: a file that is truncated, has trailing bytes, or counts that do not fit its size is
-    refused by name and place, before memory is taken for it; nothing is ever filled in.
+    Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255); other names are
+    attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin holds float32 columns,
+    by default x, y, z, intensity as in KITTI.
 
-    Columns of .csv, .txt, .asc and .xyz are what a first line of names says: x y z, nx ny nz, r g b (0..1, or whole
-    numbers in 0..255), and attributes by any other name. Without names three columns are x y z, and more are refused:
-    give `columns`. A line with the number of points, as CloudCompare writes it, is checked. A .bin holds float32
-    columns without names: x, y, z, intensity as KITTI has them, unless `columns` names others, such as x, y, z,
-    intensity, ring of nuScenes. A .bin whose numbers repeat with another period is refused.
-
-    LAS and LAZ come in the file's own unit and coordinate system, which may be feet: `cloud.unit` says so where the
-    file does (docs/units.md). Their dimensions are attributes by laspy's names (intensity, classification, gps_time and
-    so on). An extra dimension is NaN where it has the no_data value that the file declares. Where the file says that
-    they are longitude and latitude, a GeographicWarning says so: they are kept to the file's steps, but a radius or a
-    voxel of degrees is no length, so that `project_to_utm` should come next. The scans of an E57 or PTX file lie
-    where their poses place them, in metres; directions without a return are left out. LAS and E57 need an extra:
-    `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
+    LAS and LAZ keep the unit and coordinate system of the file, see `cloud.unit`. Their dimensions become attributes
+    with laspy's names; no_data values of extra dimensions become NaN. Call `project_to_utm` after a GeographicWarning.
+    E57 and PTX scans are transformed by their poses [m]; directions without a return are dropped. LAS and E57 need an
+    extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
         path: The file.
-        device: Where the cloud goes.
-        scan: For .e57 and .ptx: the scan to read, from 0; None reads all, with the attribute `scan_index`.
-        columns: For .csv, .txt, .asc, .xyz and .bin: the names of all columns, in place of those of the file.
+        device: Device of the cloud.
+        scan: For .e57 and .ptx: index of the scan, from 0. None reads all scans and adds the attribute `scan_index`.
+        columns: For .csv, .txt, .asc, .xyz and .bin: the names of all columns, which replace those of the file.
 
     Raises:
-        FileError: The file cannot be read; says which byte or line, and why; or the package for it is missing.
+        FileError: The file cannot be read, with the byte or line, or a required package is missing.
         DeviceError: No such device.
         IndexError: There is no such scan.
-        ValueError: A scan of a file that is no .e57 or .ptx, columns of one that names its own, or columns without x,
-            y and z.
+        ValueError: `scan` or `columns` for a format without them, or columns without x, y and z.
 
     Warns:
         GeographicWarning: x and y are degrees.
-        UnitWarning: z is in another unit than x and y, or the file tells two units.
-        UserWarning: Missing values of an attribute are a number: LAS declares one for integers of 64 bits. Or a PCD has
-            a VIEWPOINT, the pose of its sensor, which is not applied, or colors that are "nan".
+        UnitWarning: z has another unit than x and y, or the file gives two units.
+        UserWarning: A 64-bit LAS attribute has a no_data value, or a PCD has a VIEWPOINT (not applied) or NaN colors.
 
     Example:
         >>> import pointloom as loom
@@ -94,21 +85,21 @@ def read_point_cloud(
 def read_las_chunks(
     path: str | os.PathLike[str], chunk_size: int = 1_000_000, *, device: Any = None
 ) -> Iterator[PointCloud]:
-    """Read a LAS or LAZ file in parts, for one that is larger than the memory.
+    """Read a LAS or LAZ file in chunks, for files larger than the memory.
 
-    All parts have one origin, that of the box that the header gives, so that they can be worked on together.
+    All chunks have the same origin, computed from the bounding box in the header.
 
     Args:
-        path: The file: .las or .laz.
-        chunk_size: Points of a part; the last one has what is left.
-        device: Where the clouds go.
+        path: The .las or .laz file.
+        chunk_size: Points of a chunk; the last one may be smaller.
+        device: Device of the clouds.
 
     Returns:
-        The parts in the order of the file; none of a file without points. Each is read when it is asked for.
+        An iterator over the chunks in file order, read lazily; empty if the file has no points.
 
     Raises:
-        FileError: As read_point_cloud; what is wrong inside the file shows when its part is read. Also colours that
-            look like 8 bits in one part and like 16 in a later one.
+        FileError: As `read_point_cloud`, when the chunk is read; or colors are 8-bit in one chunk and 16-bit in a later
+            one.
         DeviceError: No such device.
         ValueError: A chunk size below 1.
 
@@ -133,23 +124,23 @@ def read_copc(
     spacing: float = 0.0,
     device: Any = None,
 ) -> PointCloud:
-    """Read a part of a COPC file: what lies in a box, or a coarse version of it.
+    """Read a part of a COPC file: the points in a box, or a coarser level of detail.
 
-    The file's octree tells which of its chunks may hold such points; no others are read.
+    Only octree chunks that can contain such points are read.
 
     Args:
-        path: The file: .copc.laz.
-        within: A box, ends included; None takes all.
-        spacing: Of the coarsest version that is at least as fine as this [unit of the file]; 0 takes every point.
-        device: Where the cloud goes.
+        path: The .copc.laz file.
+        within: Box, bounds included; None reads all points.
+        spacing: Read the coarsest level at least as fine as this [unit of the file]; 0 reads every point.
+        device: Device of the cloud.
 
     Returns:
-        The points, level by level, with all their attributes.
+        The points with all attributes, level by level.
 
     Raises:
-        FileError: As read_point_cloud; or the file has no octree, or one that does not go with its chunks.
+        FileError: As `read_point_cloud`, or the octree is missing or does not match its chunks.
         DeviceError: No such device.
-        TypeError: No box, or no number.
+        TypeError: `within` is no box, or `spacing` is no number.
         ValueError: A spacing below 0.
 
     Example:
@@ -171,10 +162,10 @@ def read_copc(
 
 @quiet()
 def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
-    """The origin of all parts: that of the box which the header gives, unless the first part lies outside it."""
+    """The origin of all chunks, from the header's box; from the first chunk if its points are outside the box."""
     box = np.array(file.header.bounds, np.float64)
     low, high = finite_box(first.points)
-    slack = np.array(file.header.scales)  # headers round
+    slack = np.array(file.header.scales)  # headers are rounded
     is_right = bool(((box[0] - slack <= low) & (high <= box[1] + slack) & (np.abs(box) < FLOAT32_MAX / 4)).all())
     return choose_origin(box if is_right else first.points, first.steps)
 
@@ -185,22 +176,14 @@ def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]
         if origin is None:
             origin = _common_origin(file, table)
         else:
-            table.unit_doubt = None  # which the first part has told
+            table.unit_doubt = None  # already reported for the first chunk
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 
 def cloud_of(
     table: PointTable, path: str | os.PathLike[str], *, device: Any = None, origin: ArrayLike | None = None
 ) -> PointCloud:
-    """The cloud of what was read from a file, about an origin that is chosen where none is given.
-
-    Raises:
-        FileError: Points too far apart for float32.
-        DeviceError: No such device.
-
-    Warns:
-        UserWarning: An attribute has the name of an array that every cloud has, and is read under another.
-    """
+    """Build a cloud from a table. If `origin` is None, one is chosen."""
     warn_of_viewpoint(path, table.viewpoint, stacklevel=3)
     try:
         origin = origin_of(table, path, stacklevel=5) if origin is None else origin
@@ -218,18 +201,14 @@ def cloud_of(
 
 
 def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
-    """The unit that a file tells of its coordinates; warns where the file itself speaks against it."""
+    """The unit of the coordinates; warns if the file contradicts itself."""
     if table.unit_doubt is not None:
         warn_of_units(f"{path}: {table.unit_doubt}")
     return table.unit
 
 
 def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
-    """The origin about which a cloud holds what a file told apart; warns where the file says that it holds degrees.
-
-    Raises:
-        ValueError: Points too far apart for float32.
-    """
+    """Choose the origin of a cloud so that points distinct in the file stay distinct; warns if the file has degrees."""
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
     return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
 
@@ -243,40 +222,35 @@ def write_point_cloud(
     scale: ArrayLike | None = None,
     like: str | os.PathLike[str] | None = None,
 ) -> None:
-    """Write a cloud with all its attributes, whole or not at all; the extension gives the format.
+    """Write a point cloud with all its attributes atomically; the extension selects the format.
 
-    Coordinates of a cloud whose origin is zero are written in float32 as they are held; those of a moved origin in
-    float64, so that nothing is lost. LAS and LAZ alone round them, to multiples of `scale` about the cloud's origin.
-    Colors are rounded to 16 bits a channel in LAS and LAZ, and to 8 bits in PLY, PCD, PTS and E57. A name that ends
-    in .copc.laz makes a Cloud Optimized Point Cloud: LAZ in the order of an octree, of which `read_copc`, QGIS, PDAL
-    and Potree read parts. A cloud knows no coordinate system: `like` takes it over from the file that the cloud came
-    from. Its unit is written where the format has a place for it; E57 holds metres, so that coordinates in another unit
-    are multiplied, and its scans (by `scan_index`) have no poses here: `write_stations` writes them.
+    Coordinates are float32 if the cloud's origin is zero and float64 otherwise; LAS and LAZ round them to multiples of
+    `scale`. Colors are rounded to 16 bits in LAS and LAZ, and to 8 bits in PLY, PCD, PTS and E57. The extension
+    .copc.laz writes a Cloud Optimized Point Cloud (LAZ in octree order). The unit is written if the format supports it.
+    E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.
 
     Args:
         path: The file: .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57.
         cloud: The cloud.
-        ascii: Text instead of binary, for .ply and .pcd.
-        overwrite: Whether an existing file may be replaced.
-        scale: Step of the coordinates [m], for .las and .laz: one for all axes, or one for each. None takes 0.001, and
-            finer ones for axes along which most points lie within 1000 m: a millionth of that as a power of ten.
-            Coarser steps make smaller LAZ files.
-        like: For .las and .laz: the LAS or LAZ file that the cloud came from, or one in the same system. Its
-            coordinate system, other records, identification, offset, kind of GPS time and, where none is given, scale
-            are taken over. Its extra dimensions keep type, scale, no_data value and description if no value changes by
-            that.
+        ascii: Write text instead of binary, for .ply and .pcd.
+        overwrite: Replace an existing file.
+        scale: Coordinate step [m], for .las and .laz: a number or one per axis. If None: 0.001, or finer on axes where
+            most points are within 1,000 m: a millionth of that as a power of ten. Coarser steps give smaller LAZ files.
+        like: For .las and .laz: a LAS or LAZ file whose coordinate system, other records, identification, offset, GPS
+            time type and (if not given) scale are copied. Extra dimensions keep type, scale, no_data value and
+            description if this changes no value.
 
     Raises:
-        FileError: The file cannot be made, or the format cannot hold an attribute, a point that is not finite or, of
-            E57, degrees.
-        TypeError: No cloud.
-        ValueError: A scale that is not above 0; `scale` or `like` for another format.
+        FileError: The file cannot be written, or the format cannot store an attribute, a non-finite point or (E57)
+            degrees.
+        TypeError: `cloud` is no point cloud.
+        ValueError: A scale that is not positive; `scale` or `like` for another format.
 
     Warns:
-        UnitWarning: The cloud's unit is not that of `like`, not the format's, or one that the format cannot tell.
-        UserWarning: Attributes are written under other names: a character that the format cannot hold becomes "_", a
-            name in use gets "_2" at its end, and values that a dimension of LAS cannot hold, such as an intensity in
-            0..1, go to "intensity_value". Or `like` has waveforms or a spatial index, which are not copied.
+        UnitWarning: The cloud's unit differs from that of `like` or of the format, or the format cannot store it.
+        UserWarning: Attributes are renamed: unsupported characters become "_", duplicate names get the suffix "_2", and
+            values outside the range of a LAS dimension go to, for example, "intensity_value". Or `like` has waveforms
+            or a spatial index, which are not copied.
 
     Example:
         >>> import pointloom as loom
@@ -310,7 +284,6 @@ def write_point_cloud(
 
 
 def table_of(cloud: PointCloud) -> PointTable:
-    """What a file of this cloud holds."""
     return PointTable(
         points=cloud.points if cloud.origin.any() else download(cloud._device_array("points")),
         normals=cloud.normals if cloud.has_normals else None,

@@ -1,14 +1,8 @@
-"""PTX files of scans, Leica's text of stations.
+"""PTX: Leica's text format of scans.
 
-A scan has its number of columns and of rows, a line each; the position of the scanner and its three axes (4 lines of 3
-numbers); a matrix of 4 lines, which multiplies row vectors from the right, as the pose T_world_scan; and one line for
-each direction, column by column: x y z intensity, or x y z intensity r g b with whole colors in 0..255. Further scans
-follow without a mark. Lengths are metres.
-
-A direction without a return is "0 0 0"; it is left out, as is one whose coordinates are not finite. `row_index` and
-`column_index` tell the direction of each point.
-
-Source: Leica Geosystems, "Cyclone PTX format".
+A scan has numbers of columns and rows; scanner position and axes; a 4x4 matrix for row vectors (T_world_scan); and a
+line per direction, column by column: x y z intensity [r g b] [m, 0..255]. Directions without a return ("0 0 0") are
+dropped; `row_index` and `column_index` identify the others.
 """
 
 from __future__ import annotations
@@ -40,13 +34,7 @@ _SEARCHED = 1 << 24  # bytes in which line ends are found at a time
 
 @dataclass(frozen=True, eq=False)
 class _Scan:
-    """A scan whose header is known to be right.
-
-    Attributes:
-        shape: Columns and rows.
-        pose: T_world_scan, float64 (4, 4).
-        first: Number of the line of its first point, from 0.
-    """
+    """The header of a scan: `shape` (columns, rows), `pose` T_world_scan (4, 4), `first` point line (from 0)."""
 
     shape: tuple[int, int]
     pose: NDArray[np.float64]
@@ -54,16 +42,6 @@ class _Scan:
 
 
 class _Lines:
-    """The lines of a file.
-
-    Args:
-        path: The file, for errors.
-        source: Its bytes.
-
-    Attributes:
-        count: How many lines.
-    """
-
     def __init__(self, path: Path, source: Source):
         self.path = path
         self._body: Source = source if source.find(b"\n") >= 0 else unix_lines(bytes(source[:]))
@@ -75,17 +53,14 @@ class _Lines:
         self.count = len(self._ends)
 
     def text(self, begin: int, end: int) -> bytes:
-        """The lines from one up to another."""
         first = int(self._ends[begin - 1]) + 1 if begin else 0
         return bytes(self._body[first : int(self._ends[end - 1])]) if end > begin else b""
 
     def whole(self, line: int, what: str) -> int:
-        """The count in a line."""
         text = self.text(line, line + 1).strip().decode("ascii", "backslashreplace")
         return parse_whole(self.path, text, what, line + 1)
 
     def numbers(self, line: int, width: int, what: str) -> list[float]:
-        """The finite numbers in a line."""
         words = self.text(line, line + 1).split()
         values = [float(word) for word in words] if all(map(is_number, words)) else []
         if len(values) != width or not np.isfinite(values).all():
@@ -95,7 +70,7 @@ class _Lines:
         return values
 
     def rows(self, begin: int, end: int) -> AsciiRows:
-        """The lines from one up to another as rows of numbers, none of them blank."""
+        """Lines `begin` to `end` as rows of numbers; none may be blank."""
         rows = AsciiRows(self.path, self.text(begin, end), begin + 1)
         if rows.row_count != end - begin:
             reason = f"{rows.row_count} of {end - begin} lines of points have values"
@@ -108,19 +83,8 @@ def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
 
 
 def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
-    """Read the points of a PTX file, in the coordinates of the world.
-
-    Args:
-        path: The file.
-        scan: Which scan, from 0; None reads all, which then have the attribute `scan_index`.
-
-    Raises:
-        FileError: Missing, no PTX file, truncated, or a pose that is no rigid motion.
-        IndexError: There is no such scan.
-
-    Notes:
-        Memory: the result and twice the largest scan.
-    """
+    """Read the points of a PTX file in world coordinates; all scans (with `scan_index`) if `scan` is None.
+    Needs memory for the result and twice the largest scan."""
     if scan is not None:
         lines, scans = _open(path)
         if not 0 <= scan < len(scans):
@@ -130,48 +94,32 @@ def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
 
 
 def iterate_ptx(path: str | os.PathLike[str]) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:
-    """Read scan by scan: the points in the scanner's coordinates, and the pose T_world_scan.
-
-    Raises:
-        FileError: As `read_ptx`; what is wrong with points shows when their scan is read.
-    """
+    """Yield the points of each scan in scanner coordinates, with the pose T_world_scan."""
     lines, scans = _open(path)
     for scan in scans:
         yield _read_scan(lines, scan), scan.pose
 
 
 def iterate_placed(path: str | os.PathLike[str]) -> Iterator[PointTable]:
-    """Read scan by scan: the points in the coordinates of the world, with the attribute `scan_index`.
-
-    Raises:
-        FileError: As `iterate_ptx`.
-    """
+    """Yield the points of each scan in world coordinates, with `scan_index`."""
     for number, (table, pose) in enumerate(iterate_ptx(path)):
         table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
         yield _in_world(table, pose)
 
 
 def read_ptx_frames(path: str | os.PathLike[str]) -> list[ScanFrame]:
-    """The pose of each scan; PTX has no names.
-
-    Raises:
-        FileError: As `read_ptx`.
-    """
+    """The pose of each scan; PTX has no names."""
     return [ScanFrame("", scan.pose) for scan in _open(path)[1]]
 
 
 def describe_ptx(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """The name, the number of points and the pose's position [m] of each scan, as `describe_e57`.
-
-    Raises:
-        FileError: As `read_ptx`.
-    """
+    """Name, point count and position [m] of each scan, as `describe_e57`."""
     scans = iterate_ptx(path)
     return [{"name": "", "points": len(table.points), "position": pose[:3, 3].tolist()} for table, pose in scans]
 
 
 def _open(path: str | os.PathLike[str]) -> tuple[_Lines, list[_Scan]]:
-    """The lines of a file and its scans, whose counts are known to go with the lines."""
+    """The lines of a file and its scan headers, checked against the number of lines."""
     lines, scans, at = _Lines(Path(path), open_source(path)), [], 0
     while at < lines.count:
         if not lines.text(at, at + 1).strip():

@@ -1,4 +1,4 @@
-"""The scans of a drive, one after another: from a folder, from files, or as clouds."""
+"""Sequences of scans: a folder, files, or clouds."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from .formats import READERS
 from .point_cloud import read_point_cloud
 from .text_table import check_columns
 
-# Tables beside scans are poses, times and notes; where there is nothing else they are the scans.
+# Tables beside scans are poses, times and notes; alone they are the scans.
 _TABLES = (".csv", ".txt")
 
 Scans = str | os.PathLike[str] | Iterable[str | os.PathLike[str] | PointCloud]
 
 
 def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
-    """The scans of a folder in natural order: numbers in names count as numbers, so scan2 comes before scan10.
+    """The scans of a folder in natural order: scan2 precedes scan10.
 
-    All that `read_point_cloud` reads; .csv and .txt only where there is nothing else, since beside other scans they
-    hold times or poses.
+    All formats of `read_point_cloud`; .csv and .txt only if there is nothing else, since they often hold times or
+    poses.
 
     Raises:
-        FileError: No folder, no scan in it, or scans of several kinds, whose order would be a guess.
+        FileError: No folder, no scan, or scans of several formats, whose order is unknown.
     """
     place = path_of(folder, "folder")
     restore_folder(place)
@@ -46,23 +46,13 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
 
 
 def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
-    """Orders names with their numbers as numbers; of names that differ in leading zeros only, by the text."""
+    """Sort key with numbers in names as numbers; ties are broken by the text."""
     parts = re.split(r"(\d+)", path.name)
     return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
 
 
 def read_scans(scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None) -> Iterator[PointCloud]:
-    """The scans of a folder, of a list of files, or clouds as they are; each file is read when it is asked for.
-
-    Args:
-        scans: The folder, files or clouds.
-        device: Where files are read to.
-        columns: The names of the columns of files, as of `read_point_cloud`.
-
-    Raises:
-        FileError: As list_scans and read_point_cloud.
-        TypeError: Neither files nor clouds.
-    """
+    """Iterate over the scans of a folder or list of files, read lazily, or over clouds."""
     if columns is not None:
         check_columns(columns)
     if isinstance(scans, PointCloud):

@@ -1,15 +1,7 @@
-"""Points as plain text: XYZ, XYZN, XYZRGB and PTS.
+"""Points as plain text: XYZ, XYZN, XYZRGB and PTS, separated by blanks; conventions of Open3D's documentation.
 
-One point a line, values parted by blanks. XYZ is x y z, and may have other separators and named columns, see
-text_table.py; XYZN adds nx ny nz; XYZRGB adds r g b in 0..1. These three allow blank lines and lines that begin with
-'#'. PTS begins with the number of points and has x y z, x y z intensity, x y z r g b or x y z intensity r g b, colours
-being whole numbers in 0..255; the intensity is the attribute `intensity`.
-
-Text has no types: positions and intensities read as float64, normals and colours as float32. Writing uses digits enough
-for every value to read back the same, except that PTS rounds colours to 8 bits. What a format cannot hold is refused,
-never left out in silence.
-
-Source: Open3D's documentation of point cloud files, whose conventions these are.
+XYZ may have other separators and named columns (text_table.py). PTS starts with the number of points; rows are x y z
+[intensity] [r g b] with colors 0..255. Writing is lossless, except 8-bit colors of PTS; unsupported content raises.
 """
 
 from __future__ import annotations
@@ -30,22 +22,13 @@ from ..source import open_source, parse_whole
 from ..table import PointTable
 from .text_table import read_text_table
 
-#: Values a line by extension; PTS has one of several.
+#: Values per line by extension; PTS has one of several.
 _WIDTHS = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
 
 
 def read_text(path: str | os.PathLike[str]) -> PointTable:
-    """Read an .xyz, .xyzn, .xyzrgb or .pts file; the extension decides.
-
-    Returns:
-        The points in float64, with what else the format holds.
-
-    Raises:
-        FileError: Missing, another extension, a line with another number of values, a word that is no number, or (PTS)
-            a first line that is not the number of points.
-    """
     path = Path(path)
     kind = _kind(path)
     if kind == ".xyz":
@@ -68,17 +51,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
 
 
 def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write an .xyz, .xyzn, .xyzrgb or .pts file; the extension decides.
-
-    Args:
-        path: The file; it appears whole or not at all.
-        table: The points, with exactly what the format holds.
-        overwrite: Whether an existing file may be replaced.
-
-    Raises:
-        FileError: The place cannot be written, the table holds what the format cannot, or lacks what it needs.
-        ValueError: An array of the table has the wrong shape.
-    """
+    """Write an .xyz, .xyzn, .xyzrgb or .pts file atomically; raises if the format cannot store the table."""
     path = check_writable(path, overwrite=overwrite)
     kind = _kind(path)
     table = table.checked()
@@ -122,7 +95,6 @@ def _read_pts(path: Path, body: bytes) -> PointTable:
 
 
 def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
-    """The columns to write, once it is sure that they are all that the table holds."""
     attributes = dict(table.attributes)
     columns = [*table.points.T]
     if kind == ".pts" and "intensity" in attributes and attributes["intensity"].ndim == 1:

@@ -1,7 +1,6 @@
-"""Points as text read in parts, a block of lines at a time: .xyz, .xyzn, .xyzrgb, .pts, .csv, .txt and .asc.
+"""Text point files read in blocks of lines, with the rules of text.py and text_table.py.
 
-The rules are those of text.py and text_table.py. What only the whole file tells is asked for by a first pass over it:
-how many points there are, and whether colours are parts of 1 or of 255.
+A first pass finds the number of points and the color range.
 """
 
 from __future__ import annotations
@@ -31,23 +30,13 @@ from .text_table import (
 )
 
 BLOCK = 1 << 23  # bytes of lines at a time
-_HEAD = 1 << 16  # bytes in which the head has to end
+_HEAD = 1 << 16  # [B] maximum size of the header
 _FIXED = {".xyzn": (*POSITION, *NORMAL), ".xyzrgb": (*POSITION, *COLOR)}
 _PTS = {3: POSITION, 4: (*POSITION, "intensity"), 6: (*POSITION, *COLOR), 7: (*POSITION, "intensity", *COLOR)}
 
 
 class TextInParts:
-    """A file of points as text, held to its rules by one pass over it.
-
-    Args:
-        path: The file; the extension decides as in `read_text` and `read_text_table`.
-
-    Attributes:
-        count: Points.
-
-    Raises:
-        FileError: As of the readers of whole files, with the line.
-    """
+    """A text file validated by one pass; `count` is the number of points."""
 
     def __init__(self, path: str | os.PathLike[str]):
         self.path = Path(path)
@@ -72,7 +61,7 @@ class TextInParts:
         self.count = self._look(is_told=full is not None)
 
     def _look(self, *, is_told: bool) -> int:
-        """The first pass: the number of points, and what a full colour is."""
+        """The first pass: number of points and maximum color value."""
         count, seen = 0, []
         for names, rows in self._rows():
             if COLOR[0] in names:
@@ -91,7 +80,7 @@ class TextInParts:
         return count
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """The points, at most `size` at a time; of a file without points one part of none."""
+        """Yield at most `size` points at a time; one empty part if there are none."""
         if not self.count:
             yield PointTable(np.empty((0, 3)))
         for names, rows in self._rows():
@@ -100,7 +89,7 @@ class TextInParts:
                 yield table_of(self.path, dict(zip(names, columns, strict=True)), self._full)
 
     def _rows(self) -> Iterator[tuple[tuple[str, ...], NDArray[np.float64]]]:
-        """The names of the columns, and the rows of one block of lines after the other."""
+        """Yield column names and the rows of each block of lines."""
         line, names = 1, self._names
         for body in _blocks(open_source(self.path), self._begin):
             lines, skip = body.count(b"\n") + (not body.endswith(b"\n")), max(0, self._lines - (line - 1))
@@ -118,19 +107,18 @@ class TextInParts:
                 assert names is not None
                 check_fields(self.path, rows, text, self._delimiter, line + min(skip, lines), len(names))
                 values = rows.numbers().reshape(-1, len(names))
-                for name in COLOR if self._kind == ".pts" and COLOR[0] in names else ():  # else names the line
+                for name in COLOR if self._kind == ".pts" and COLOR[0] in names else ():  # raises with the line
                     rows.cast(values[:, names.index(name)], np.dtype(np.uint8), "colour", 0)
                 yield names, values
             line += lines
 
 
 def _blocks(source: Source, begin: int) -> Iterator[bytes]:
-    """The lines of a file, some at a time, each with LF at its end but perhaps the last."""
     left = b""
     for at in range(begin, len(source), BLOCK):
         block = left + bytes(source[at : at + BLOCK])
         is_last = at + BLOCK >= len(source)
-        if not is_last and block.endswith(b"\r"):  # whose LF may follow
+        if not is_last and block.endswith(b"\r"):  # its LF may follow
             block, kept = block[:-1], b"\r"
         else:
             kept = b""

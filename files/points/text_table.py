@@ -1,18 +1,7 @@
-"""Points as a table of text: .csv, .txt, .asc and .xyz, one point a line.
+"""Points as text tables, one point per line: .csv, .txt, .asc and .xyz, separated by commas, semicolons or blanks.
 
-Values are parted by commas, by semicolons or by blanks, all of a file alike; the first line of values decides. Blank
-lines and lines that begin with '#' are passed over. A line above the values with one whole number, as CloudCompare
-writes it, is the number of points and has to be right. What a column means is never guessed:
-
-- A first line of names says it, also behind '#' or '//': x y z, normals nx ny nz (normal_x ...), colours r g b
-  (red ...), and any other name, which becomes an attribute. Case does not matter for these and for intensity.
-- Without names three columns are x y z. More are refused: six may be normals or colours, the fourth an intensity or a
-  time. Names in the file, the extensions .xyzn and .xyzrgb, or `columns` say which. (Open3D reads three and drops the
-  rest.)
-
-Colours are whole numbers in 0..255 or parts in 0..1, for the file as a whole; one that holds nothing but 0 and 1 could
-be either and is refused unless it is black. Columns Rf, Gf and Bf (CloudCompare) are parts in 0..1. Text has no types:
-positions and attributes are float64.
+A header (also after '#' or '//') names the columns; without one, only x y z are accepted. A first line with one integer
+(CloudCompare) is the number of points. Colors are 0..255 or 0..1; ambiguous files raise. Values are float64.
 """
 
 from __future__ import annotations
@@ -38,26 +27,18 @@ SUFFIXES = (".xyz", ".csv", ".txt", ".asc")
 POSITION, NORMAL, COLOR = ("x", "y", "z"), ("nx", "ny", "nz"), ("r", "g", "b")
 
 _NAMED = {name: name for name in (*POSITION, *NORMAL, *COLOR, "intensity")}
-_FRACTIONS = {"rf": "r", "gf": "g", "bf": "b"}  # CloudCompare's names of colours in 0..1
+_FRACTIONS = {"rf": "r", "gf": "g", "bf": "b"}  # CloudCompare's names of colors in 0..1
 _NAMED |= _FRACTIONS
 _NAMED |= {f"normal_{axis}": f"n{axis}" for axis in POSITION} | {"red": "r", "green": "g", "blue": "b"}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
-_MOST_DIGITS = 19  # of a number of points
+_MOST_DIGITS = 19  # digits of a point count
 _PARTED = "Values are parted by commas, semicolons or blanks, decimals by points"
 
 
 class _Head(NamedTuple):
-    """What stands above the values.
-
-    Attributes:
-        names: Of the columns; None where the file has none.
-        line: The line of the names, from 1.
-        lines: How many lines the head takes.
-        width: Columns.
-        delimiter: Between the values: b",", b";", or None for blanks.
-        declared: The number of points, where a line of the head tells it.
-    """
+    """The header of a text table: column `names` on `line`, number of `lines`, `width`, `delimiter` (None: blanks).
+    `declared` is the number of points, if given."""
 
     names: list[str] | None
     line: int
@@ -68,31 +49,15 @@ class _Head(NamedTuple):
 
     @property
     def full(self) -> float | None:
-        """What a full colour is, where the names tell it."""
         return full_of(self.names or ())
 
 
 def full_of(names: Sequence[str]) -> float | None:
-    """What a full colour is, where the names of the columns tell it."""
     return 1.0 if any(name.strip().lower() in _FRACTIONS for name in names) else None
 
 
 def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None = None) -> PointTable:
-    """Read a .csv, .txt, .asc or .xyz file.
-
-    Args:
-        path: The file.
-        columns: What the columns are, in place of the names that the file may have.
-
-    Returns:
-        The points in float64, with the normals, colours and attributes that the names tell.
-
-    Raises:
-        FileError: Missing, a line with another number of values, a value that is missing or no number, columns whose
-            meaning nothing tells, or names that contradict themselves; says where, and how to mend it.
-        ValueError: `columns` without x, y and z, or with a name twice.
-        TypeError: `columns` that are no names.
-    """
+    """Read a .csv, .txt, .asc or .xyz file; `columns` replaces the names in the file."""
     given = None if columns is None else check_columns(columns)
     path = Path(path)
     body = unix_lines(bytes(open_source(path)[:]).removeprefix(b"\xef\xbb\xbf"))
@@ -109,18 +74,12 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
 
 
 def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
-    """The error of a file whose number of points is another than it declares."""
     reason = f"expected {declared} points, which a line above them declares, found {count}"
     return FileError(path, reason, remedy="It was cut off, or the number is wrong")
 
 
 def check_columns(columns: Sequence[str]) -> list[str]:
-    """The names of columns in the library's spelling.
-
-    Raises:
-        TypeError: No names.
-        ValueError: x, y or z is missing, or a name occurs twice.
-    """
+    """Column names in the library's spelling; raises `ValueError` if x, y or z is missing or a name is duplicated."""
     given = check_list("columns", columns, "names such as ['x', 'y', 'z']")
     if not all(isinstance(name, str) for name in given):
         raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {shown(given)}")
@@ -131,7 +90,6 @@ def check_columns(columns: Sequence[str]) -> list[str]:
 
 
 def read_head(path: Path, body: bytes) -> _Head:
-    """The names above the values, the number of points, and what parts the values."""
     comment, names, count, number = (b"", 0), None, None, 0
     for number, end, line in _lines(body):
         bare = line.strip()
@@ -174,7 +132,6 @@ def _is_wider_below(body: bytes, end: int) -> bool:
 
 
 def _lines(body: bytes) -> Any:
-    """Number, place of the end and text of each line, one by one: only the head is looked at."""
     begin, number = 0, 1
     while begin < len(body):
         end = body.find(b"\n", begin)
@@ -192,7 +149,7 @@ def _plain(field: bytes) -> str:
 
 
 def _as_names(comment: bytes, delimiter: bytes | None, count: int) -> list[str] | None:
-    """A comment as the names of the columns, where it is one: as many words as columns, with x, y and z."""
+    """Column names in a comment, if it has one word per column with x, y and z; else None."""
     for mark in (delimiter, None, b",", b";"):
         names = [_plain(field) for field in _split(comment, mark)]
         if len(names) == count and set(POSITION) <= {_canonical(name) for name in names}:
@@ -205,11 +162,7 @@ def _canonical(name: str) -> str:
 
 
 def names_of(path: Path, head: _Head, width: int) -> list[str]:
-    """What each column is.
-
-    Raises:
-        FileError: Nothing tells, or the names contradict themselves.
-    """
+    """The name of each column; raises `FileError` if they are unknown or contradictory."""
     if head.names is None:
         if width == 3:
             return [*POSITION]
@@ -228,7 +181,6 @@ def names_of(path: Path, head: _Head, width: int) -> list[str]:
 
 
 def _why_wrong(names: Sequence[str]) -> str:
-    """Why columns cannot have these names; empty where they can."""
     if not all(names):
         return f"column {list(names).index('') + 1} has no name"
     twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
@@ -258,16 +210,11 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
 
 
 def without_comments(text: bytes) -> bytes:
-    """A text with lines that begin with '#' left blank."""
     return _COMMENT.sub(b"", text) if b"#" in text else text
 
 
 def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | None, first: int, width: int) -> None:
-    """Hold that each row of a text, whose first line has a number, has one value for each column.
-
-    Raises:
-        FileError: The first row that has not, with its line.
-    """
+    """Raise `FileError` at the first row without one value per column."""
     if delimiter is None:
         rows.check_width(0, rows.row_count, width)
         return
@@ -291,11 +238,7 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
 
 
 def table_of(path: Path, columns: dict[str, NDArray[Any]], full: float | None = None) -> PointTable:
-    """The table of columns by their names; `full` is what a full colour is, 1 or 255, where that is known.
-
-    Raises:
-        FileError: Nothing tells what the colours are, or normals that are none.
-    """
+    """Build a table from named columns; `full` is the maximum color value (1 or 255), if known."""
 
     def taken(names: tuple[str, ...]) -> list[NDArray[Any]]:
         return [columns.pop(name) for name in names if name in columns]
@@ -311,11 +254,7 @@ def table_of(path: Path, columns: dict[str, NDArray[Any]], full: float | None = 
 
 
 def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | None) -> NDArray[np.float32]:
-    """Colours, float32 [n, 3]; where nothing says what a full one is, by the range of their values.
-
-    Raises:
-        FileError: Out of both ranges, or in both.
-    """
+    """Colors, float32 (n, 3); if `full` is None it is derived from the range of values."""
     if full is None:
         whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
         low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
@@ -325,11 +264,7 @@ def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | No
 
 
 def color_range(path: Path, low: float, high: float, *, whole: bool) -> float:
-    """What a full colour is, 1 or 255, by the least and the largest value and whether all are whole.
-
-    Raises:
-        FileError: Out of both ranges, or in both.
-    """
+    """Derive the maximum color value (1 or 255) from the range of values; raises `FileError` if it is ambiguous."""
     if not whole or low < 0 or high > 255:
         if high > 1:
             reason = f"colours from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"

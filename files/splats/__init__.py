@@ -1,1 +1,1 @@
-"""3D Gaussian splats from and to files."""
+"""Read and write 3D Gaussian splats."""

@@ -1,4 +1,4 @@
-"""3D Gaussian splats from and to files, by extension."""
+"""Read and write 3D Gaussian splats; the extension selects the format."""
 
 from __future__ import annotations
 
@@ -28,28 +28,26 @@ EXTENSIONS = tuple(_READERS)
 
 
 def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None) -> GaussianSplats:
-    """Read 3D Gaussian splats: .ply as training or SuperSplat (compressed) writes it, .splat, .spz of versions 2 to 4.
+    """Read 3D Gaussian splats: .ply (from training or SuperSplat, compressed), .splat, .spz versions 2 to 4.
 
-    Numbers are taken as the file has them; nothing is filled in, sorted or scaled. Further columns of a PLY file become
-    attributes of `splats.cloud`.
-
-    Coordinates are those of PLY files (right, down, forward by custom). SPZ is right, up, back by its specification, so
-    its y and z are turned round, with rotations and harmonics. (Open3D writes and reads SPZ without turning.)
+    Values are unchanged; other PLY columns become attributes of `splats.cloud`. Coordinates are those of PLY files
+    (right, down, forward by convention). SPZ is right, up, back, so its y and z axes are flipped, with rotations and
+    harmonics (Open3D does not).
 
     Args:
         path: The file.
-        drop_invalid: Whether splats that are not finite or have a rotation of no length are left out, with a warning
-            that counts them.
-        device: Where the splats go.
+        drop_invalid: Drop splats that are not finite or have a zero rotation, with a warning.
+        device: Device of the splats.
 
     Raises:
-        FileError: The file cannot be read, or is no splats; a splat has a NaN or an infinite number (which one, how
-            many) and `drop_invalid` is not set; version 4 of SPZ without `pip install "pointloom[splats]"`.
+        FileError: Unreadable, no splats, non-finite splats without `drop_invalid`, or SPZ version 4 without `pip
+            install "pointloom[splats]"`.
         DeviceError: No such device.
 
     Notes:
-        Memory: the file is mapped (SPZ: decompressed) and its columns are copied once: about twice the result.
-        Source: Kerbl et al. 2023 and their PLY; antimatter15/splat; nianticlabs/spz.
+        Memory: about twice the result. Kerbl et al., "3D Gaussian splatting for real-time radiance field rendering",
+            SIGGRAPH
+        2023; antimatter15/splat; nianticlabs/spz.
 
     Example:
         >>> import pointloom as loom
@@ -64,24 +62,23 @@ def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, dev
 
 
 def write_splats(path: str | os.PathLike[str], splats: GaussianSplats, *, overwrite: bool = True) -> None:
-    """Write 3D Gaussian splats, whole or not at all; the extension gives the format.
+    """Write 3D Gaussian splats atomically; the extension selects the format.
 
-    .ply holds everything, bit for bit (coordinates of a moved origin as doubles). .splat holds 32 B a splat: float32
-    centres and scales, 8 bits for colours, opacities and each part of a quaternion, no harmonics beyond the first. .spz
-    (version 3, gzip) holds about 9 to 25 B: centres in 24 bits, scales in steps of 6 %, harmonics in 4 or 5 bits.
+    .ply is lossless (with a moved origin, coordinates are doubles). .splat has 32 B per splat: float32 centers and
+    scales, 8 bits for colors, opacities and quaternions, no higher harmonics. .spz (version 3, gzip) has about 9 to 25
+    B: 24-bit centers, scales in steps of 6 %, harmonics in 4 or 5 bits.
 
     Args:
         path: The file: .ply .splat .spz.
         splats: The splats.
-        overwrite: Whether an existing file may be replaced.
+        overwrite: Replace an existing file.
 
     Raises:
-        FileError: The file cannot be made; splats so far out that the format would round their centres by more than
-            2 mm; splats that are not finite.
+        FileError: The file cannot be written, centers would be rounded by more than 2 mm, or splats are not finite.
         TypeError: No splats.
 
     Warns:
-        UserWarning: Harmonics or attributes that the format has no place for.
+        UserWarning: Harmonics or attributes that the format cannot store.
 
     Example:
         >>> import pointloom as loom
@@ -109,7 +106,6 @@ def _extension(path: str | os.PathLike[str]) -> str:
 
 
 def _only_sound(path: Any, table: PointTable, drop: bool) -> PointTable:
-    """The table without splats that cannot be drawn; refused where there are such and they are not to be dropped."""
     sound = sound_rows(table)
     count = len(sound) - int(np.count_nonzero(sound))
     if not count:
@@ -124,14 +120,14 @@ def _only_sound(path: Any, table: PointTable, drop: bool) -> PointTable:
 
 
 def sound_rows(table: PointTable) -> NDArray[np.bool_]:
-    """Which splats can be drawn. An opacity of 0 or 1 is an infinite logit, a flat axis an infinite logarithm."""
+    """Mask of valid splats. Infinite logits (opacity 0 or 1) and log scales of flat axes are valid."""
     columns = table.attributes
     sound = np.isfinite(table.points).all(axis=1)
     for name in ("f_dc", "f_rest"):
         if name in columns:
             sound &= np.isfinite(columns[name]).all(axis=1)
     sound &= ~np.isnan(columns["opacity"])
-    sound &= (columns["scale"] <= np.finfo(np.float32).max).all(axis=1)  # not of NaN
+    sound &= (columns["scale"] <= np.finfo(np.float32).max).all(axis=1)  # false for NaN
     with np.errstate(over="ignore", invalid="ignore"):
         length = np.square(columns["rot"]).sum(axis=1)
     return sound & (length > 0) & np.isfinite(length)

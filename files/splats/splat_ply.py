@@ -1,15 +1,8 @@
-"""Splats in PLY files, as the training code of Kerbl et al. 2023 and all that follow it write them.
+"""Splats in PLY files: of Kerbl et al. 2023 (f_rest_i: all red, then green, then blue), and compressed.
 
-Vertices have x y z, f_dc_0..2, opacity (a logit), scale_0..2 (logarithms), rot_0..3 (w, x, y, z), and 9, 24, 45 or 72
-numbers f_rest_i: all coefficients of red, then of green, then of blue. Normals, which are zeros, are left behind.
-
-Compressed splats in PLY files, as SuperSplat and gsplat write them: 16 bytes a splat, and 1 byte a harmonic. Element
-`chunk` has the bounds of positions, logarithms of scales and, in newer files, colors of 256 splats each. Element
-`vertex` has four unsigned integers a splat: packed_position and packed_scale (11, 10 and 11 bits between the bounds),
-packed_rotation (2 bits for the largest part of the quaternion, 10 for each other one) and packed_color (8 bits each of
-red, green, blue and opacity). Element `sh` has harmonics beyond the first in steps of 8 / 255 from -4.
-
-Source: PlayCanvas Engine, "gsplat-compressed-data.js", and SuperSplat (both MIT), which define the format.
+Compressed, 16 B a splat: `chunk` has bounds of 256 splats; packed_position and packed_scale have 11, 10, 11 bits,
+packed_rotation 2 bits for the index of the largest component and 10 for each other, packed_color 4 x 8 bits; `sh` has
+harmonics in steps of 8 / 255 from -4. PlayCanvas Engine, "gsplat-compressed-data.js", and SuperSplat (MIT).
 """
 
 from __future__ import annotations
@@ -41,7 +34,6 @@ Columns = dict[str, NDArray[Any]]
 
 
 def is_compressed(header: PlyHeader) -> bool:
-    """True if the vertices of a PLY file are packed splats."""
     vertices = [element for element in header.elements if element.name == "vertex"]
     names = {prop.name for element in vertices for prop in element.properties if prop.count_type is None}
     return names >= {*PACKED}
@@ -49,11 +41,7 @@ def is_compressed(header: PlyHeader) -> bool:
 
 @quiet()
 def read_compressed_ply(path: Path, source: Source, header: PlyHeader) -> PointTable:
-    """Read packed splats as columns `f_dc`, `f_rest`, `opacity`, `scale` and `rot`.
-
-    Raises:
-        FileError: As `read_ply`; also chunks, properties or types that do not go with the splats.
-    """
+    """Read packed splats as columns `f_dc`, `f_rest`, `opacity`, `scale` and `rot`."""
     elements = _read_elements(path, source, header)
     packed = elements["vertex"]
     count = len(packed[PACKED[0]])
@@ -101,7 +89,6 @@ def _read_elements(path: Path, source: Source, header: PlyHeader) -> dict[str, C
 
 
 def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
-    """The bounds by name, once there are those of each chunk."""
     names = [f"{end}_{what}{axis}" for end in ("min", "max") for what in ("", "scale_") for axis in "xyz"]
     missing = [name for name in names if name not in chunks]
     if missing:
@@ -116,7 +103,7 @@ def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
 
 
 def _unpacked(values: NDArray[Any], places: Any) -> NDArray[np.float64]:
-    """Parts of packed integers in 0..1, shape (n, parts); each place is the lowest bit and the number of bits."""
+    """Components of packed integers in 0..1, shape (n, parts); each place is (lowest bit, number of bits)."""
     integers = values.astype(np.uint32)
     parts = [(integers >> np.uint32(low)) & np.uint32((1 << bits) - 1) for low, bits in places]
     return np.stack([part / ((1 << bits) - 1) for part, (_, bits) in zip(parts, places, strict=True)], axis=1)
@@ -130,7 +117,7 @@ def _between(
 
 
 def _rotations(values: NDArray[Any]) -> NDArray[np.float64]:
-    """Unit quaternions w, x, y, z; the largest part follows from the other three."""
+    """Unit quaternions w, x, y, z; the largest component follows from the other three."""
     others = (_unpacked(values, [(20, 10), (10, 10), (0, 10)]) - 0.5) * np.sqrt(2.0)
     largest = values.astype(np.uint32) >> np.uint32(30)
     missing = np.sqrt(np.maximum(1 - (others**2).sum(axis=1), 0))
@@ -158,11 +145,7 @@ _KNOWN = {"x", "y", "z", "nx", "ny", "nz"}
 
 
 def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
-    """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, and further ones by their names.
-
-    Raises:
-        FileError: As `read_ply`; also columns that are missing, or of another number than splats have.
-    """
+    """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, and others by name."""
     path = Path(path)
     source = open_source(path)
     header = read_header(path, source)

@@ -1,9 +1,7 @@
-"""Splats as rows of 32 bytes without a header: `.splat`.
+"""Splats as headerless rows of 32 bytes: `.splat`.
 
-A row is float32 x, y, z; float32 standard deviations; uint8 red, green, blue and opacity; uint8 quaternion (w, x, y, z)
-as 128 + 128 q. Nothing in the file says what it holds, so the reader refuses what cannot be one.
-
-Source: antimatter15/splat, whose viewer made the format.
+float32 x, y, z; float32 standard deviations; uint8 red, green, blue, opacity; uint8 quaternion (w, x, y, z) as 128 +
+128 q. The format of antimatter15/splat.
 """
 
 from __future__ import annotations
@@ -23,15 +21,11 @@ from ..source import open_source
 from ..table import PointTable
 
 _ROW = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 4), ("rot", "u1", 4)])
-_LARGEST = 1e6  # no splat is as large; other data read as float32 nearly always holds larger numbers
+_LARGEST = 1e6  # larger than any splat; other data read as float32 nearly always has larger numbers
 
 
 def read_splat(path: str | os.PathLike[str]) -> PointTable:
-    """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`.
-
-    Raises:
-        FileError: Missing, empty, not a multiple of 32 bytes, or scales that no splat has; says where.
-    """
+    """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`; raises `FileError` for implausible data."""
     source = open_source(path)
     if len(source) % _ROW.itemsize:
         reason = f"{len(source)} bytes are not a multiple of {_ROW.itemsize}, the bytes of a splat"
@@ -59,14 +53,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
 
 
 def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write splats as rows of 32 bytes.
-
-    Raises:
-        FileError: The place cannot be written, or float32 would round centres by more than 2 mm.
-
-    Warns:
-        UserWarning: Harmonics and further attributes are left out.
-    """
+    """Write splats as rows of 32 bytes; higher harmonics and other attributes are dropped with a warning."""
     columns = table.attributes
     spare = [name for name in columns if name not in ("f_dc", "opacity", "scale", "rot")]
     points = table.points.astype(np.float32)
@@ -84,16 +71,11 @@ def write_splat(path: str | os.PathLike[str], table: PointTable, *, overwrite: b
 
 
 def to_bytes(values: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """The nearest of 0 to 255."""
     return np.clip(np.rint(values), 0, 255).astype(np.uint8)
 
 
 def check_rounding(path: Any, points: NDArray[Any], error: float) -> None:
-    """Hold that a format keeps centres to 2 mm.
-
-    Raises:
-        FileError: It does not.
-    """
+    """Raise `FileError` if a format would round centers by more than 2 mm."""
     if error > 2e-3:
         low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
         reason = f"centres from {low} to {high} m would be rounded by {error:.2g} m"

@@ -1,10 +1,7 @@
-"""Splats in SPZ files, read: versions 2 and 3 (one gzip stream) and 4 (a stream of Zstandard for each column).
+"""Read SPZ splats: versions 2 and 3 (one gzip stream) and 4 (a Zstandard stream per column); axes right, up, back.
 
-Columns stand one after another: centres as 24-bit multiples of 2^-fractionalBits, opacities, colours, scales, rotations
-and harmonics (a splat's coefficients, red, green and blue of each) in 8 bits; a rotation is 3 bytes in version 2, and 4
-from version 3 on: which of x, y, z, w is largest, and the other three in 10 bits each. The axes are right, up, back.
-
-Source: nianticlabs/spz, its README and the layout of its version 4.
+Centers are 24-bit multiples of 2^-fractionalBits, other columns 8-bit. A rotation has 3 bytes in version 2, else 4:
+index of the largest of x, y, z, w, and 10 bits for each other. nianticlabs/spz, README.
 """
 
 from __future__ import annotations
@@ -27,10 +24,10 @@ from ..table import PointTable
 
 MAGIC = 0x5053474E
 HEADER = struct.Struct("<IIIBBBB")
-COLOR_SCALE = 0.15  # of the byte's span a unit of f_dc
+COLOR_SCALE = 0.15  # fraction of the byte range per unit of f_dc
 FLIPS = (1, -1, -1)  # from right, up, back to right, down, forward, and back
 HAS_EXTENSIONS = 2  # a flag
-_FREE_BYTES, _MAX_RATIO = 1 << 28, 1000  # of unpacked columns, whose number the header contains
+_FREE_BYTES, _MAX_RATIO = 1 << 28, 1000  # limit of unpacked columns, whose number is in the header
 _ENTRY = struct.Struct("<QQ")
 
 
@@ -47,7 +44,6 @@ class SpzHeader(NamedTuple):
 
     @property
     def columns(self) -> dict[str, int]:
-        """Bytes a splat of each column, in the file's order."""
         turn = 3 if self.version == 2 else 4
         rest = 3 * ((self.degree + 1) ** 2 - 1)
         sizes = {"points": 9, "opacity": 1, "f_dc": 3, "scale": 3, "rot": turn, "f_rest": rest}
@@ -55,12 +51,7 @@ class SpzHeader(NamedTuple):
 
 
 def read_spz(path: str | os.PathLike[str]) -> PointTable:
-    """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, in the axes of PLY files.
-
-    Raises:
-        FileError: Missing, no SPZ, of another version, or damaged: cut off, longer than its header says, or streams of
-            other sizes; says where.
-    """
+    """Read splats as columns `f_dc`, `f_rest`, `opacity`, `scale`, `rot`, in PLY axes."""
     path = Path(path)
     source = open_source(path)
     header, data = _of_gzip(path, source) if source[:2] == b"\x1f\x8b" else _of_streams(path, source)
@@ -87,7 +78,7 @@ def _of_gzip(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArray[n
     header = SpzHeader(*HEADER.unpack(head))
     _check(path, header, (2, 3))
     size = header.splats * sum(header.columns.values())
-    # gzip packs no more than 1032 to 1, so that a count that lies takes no memory
+    # gzip's ratio is at most 1032, which bounds the memory of a false count
     if size > 1032 * len(source):
         raise FileError(path, f"{header.splats:,} splats cannot be in {len(source):,} bytes", where="byte 8")
     with foreign_errors(path, "gzip"):
@@ -118,7 +109,7 @@ def _of_streams(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArra
     if place < 32 or start > len(source):
         raise FileError(path, f"a table at byte {place} of {len(source)}", where="byte 16")
     total = header.splats * sum(header.columns.values())
-    if total > max(_FREE_BYTES, _MAX_RATIO * len(source)):  # positions alone do not pack so tightly
+    if total > max(_FREE_BYTES, _MAX_RATIO * len(source)):  # positions alone do not compress that well
         raise FileError(path, f"{header.splats:,} splats cannot be in {len(source):,} bytes", where="byte 8")
     data = {}
     for number, (name, width) in enumerate(header.columns.items()):
@@ -153,13 +144,13 @@ def _unzstd(path: Path, packed: bytes, size: int, where: str) -> NDArray[np.uint
 def _points(header: SpzHeader, data: NDArray[np.uint8]) -> NDArray[np.float32]:
     parts = data.reshape(-1, 3).astype(np.int32)
     whole = parts[:, 0] | parts[:, 1] << 8 | parts[:, 2] << 16
-    whole -= (whole >> 23) << 24  # the sign
+    whole -= (whole >> 23) << 24  # sign bit
     return (whole.reshape(-1, 3) / 2.0**header.fractional_bits * FLIPS).astype(np.float32)
 
 
 def _attributes(header: SpzHeader, data: dict[str, NDArray[np.uint8]]) -> dict[str, NDArray[Any]]:
     turns = _three_bytes if header.version == 2 else _smallest_three
-    flips = np.array([1.0, *FLIPS])  # a turn of half a circle about x on both sides
+    flips = np.array([1.0, *FLIPS])  # a rotation by half a circle about x on both sides
     found: dict[str, NDArray[Any]] = {
         "f_dc": ((data["f_dc"].reshape(-1, 3) / 255 - 0.5) / COLOR_SCALE).astype(np.float32),
         "opacity": logits_of(data["opacity"] / 255),
@@ -174,13 +165,13 @@ def _attributes(header: SpzHeader, data: dict[str, NDArray[np.uint8]]) -> dict[s
 
 
 def _three_bytes(data: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Quaternions (w, x, y, z) of version 2, which has x, y and z."""
+    """Quaternions (w, x, y, z) of version 2, which stores x, y, z."""
     xyz = data.reshape(-1, 3) / 127.5 - 1
     return np.column_stack([np.sqrt(np.maximum(0, 1 - np.square(xyz).sum(axis=1))), xyz])
 
 
 def _smallest_three(data: NDArray[np.uint8]) -> NDArray[np.float64]:
-    """Quaternions (w, x, y, z) of which the largest part was left out, of x, y, z, w."""
+    """Quaternions (w, x, y, z) from the three components other than the largest."""
     packed = data.view("<u4").astype(np.int64)
     largest = packed >> 30
     parts = np.zeros((len(packed), 4))

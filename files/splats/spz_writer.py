@@ -1,4 +1,4 @@
-"""Splats written as SPZ of version 3, which is what most readers know: one gzip stream (spz.py has the layout)."""
+"""Write splats as SPZ version 3, which most readers support: one gzip stream (layout in spz.py)."""
 
 from __future__ import annotations
 
@@ -18,19 +18,12 @@ from ..table import PointTable
 from .splat_rows import check_rounding, to_bytes
 from .spz import COLOR_SCALE, FLIPS, HEADER, MAGIC, SpzHeader
 
-_MOST_BITS = 12  # of the fraction: steps of 0.24 mm, as far as 2 km
+_MOST_BITS = 12  # fractional bits: steps of 0.24 mm, up to 2 km
 _VERSION = 3
 
 
 def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write splats; the same splats make the same bytes.
-
-    Raises:
-        FileError: The place cannot be written, or centres are so far out that 24 bits would round them by over 2 mm.
-
-    Warns:
-        UserWarning: Further attributes are left out.
-    """
+    """Write splats deterministically; raises `FileError` if 24 bits would round centers by more than 2 mm."""
     columns = table.attributes
     rest = columns.get("f_rest")
     degree = 0 if rest is None else round((rest.shape[1] / 3 + 1) ** 0.5) - 1
@@ -60,7 +53,6 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
 
 
 def _fractional_bits(path: Any, points: NDArray[Any]) -> int:
-    """As many bits of the fraction as leave room for the farthest centre."""
     reach = float(np.abs(points).max(initial=0.0))
     bits = _MOST_BITS
     while bits > 0 and np.rint(reach * 2.0**bits) > 2**23 - 1:
@@ -74,7 +66,7 @@ def _three_bytes(whole: NDArray[np.int32]) -> NDArray[np.uint8]:
 
 
 def _smallest_three(turns: NDArray[np.float64]) -> NDArray[np.uint32]:
-    """Quaternions (x, y, z, w) of length 1 with the largest part left out, 10 bits each for the others."""
+    """Unit quaternions (x, y, z, w) without the largest component, 10 bits for each other."""
     largest = np.abs(turns).argmax(axis=1)
     sign = np.where(turns[np.arange(len(turns)), largest] < 0, -1.0, 1.0)
     packed = largest.astype(np.int64)
@@ -87,7 +79,7 @@ def _smallest_three(turns: NDArray[np.float64]) -> NDArray[np.uint32]:
 
 
 def _harmonics(rest: NDArray[Any], degree: int) -> NDArray[np.uint8]:
-    """Bytes of steps of 1/16 in degree 1 and 1/8 beyond it, red, green and blue of each coefficient."""
+    """Bytes in steps of 1/16 for degree 1 and 1/8 beyond, red, green, blue per coefficient."""
     values = rest.reshape(len(rest), 3, -1).transpose(0, 2, 1) * signs_of_flip(FLIPS, degree)[:, None]
     step = np.where(np.arange(values.shape[1]) < 3, 8, 16)[:, None]
     return np.clip(np.rint(values * 128 / step) * step + 128, 0, 255).astype(np.uint8)
