@@ -30,7 +30,7 @@ EMULATED = replace(GPU, name="Emulated CUDA device")
 def test_nothing_of_the_emulated_device_becomes_a_document(tmp_path):
     documents.keep_part(tmp_path / "run", GPU, "constants", {"GRAPH_NODE": 2e-6})
     documents.keep_part(tmp_path / "run", EMULATED, "operations", {"tree 5": {"caller_ms": 2.0}})
-    with pytest.raises(EmulatedDeviceError, match="Emulated CUDA device"):
+    with pytest.raises(EmulatedDeviceError, match="Emulated CUDA device:"):
         documents.keep(tmp_path / "run", tmp_path / "results")
     assert not (tmp_path / "results").exists()
     documents.keep_part(tmp_path / "run", replace(GPU, name=""), "operations", {})

@@ -206,7 +206,7 @@ def test_a_straight_camera_has_the_size_asked_for():
 def test_a_lens_has_no_intrinsic_and_without_an_inverse_along_a_border_no_straight_camera():
     with pytest.raises(ValueError, match="undistort_picture"):
         _ = camera_of("SIMPLE_RADIAL").intrinsic
-    with pytest.raises(ValueError, match="no inverse along the left or right border"):
+    with pytest.raises(ValueError, match=r"^params:"):
         camera_of("SIMPLE_RADIAL", [100, 320, 240, -0.3]).undistorted()
 
 

@@ -133,13 +133,13 @@ def test_colmap_makes_the_same_picture(tmp_path):
 
 def test_what_is_no_lens_picture_or_size_is_refused():
     picture = ramp()
-    with pytest.raises(ValueError, match="72 x 96 pixels, but the camera has 96 x 72; was it resized or turned"):
+    with pytest.raises(ValueError, match=r"^picture:.*72.*96.*96.*72"):
         loom.undistort_picture(np.zeros((WIDTH, HEIGHT), np.uint8), STRONG["OPENCV"])
     with pytest.raises(ValueError, match="picture:"):
         loom.undistort_picture(np.zeros((HEIGHT, WIDTH, 4), np.uint8), STRONG["OPENCV"])
     with pytest.raises(TypeError, match="camera:"):
         loom.undistort_picture(picture, STRONG["PINHOLE"].intrinsic)  # pyright: ignore[reportArgumentType]
-    with pytest.raises(ValueError, match="give one of them"):
+    with pytest.raises(ValueError, match="max_size, size:"):
         loom.undistort_picture(picture, STRONG["OPENCV"], size=(4, 4), max_size=3)
     with pytest.raises(ValueError, match="size:"):
         loom.undistort_picture(picture, STRONG["OPENCV"], size=(4, 4, 4))  # pyright: ignore[reportArgumentType]

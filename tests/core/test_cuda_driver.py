@@ -51,7 +51,7 @@ def test_a_gpu_that_is_not_there_says_why(driver, name):
     with pytest.raises(DeviceError, match=f"got '{name}'; no CUDA GPU was found: {why}"):
         resolve_device(name)
     driver(PROPRIETARY)
-    with pytest.raises(DeviceError, match=r"driver 535\.183\.01 is too old; Warp .* needs 580 or newer: install"):
+    with pytest.raises(DeviceError, match=r"^device:.*535\.183\.01.*580"):
         resolve_device(name)
 
 

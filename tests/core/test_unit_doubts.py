@@ -16,9 +16,7 @@ def ball(rng, device):
 
 
 def test_a_radius_that_finds_nobody_is_told(ball):
-    with pytest.warns(
-        loom.UnitWarning, match=r"radius: 0\.0001 m finds 0 other points on average.* span 2 m"
-    ) as caught:
+    with pytest.warns(loom.UnitWarning, match=r"^radius:.*0\.0001.*0.*2") as caught:
         found = ball.estimate_normals(radius=1e-4)
     assert caught[0].filename == __file__ and (found.normals[:, 2] ** 2 == 1).all()
     with warnings.catch_warnings():
@@ -55,16 +53,14 @@ def test_a_scale_that_cuts_all_is_told(depth, options, told):
 
 
 def test_balls_and_alphas_that_touch_nothing_are_told(ball):
-    with pytest.warns(
-        loom.UnitWarning, match=r"radii: balls of 1e-06 touch no three points; .* asks for 0\.0"
-    ) as caught:
+    with pytest.warns(loom.UnitWarning, match=r"^radii:.*1e-06.*0\.0") as caught:
         assert len(loom.TriangleMesh.create_from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
     assert caught[0].filename == __file__
-    with pytest.warns(loom.UnitWarning, match=r"alpha: nothing is left at 1e-06; .* asks for some 0\.") as caught:
+    with pytest.warns(loom.UnitWarning, match=r"^alpha:.*1e-06.*0") as caught:
         assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(ball, 1e-6)) == 0
     assert caught[0].filename == __file__
     flat = loom.PointCloud(ball.points * [1, 1, 0], normals=np.tile([0.0, 0, 1], (800, 1)), device=ball.device)
-    with pytest.warns(UserWarning, match="the points lie in one plane, so no alpha gives a surface") as caught:
+    with pytest.warns(UserWarning, match=r"^cloud:") as caught:
         assert len(loom.TriangleMesh.create_from_point_cloud_alpha_shape(flat, 2.0)) == 0
     assert [each.category for each in caught] == [UserWarning]  # no unit gives a plane a volume
     assert caught[0].filename == __file__
@@ -72,13 +68,13 @@ def test_balls_and_alphas_that_touch_nothing_are_told(ball):
 
 def test_icp_without_correspondences_says_where_both_are(ball):
     far = loom.PointCloud(ball.points * 1000, device=ball.device)
-    with pytest.warns(loom.UnitWarning, match=r"the target spans .* in another unit\?") as caught:
+    with pytest.warns(loom.UnitWarning, match="no correspondences:") as caught:
         result = loom.registration.registration_icp(far, ball, 0.05)
     assert caught[0].filename == __file__
     assert result.reason == "no correspondences"
     assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
     assert repr(result).endswith("within 0.05 m; in another unit?)")
-    with pytest.warns(loom.UnitWarning, match=r"100 m apart, within 0.05 m; init takes a pose to begin from"):
+    with pytest.warns(loom.UnitWarning, match=r"no correspondences:.*100.*0\.05"):
         moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
     assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
     assert loom.registration.registration_icp(ball, ball, 0.05).hint == ""

@@ -87,7 +87,7 @@ def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):
 def test_transforms_without_a_size_take_that_of_the_picture(tmp_path, name, file):
     frame = {"file_path": name, "transform_matrix": ARKIT.tolist()}
     path = write(tmp_path / "t.json", {"camera_angle_x": 0.7, "camera_angle_y": 0.5, "frames": [frame]})
-    with pytest.raises(FileError, match="w and h are missing, and there is no picture"):
+    with pytest.raises(FileError, match=r"/t\.json \(frames\[0\]\):"):
         loom.read_cameras(path)
     (tmp_path / file).parent.mkdir(exist_ok=True)
     Image.new("RGB", (80, 60)).save(tmp_path / file)
@@ -180,7 +180,7 @@ def test_poses_without_either_are_in_natural_order_and_as_many(tmp_path):
     path = trajectory(tmp_path, "p.kitti")
     model = loom.read_cameras(path, pictures=["f_10.png", "f_9.png", "f_2.png"], intrinsic=LENS)
     assert xs(model) == {"f_2.png": 0.0, "f_9.png": 1.0, "f_10.png": 2.0}
-    with pytest.raises(FileError, match="3 poses, and there are 2 pictures"):
+    with pytest.raises(FileError, match=r"/p\.kitti:.*3.*2"):
         loom.read_cameras(path, pictures=["a.png", "b.png"], intrinsic=LENS)
 
 
@@ -192,7 +192,7 @@ def test_a_trajectory_wants_a_lens_and_nothing_else_does(tmp_path):
 
 
 def test_other_places_are_refused_with_what_is_known(tmp_path):
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match=r"/cameras\.csv:"):
         loom.read_cameras(tmp_path / "cameras.csv")
     with pytest.raises(FileError, match="no cameras that are known"):
         loom.read_cameras(tmp_path)
@@ -241,7 +241,7 @@ def test_written_transforms_come_back(tmp_path, model, params):
 
 def test_lenses_that_transforms_cannot_hold_are_refused(tmp_path):
     for model, params in (("FOV", [60, 61, 32, 24, 0.9]), ("FULL_OPENCV", [60, 61, 32, 24, *[0] * 5, 0.1, 0, 0])):
-        with pytest.raises(ValueError, match="straighten the pictures first"):
+        with pytest.raises(ValueError, match=r"^model:"):
             lens = loom.CameraModel(model, 64, 48, params)
             loom.write_transforms(tmp_path / "t.json", loom.SfmModel(["a.png"], [lens], np.eye(4)[None]))
     assert not list(tmp_path.iterdir())

@@ -69,10 +69,10 @@ def test_every_must_be_a_positive_number(tmp_path, every):
 def test_unknown_layouts_and_folders_are_refused(tmp_path):
     with pytest.raises(ValueError, match="layout:"):
         open_dataset(tmp_path, layout="scannet")
-    with pytest.raises(DatasetError, match="does not exist"):
+    with pytest.raises(DatasetError, match="/none:"):
         open_dataset(tmp_path / "none")
     (tmp_path / "file").write_text("")
-    with pytest.raises(DatasetError, match="is not a folder"):
+    with pytest.raises(DatasetError, match="/file:"):
         open_dataset(tmp_path / "file")
 
 
@@ -140,7 +140,7 @@ def test_the_depth_scale_of_a_recorder_is_heeded(tmp_path):
     (folder / "intrinsic.json").write_text(json.dumps(content))
     assert open_dataset(folder).depth_scale == 4000
     (folder / "intrinsic.json").write_text(json.dumps({**content, "depth_scale": 0}))
-    with pytest.raises(FileError, match="key depth_scale"):
+    with pytest.raises(FileError, match=r"/intrinsic\.json \(key depth_scale\):"):
         open_dataset(folder)
 
 
@@ -149,7 +149,7 @@ def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
     np.savetxt(tmp_path / "camera-intrinsics.txt", SMALL.matrix)
     assert open_dataset(folder).intrinsic == SMALL
     (folder / "camera-intrinsics.txt").write_text("1 0 0\n0 1 0\n")
-    with pytest.raises(FileError, match="expected 3 rows of a matrix, got 2"):
+    with pytest.raises(FileError, match=r"/camera-intrinsics\.txt:.*3.*2"):
         open_dataset(folder)
 
 

@@ -29,18 +29,18 @@ def test_points_that_are_no_numbers_are_kept(tmp_path):
 @pytest.mark.parametrize("cut", [1, 4, 12, 15])
 def test_a_file_that_is_cut_off_is_refused(tmp_path, cut):
     (tmp_path / "a.bin").write_bytes(np.ones(40, "<f4").tobytes()[:-cut])
-    with pytest.raises(FileError, match=r"\(byte 144\): \d+ bytes are not a multiple of 16"):
+    with pytest.raises(FileError, match=r"/a\.bin \(byte 144\):.*16"):
         read_kitti_bin(tmp_path / "a.bin")
 
 
 def test_other_numbers_are_refused(tmp_path):
     np.sqrt(np.arange(40.0)).tofile(tmp_path / "a.bin")  # float64
-    with pytest.raises(FileError, match="this is no scan of float32 x, y, z, intensity"):
+    with pytest.raises(FileError, match=r"/a\.bin \(byte 16\):.*float32"):
         read_kitti_bin(tmp_path / "a.bin")
 
 
 def test_no_file_and_no_byte_are_named(tmp_path):
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match=r"/a\.bin:"):
         read_kitti_bin(tmp_path / "a.bin")
     (tmp_path / "a.bin").touch()
     with pytest.raises(FileError, match="is empty"):

@@ -153,14 +153,14 @@ def test_colors_of_a_part_are_not_taken_for_8_bits_if_another_part_has_16(tmp_pa
     assert [part.colors[0, 0] for part in loom.read_las_chunks(tmp_path / "a.las", 4)] == [0]
     parts = loom.read_las_chunks(tmp_path / "a.las", 1)
     assert [next(parts).colors[0, 0] for _ in range(3)] == [0, 0, np.float32(200 / 255)]
-    with pytest.raises(loom.FileError, match=r"points from 3 on.*in larger parts"):
+    with pytest.raises(loom.FileError, match=r"/a\.las \(points from 3 on\):"):
         next(parts)
 
 
 def test_parts_are_refused_by_name(tmp_path, small_las):
     with pytest.raises(ValueError, match="chunk_size"):
         loom.read_las_chunks(small_las, 0)
-    with pytest.raises(loom.FileError, match=r"only as \.las or \.laz"):
+    with pytest.raises(loom.FileError, match=r"/a\.ply:"):
         loom.read_las_chunks(tmp_path / "a.ply")
-    with pytest.raises(loom.FileError, match="does not exist"):
+    with pytest.raises(loom.FileError, match=r"/missing\.las:"):
         loom.read_las_chunks(tmp_path / "missing.las")

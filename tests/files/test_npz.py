@@ -159,7 +159,7 @@ def test_a_damaged_array_header_is_refused(path, old, new, reason):
 
 @pytest.mark.parametrize("name", ["points", "grid", "", "a/b", "..\\b", "new\nline"])
 def test_an_attribute_whose_name_cannot_be_a_member_is_refused(path, name):
-    with pytest.raises(FileError, match=r"uses this name itself|cannot name a member"):
+    with pytest.raises(FileError, match=r"/cloud\.npz:"):
         write_npz(path, PointTable(np.zeros((2, 3)), attributes={name: np.zeros(2)}))
     assert not list(path.parent.iterdir())
 

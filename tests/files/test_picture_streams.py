@@ -52,7 +52,7 @@ def test_a_png_whose_header_was_changed_is_refused_with_sound_checksums(tmp_path
     data = bytearray((tmp_path / "d.png").read_bytes())
     data[16:24] = struct.pack(">II", width, height)
     (tmp_path / "d.png").write_bytes(with_checksums(bytes(data)))
-    with pytest.raises(FileError, match="stream of pixels holds"):
+    with pytest.raises(FileError, match=r"/d\.png \(IDAT\):"):
         read_depth(tmp_path / "d.png")
 
 
@@ -105,7 +105,7 @@ def test_interlaced_pictures_of_every_depth_and_size_are_read(tmp_path):
             read = read_depth if (bits, color_type) == (16, 0) else read_color
             assert read(path).shape[:2] == (height, width)
             path.write_bytes(png_of(width, height, zlib.compress(bytes(size - 1)), **kind))
-            with pytest.raises(FileError, match="stream of pixels holds"):
+            with pytest.raises(FileError, match=r"/i\.png \(IDAT\):"):
                 read(path)
 
 
@@ -140,7 +140,7 @@ def test_a_jpeg_that_cannot_hold_its_pixels_is_refused_before_memory_is_taken(tm
     place = data.index(b"\xff\xc2")
     data[place + 5 : place + 9] = struct.pack(">HH", 2**14, 2**14)
     path.write_bytes(data)
-    with pytest.raises(FileError, match="16384 x 16384 pixels cannot lie in"):
+    with pytest.raises(FileError, match=r"/c\.jpg \(byte 242\):.*16384.*16384"):
         read_color(path)
 
 
@@ -151,7 +151,7 @@ def test_a_jpeg_without_one_of_its_scans_is_refused(tmp_path, color):
     places = [k for k in range(len(data)) if data[k : k + 2] in (b"\xff\xda", b"\xff\xc4")]  # scans, and their tables
     for place in places[2:]:
         path.write_bytes(data[:place] + b"\xff\xd9")
-        with pytest.raises(FileError, match="ends before the scans of all its channels"):
+        with pytest.raises(FileError, match=r"/c\.jpg:"):
             read_color(path)
 
 
@@ -159,9 +159,9 @@ def test_jpegs_of_which_it_cannot_be_told_are_refused_by_name(tmp_path, color, m
     path, file = tmp_path / "c.jpg", io.BytesIO()
     Image.fromarray(color).save(file, "JPEG")
     path.write_bytes(file.getvalue().replace(b"\xff\xc0\0\x11", b"\xff\xc9\0\x11"))
-    with pytest.raises(FileError, match=r"SOF9.*Store it as PNG"):
+    with pytest.raises(FileError, match=r"/c\.jpg \(byte 160\):.*SOF9"):
         read_color(path)
     path.write_bytes(file.getvalue())
     monkeypatch.setattr(ImageFile, "LOAD_TRUNCATED_IMAGES", True)
-    with pytest.raises(FileError, match=r"c\.jpg.*LOAD_TRUNCATED_IMAGES = False"):
+    with pytest.raises(FileError, match=r"/c\.jpg:.*LOAD_TRUNCATED_IMAGES"):
         read_color(path)

@@ -233,7 +233,7 @@ def test_metres_are_rounded_to_millimetres_and_what_is_no_depth_is_none(tmp_path
     assert frame.depth[0, :4].tolist() == [0, 0, 0, 65000]
     assert np.abs(frame.depth[1:] / 1000 - 1.2345).max() < 0.000501
     metres[2, 2] = np.inf
-    with pytest.raises(ValueError, match=r"frame frame-000000: depth of inf m; 16 bits hold up to 65\.53 m"):
+    with pytest.raises(ValueError, match=r"frame frame-000000:.*16.*65\.53"):
         loom.record_frames(stream((None, metres)), tmp_path / "too far")
 
 
@@ -272,7 +272,7 @@ def test_a_disk_that_fills_up_leaves_the_frames_before_it(tmp_path, monkeypatch)
     monkeypatch.setattr(
         recordings, "write_png", lambda path, a: full(path, a) if "depth" in path.name else write(path, a)
     )
-    with pytest.raises(loom.FileError, match="No space left"):
+    with pytest.raises(loom.FileError, match=r"/frame-000001\.depth\.png:"):
         recorder.write(frames[1])
     assert recorder.count == 1 and len(loom.open_frames(tmp_path / "set")) == 1
     monkeypatch.setattr(recordings, "write_png", write)
@@ -287,7 +287,7 @@ def test_a_stream_that_fails_leaves_a_recording_of_what_came(tmp_path):
 
 
 def test_colour_comes_with_all_frames_or_none(tmp_path):
-    with pytest.raises(ValueError, match="frame frame-000001: has no colour, unlike those before it"):
+    with pytest.raises(ValueError, match="frame frame-000001:"):
         loom.record_frames(stream((COLOR, DEPTH), (None, DEPTH)), tmp_path / "set")
 
 
@@ -314,8 +314,8 @@ def test_a_damaged_list_of_times_is_refused_by_line(tmp_path, line):
 
 def test_a_folder_that_holds_something_is_left_alone(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
-    with pytest.raises(loom.FileError, match=r"holds notes\.txt already"):
+    with pytest.raises(loom.FileError, match=r"notes\.txt"):
         FrameRecorder(tmp_path, CAMERA)
-    with pytest.raises(loom.FileError, match="does not exist"):
+    with pytest.raises(loom.FileError, match="/b:"):
         FrameRecorder(tmp_path / "a" / "b", CAMERA)
     assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]

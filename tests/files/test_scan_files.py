@@ -30,7 +30,7 @@ def test_tables_beside_scans_are_no_scans(tmp_path):
 
 
 def test_folders_that_are_none_are_named(tmp_path):
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match="/nowhere:"):
         run_odometry(tmp_path / "nowhere")
     with pytest.raises(FileError, match="holds no scan"):
         run_odometry(tmp_path)
@@ -38,13 +38,13 @@ def test_folders_that_are_none_are_named(tmp_path):
     (tmp_path / "2.ply").touch()
     with pytest.raises(FileError, match=r"several kinds: \.bin, \.ply"):
         run_odometry(tmp_path)
-    with pytest.raises(FileError, match="is no folder"):
+    with pytest.raises(FileError, match=r"/1\.bin:"):
         run_odometry(tmp_path / "1.bin")
     with pytest.raises(FileError, match="is empty"):
         run_odometry([tmp_path / "1.bin"])
-    with pytest.raises(TypeError, match="put it into a list"):
+    with pytest.raises(TypeError, match=r"^scans:"):
         run_odometry(loom.PointCloud([[1, 2, 3]]))
-    with pytest.raises(TypeError, match="expected files or clouds, got int"):
+    with pytest.raises(TypeError, match=r"^scans:"):
         run_odometry([3])
     with pytest.raises(ValueError, match="timestamps:"):
         run_odometry([loom.PointCloud([[1, 2, 3]])], timestamps=[0.0, 1.0])

@@ -89,17 +89,17 @@ def test_numbers_that_are_none_are_counted_or_dropped(tmp_path, column):
         values[(4, int(part)) if group else 4] = np.nan
         splats.cloud[name] = values
     loom.write_splats(tmp_path / "a.ply", splats)
-    with pytest.raises(FileError, match=r"\(splat 4\): 1 of 9 splats have a NaN"):
+    with pytest.raises(FileError, match=r"/a\.ply \(splat 4\):.*1.*9"):
         loom.read_splats(tmp_path / "a.ply")
-    with pytest.warns(UserWarning, match="1 of 9 splats .* left out"):
+    with pytest.warns(UserWarning, match=r"/a\.ply:.*1.*9"):
         assert len(loom.read_splats(tmp_path / "a.ply", drop_invalid=True)) == 8
 
 
 def test_a_cloud_is_no_splats(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.eye(3)))
-    with pytest.raises(FileError, match="holds no Gaussian splats: vertices have no opacity, f_dc_0"):
+    with pytest.raises(FileError, match=r"/a\.ply:.*f_dc_0"):
         loom.read_splats(tmp_path / "a.ply")
-    with pytest.raises(FileError, match=r"unknown format \.las"):
+    with pytest.raises(FileError, match=r"/a\.las:"):
         loom.read_splats(tmp_path / "a.las")
 
 
@@ -133,7 +133,7 @@ def test_a_count_that_lies_takes_no_memory(tmp_path, version):
     head = struct.pack("<IIIBBBB", 0x5053474E, version, 0xFFFFFFFF, 3, 12, 0, 6)
     content = head + struct.pack("<I", 32) + bytes(200)
     (tmp_path / "a.spz").write_bytes(gzip.compress(content) if version == 3 else content)
-    with pytest.raises(FileError, match="4,294,967,295 splats cannot be in"):
+    with pytest.raises(FileError, match=r"/a\.spz \(byte 8\):.*4.*294.*967.*295"):
         loom.read_splats(tmp_path / "a.spz")
 
 
@@ -157,7 +157,7 @@ def test_turning_harmonics_by_signs_is_turning_them():
 
 def test_rows_that_are_no_splats_are_refused(tmp_path):
     (tmp_path / "a.splat").write_bytes(np.full(16, -3.0, "<f4").tobytes())
-    with pytest.raises(FileError, match=r"\(byte 12\): splat 0 has the scales"):
+    with pytest.raises(FileError, match=r"/a\.splat \(byte 12\):.*0"):
         loom.read_splats(tmp_path / "a.splat")
 
 
@@ -239,5 +239,5 @@ def test_compressed_splats_that_do_not_go_with_their_chunks_are_refused(tmp_path
 
 def test_compressed_splats_are_no_cloud(tmp_path):
     path = compressed(tmp_path / "a.ply", packed(), CHUNK)
-    with pytest.raises(FileError, match=r"compressed Gaussian splats.*read_splats"):
+    with pytest.raises(FileError, match=r"/a\.ply:.*read_splats"):
         loom.read_point_cloud(path)

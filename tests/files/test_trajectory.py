@@ -149,7 +149,7 @@ def test_bad_files_are_refused_with_the_line(tmp_path, name, text, claim):
 
 
 def test_missing_file_is_a_file_error(tmp_path):
-    with pytest.raises(FileError, match="cannot be read"):
+    with pytest.raises(FileError, match=r"/none\.log:"):
         read_trajectory(tmp_path / "none.log")
 
 
@@ -158,7 +158,7 @@ def test_a_pose_file_holds_four_rows(tmp_path):
     path.write_text("1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n")
     assert read_pose(path)[:3, 3].tolist() == [5, 6, 7]
     path.write_text("1 0 0 5\n0 1 0 6\n0 0 1 7\n")
-    with pytest.raises(FileError, match="expected 4 rows of a pose, got 3"):
+    with pytest.raises(FileError, match=r"/frame\.pose\.txt:.*4.*3"):
         read_pose(path)
 
 
@@ -173,15 +173,15 @@ def test_writing_refuses_before_it_touches_the_file(tmp_path, trajectory):
     skewed.poses[7, 0, 0] += 1
     with pytest.raises(ValueError, match=r"poses\[7\]"):
         write_trajectory(path, skewed, intrinsic=CAMERA)
-    with pytest.raises(ValueError, match="at least one pose"):
+    with pytest.raises(ValueError, match=r"^trajectory:"):
         write_trajectory(path, Trajectory(np.empty((0, 4, 4))), intrinsic=CAMERA)
     assert path.read_text() == "precious" and len(list(tmp_path.iterdir())) == 1
 
 
 def test_formats_and_names_must_agree(tmp_path, trajectory):
-    with pytest.raises(FileError, match="does not tell the format"):
+    with pytest.raises(FileError, match=r"/t\.txt:"):
         write_trajectory(tmp_path / "t.txt", trajectory)
-    with pytest.raises(FileError, match=r"log files end in \.log"):
+    with pytest.raises(FileError, match=r"/t\.txt:"):
         write_trajectory(tmp_path / "t.txt", trajectory, format="log")
     with pytest.raises(ValueError, match="format:"):
         write_trajectory(tmp_path / "t.txt", trajectory, format="euroc")

@@ -60,7 +60,7 @@ def test_an_npz_names_its_unit_as_text(tmp_path):
     cloud = loom.read_point_cloud(path)
     assert cloud.unit is None and cloud["unit"].tolist() == [3, 4]
     cloud.unit = "foot"
-    with pytest.warns(UserWarning, match="'unit' as 'unit_2'"):
+    with pytest.warns(UserWarning, match=r"/a\.npz:.*unit_2"):
         loom.write_point_cloud(path, cloud)
     for wrong in ("ell", "", "x" * 300, np.array(["foot"])):
         np.savez(path, points=np.zeros((2, 3)), unit=wrong)
@@ -74,7 +74,7 @@ def test_an_e57_is_in_metres(tmp_path):
     cloud = loom.read_point_cloud(path)
     assert cloud.unit == "metre" and cloud.points[1].tolist() == [1, 2, 3]
     assert loom.read_point_cloud(path, scan=0).unit == "metre"
-    with pytest.warns(loom.UnitWarning, match="coordinates in foot are written times 0.3048"):
+    with pytest.warns(loom.UnitWarning, match=r"/a\.e57:.*0\.3048"):
         loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0], [0, 0, 1000]], unit="ft"))
     assert loom.read_point_cloud(path).points[1, 2] == pytest.approx(304.8)
     with pytest.raises(loom.FileError, match=r"degrees.*project_to_utm"):
@@ -87,7 +87,7 @@ def test_meshes_keep_the_unit_where_their_format_has_a_place(tmp_path):
     loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
     assert loom.read_triangle_mesh(tmp_path / "a.ply").unit == "foot"
     assert loom.read_point_cloud(tmp_path / "a.ply").unit == "foot"
-    with pytest.warns(loom.UnitWarning, match=r"glTF are metres by its standard"):
+    with pytest.warns(loom.UnitWarning, match=r"/a\.glb:"):
         loom.write_triangle_mesh(tmp_path / "a.glb", mesh)
     back = loom.read_triangle_mesh(tmp_path / "a.glb")
     assert back.unit == "metre" and back.vertices.max() == pytest.approx(3.048)

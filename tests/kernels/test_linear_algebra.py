@@ -51,7 +51,7 @@ def test_the_bits_of_a_product_do_not_depend_on_stacks_and_strides(rng):
 
 
 def test_shapes_that_do_not_fit_are_refused():
-    with pytest.raises(ValueError, match="do not fit"):
+    with pytest.raises(ValueError, match=r"^matmul:"):
         la.matmul(np.ones((2, 3)), np.ones((1, 3)))
 
 

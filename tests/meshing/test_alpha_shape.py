@@ -189,7 +189,7 @@ def test_points_that_span_no_tetrahedron_make_an_empty_mesh_with_the_reason(devi
 
 def test_an_alpha_that_is_too_small_makes_an_empty_mesh(device, rng):
     cloud = PointCloud(rng.random((50, 3)), device=device)
-    with pytest.warns(loom.UnitWarning, match="alpha: nothing is left at 1e-05, 1e-09, 4"):
+    with pytest.warns(loom.UnitWarning, match=r"^alpha:.*1e-05.*1e-09.*4"):
         assert [len(mesh) > 0 for mesh in alpha_shape(cloud, [1e-5, 0.5, 1e-9, 5e-324])] == [False, True, False, False]
 
 

@@ -192,7 +192,7 @@ def test_points_that_span_no_triangle_make_a_mesh_without_any(device, points):
 def test_a_ball_that_is_too_small_or_hardly_larger_than_the_cloud_is_no_error(device, rng):
     cloud = flat(jittered([0, 0, 0], 1.0, 8, rng), device)
     for radius in (1e-300, 5e-324):
-        with pytest.warns(loom.UnitWarning, match="touch no three points"):
+        with pytest.warns(loom.UnitWarning, match=r"^radii:"):
             assert len(pivot(cloud, radius)) == 0
     assert len(pivot(cloud, 0.3)) == 0
     assert 98 <= len(pivot(cloud, 5e4)) <= 98 + 28  # of the hull's rim slivers too

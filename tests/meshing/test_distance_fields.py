@@ -232,7 +232,7 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
         with pytest.raises(FileError, match=reason):
             loom.DistanceField.load(tmp_path / "damaged.npz")
     (tmp_path / "cut.npz").write_bytes(path.read_bytes()[:-30])
-    with pytest.raises(FileError, match=r"bytes stand|distance field"):
+    with pytest.raises(FileError, match=r"/cut\.npz:"):
         loom.DistanceField.load(tmp_path / "cut.npz")
     with pytest.raises(FileError):
         loom.DistanceField.from_array(BOXES["one"]).save(path, overwrite=False)
@@ -256,7 +256,7 @@ def test_radii_beyond_what_is_known_are_refused():
         field.collides([[9, 9, 9]], 3.0)
     with pytest.raises(ValueError, match=r"poses\[1\]"):
         field.collides_bodies([[0, 0, 0, 1]], np.stack([np.eye(4), 2 * np.eye(4)]))
-    with pytest.raises(TypeError, match="make one with from_point_cloud"):
+    with pytest.raises(TypeError, match=r"^DistanceField:.*from_point_cloud"):
         loom.DistanceField()
 
 

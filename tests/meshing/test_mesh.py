@@ -141,7 +141,7 @@ def test_volume_is_refused_where_there_is_none(device):
     vertices, triangles = TETRAHEDRON
     with pytest.raises(ValueError, match="not watertight"):
         TriangleMesh(vertices, triangles[:3], device=device).get_volume()
-    with pytest.raises(ValueError, match="orient them alike"):
+    with pytest.raises(ValueError, match=r"^get_volume:"):
         TriangleMesh(vertices, [*triangles[:3], triangles[3][::-1]], device=device).get_volume()
 
 
@@ -194,7 +194,7 @@ def test_a_painted_mesh_has_one_colour_and_the_old_one_keeps_its_own(device):
     mesh = rough_ball(device)
     painted = mesh.paint_uniform_color([1, 0.5, 0.25])
     assert (painted.vertex_colors == [1, 0.5, 0.25]).all() and len(painted.vertex_colors) == len(mesh.vertices)
-    with pytest.raises(ValueError, match="divide 8-bit colours by 255"):
+    with pytest.raises(ValueError, match=r"^color:.*8-bit.*255"):
         mesh.paint_uniform_color([255, 0, 0])
 
 
@@ -316,9 +316,9 @@ def test_open3d_reads_what_we_write(o3d, tmp_path, suffix):
 
 def test_unknown_formats_and_existing_files_are_refused(tmp_path):
     mesh = TriangleMesh(*TETRAHEDRON)
-    with pytest.raises(FileError, match=r"written to \.ply, \.obj, \.stl, \.off, \.glb, \.gltf, not to \.fbx"):
+    with pytest.raises(FileError, match=r"/mesh\.fbx:"):
         write_triangle_mesh(tmp_path / "mesh.fbx", mesh)
-    with pytest.raises(FileError, match=r"read from \.ply, \.obj, \.stl, \.off, \.glb, \.gltf, not from no extension"):
+    with pytest.raises(FileError, match="/mesh:"):
         read_triangle_mesh(tmp_path / "mesh")
     write_triangle_mesh(tmp_path / "mesh.ply", mesh)
     with pytest.raises(FileError):

@@ -186,10 +186,10 @@ def test_a_baked_mesh_looks_the_same_from_every_file(tmp_path):
 
 def test_what_cannot_be_baked_is_refused():
     mesh = TriangleMesh.create_plane(create_uv_map=True)
-    with pytest.raises(ValueError, match="the mesh has no vertex_colors"):
+    with pytest.raises(ValueError, match=r"^bake_vertex_colors:"):
         mesh.bake_vertex_colors()
     bare = colored(TriangleMesh.create_plane())
-    with pytest.raises(ValueError, match=r"the mesh has no triangle_uvs; compute_uvatlas\(\)"):
+    with pytest.raises(ValueError, match=r"^bake_vertex_colors:.*triangle_uvs.*compute_uvatlas"):
         bare.bake_vertex_colors()
     mesh = colored(mesh)
     for size, gutter in ((0, 1), (2**15, 1), (8, -1), (8, 9)):
@@ -197,5 +197,5 @@ def test_what_cannot_be_baked_is_refused():
             mesh.bake_vertex_colors(size, gutter=gutter)
     for factor in (2, np.nan):
         mesh.triangle_uvs = mesh.triangle_uvs * factor
-        with pytest.raises(ValueError, match=r"expected coordinates in 0\.\.1"):
+        with pytest.raises(ValueError, match=r"^triangle_uvs:.*0\.\.1"):
             mesh.bake_vertex_colors()

@@ -119,7 +119,7 @@ def test_triangles_that_turn_any_way_get_a_lid_by_parity():
 def test_an_open_mesh_is_cut_and_gets_no_lid():
     ball = TriangleMesh.create_sphere(1.0, 8)
     bowl = ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 0] > 0.3)
-    with pytest.warns(UserWarning, match="cap: 1 outlines are not closed"):
+    with pytest.warns(UserWarning, match=r"^cap:.*1"):
         half = bowl.clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
     assert len(half) == len(bowl.clip_plane([0, 0, 0.1], [0, 0, 1]))
     [path] = bowl.section_loops([0, 0, 0.1], [0, 0, 1])

@@ -41,14 +41,14 @@ def test_sums_of_many_and_of_none(device):
     assert len(sum([box] * 3)) == 36 and len(TriangleMesh(device=device) + box) == 12
     box += box
     assert len(box) == 24 and len(TriangleMesh(device=device) + TriangleMesh(device=device)) == 0
-    with pytest.raises(ValueError, match="at least one"):
+    with pytest.raises(ValueError, match=r"^meshes:"):
         TriangleMesh.concatenate([])
     with pytest.raises(TypeError):
         box + 1
 
 
 def test_what_not_all_meshes_have_is_left_out():
-    with pytest.warns(UserWarning, match="textures: left out, as not all meshes have them"):
+    with pytest.warns(UserWarning, match=r"^textures:"):
         both = dressed() + TriangleMesh.create_box()
     assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
     other = TriangleMesh.create_box()

@@ -87,7 +87,7 @@ def test_what_cannot_be_compared_is_refused(device):
         cube.compute_metrics(cube, [0.0])
     with pytest.raises(ValueError, match="mesh2"):
         cube.compute_metrics(nothing)
-    with pytest.raises(ValueError, match="has no triangles"):
+    with pytest.raises(ValueError, match=r"^compute_metrics:"):
         nothing.compute_metrics(cube)
     with pytest.raises(ValueError, match="max_distance"):
         cube.compute_error_map(cube, max_distance=-1)

@@ -185,7 +185,7 @@ def test_a_volume_with_a_flipped_triangle_is_refused(device):
     sides = BOX_SIDES.copy()
     sides[2] = sides[2, ::-1]
     mesh = TriangleMesh(BOX, sides, device=device)
-    with pytest.raises(ValueError, match="turn different ways"):
+    with pytest.raises(ValueError, match=r"^get_volume:"):
         mesh.get_volume()
     assert mesh.orient_triangles()[0].get_volume() == pytest.approx(1)
 

@@ -185,7 +185,7 @@ def test_open_meshes_enclose_nothing():
     box = TriangleMesh.create_box()
     mask = np.arange(12) == 3
     for mesh in (box.remove_triangles_by_mask(mask), TriangleMesh(), TriangleMesh.create_mobius()):
-        with pytest.raises(ValueError, match="solid wants a closed mesh"):
+        with pytest.raises(ValueError, match=r"^voxelize:"):
             mesh.voxelize(0.1, solid=True)
 
 
@@ -213,7 +213,7 @@ def test_a_grid_without_room_is_refused_before_it_is_made(monkeypatch):
 
     mesh, grid = TriangleMesh.create_box(), TriangleMesh.create_box().voxelize(0.01)
     monkeypatch.setattr(memory, "free_bytes", lambda device: 10_000)
-    with pytest.raises(MemoryError, match="columns of voxels over all triangles would take"):
+    with pytest.raises(MemoryError, match=r"^voxel_size:"):
         mesh.voxelize(0.01)
     with pytest.raises(MemoryError, match="a dense grid of 1,030,301 voxels would take"):
         grid.dense()

@@ -202,14 +202,14 @@ def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path):
     made = loom.orthophoto(town(), 1.0, crs="no system")
     with pytest.raises(loom.FileError, match="crs:"):
         made.write(tmp_path / "a.tif")
-    with pytest.raises(loom.FileError, match=r"End it in \.tif"):
+    with pytest.raises(loom.FileError, match=r"/a\.png:"):
         made.write(tmp_path / "a.png")
     (tmp_path / "b.tif").write_text("old")
     with pytest.raises(loom.FileError, match="exists already"):
         loom.orthophoto(town(), 1.0).write(tmp_path / "b.tif", overwrite=False)
     plain = loom.orthophoto(loom.TriangleMesh.create_box(), 0.5)
     assert plain.colors is None and np.nanmax(plain.heights.values) == 1
-    with pytest.raises(ValueError, match="neither a texture nor colours"):
+    with pytest.raises(ValueError, match=r"^colors:"):
         plain.write(tmp_path / "c.tif")
     assert [path.name for path in tmp_path.iterdir()] == ["b.tif"]
 
@@ -217,7 +217,7 @@ def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path):
 def test_a_mesh_of_nothing_is_a_map_of_nothing(device):
     nothing = loom.TriangleMesh(np.full((3, 3), np.nan), [[0, 1, 2]], device=device)
     for mesh in (loom.TriangleMesh(device=device), nothing):
-        with pytest.raises(ValueError, match=r"no triangles whose corners are finite; give the bounds"):
+        with pytest.raises(ValueError, match=r"^mesh:"):
             loom.orthophoto(mesh, 1.0)
         made = loom.orthophoto(mesh, 1.0, bounds=(0, 0, 3, 2), frame=FRAME)
         assert made.heights.values.shape == (2, 3) and np.isnan(made.heights.values).all()

@@ -162,12 +162,12 @@ def test_damaged_pages_and_lists_are_named(device, tmp_path):
         with pytest.raises(loom.FileError, match=page.name):
             volume.to_volume()
         page.unlink()
-        with pytest.raises(loom.FileError, match="no such file"):
+        with pytest.raises(loom.FileError, match=r"/00000023\.npz:"):
             volume.extract_triangle_mesh()
     other = sorted((tmp_path / "v").glob("0*.npz"))[0]
     page.write_bytes(other.read_bytes())
     volume = loom.PagedTSDFVolume.load(tmp_path / "v", device=device)
-    with volume, pytest.raises(loom.FileError, match=r"holds other blocks than volume\.npz says"):
+    with volume, pytest.raises(loom.FileError, match=r"/00000023\.npz:.*volume\.npz"):
         volume.to_volume()
     listing = tmp_path / "v" / "volume.npz"
     listing.write_bytes(listing.read_bytes()[:-30])
@@ -191,23 +191,23 @@ def test_a_page_without_the_colors_of_the_others_is_named(device, tmp_path):
 def test_folders_are_kept(device, tmp_path):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "note.txt").write_text("mine")
-    with pytest.raises(loom.FileError, match="holds other files"):
+    with pytest.raises(loom.FileError, match="/mine:"):
         paged(tmp_path / "mine", device, overwrite=True)
-    with pytest.raises(loom.FileError, match="does not exist"):
+    with pytest.raises(loom.FileError, match="/v:"):
         paged(tmp_path / "no" / "v", device)
-    with pytest.raises(loom.FileError, match="holds no paged volume"):
+    with pytest.raises(loom.FileError, match="/mine:"):
         loom.PagedTSDFVolume.load(tmp_path / "mine")
     with walk(paged(tmp_path / "v", device), range(3)) as volume:
         volume.save()
-        with pytest.raises(loom.FileError, match="another run works in it"):
+        with pytest.raises(loom.FileError, match="/v:"):
             loom.PagedTSDFVolume.load(tmp_path / "v")
-    with pytest.raises(loom.FileError, match="holds a volume already"):
+    with pytest.raises(loom.FileError, match="/v:"):
         paged(tmp_path / "v", device)
     assert [path.name for path in (tmp_path / "mine").iterdir()] == ["note.txt"]
     with paged(tmp_path / "v", device, overwrite=True) as volume:
         assert volume.block_count == 0 and len([*(tmp_path / "v").iterdir()]) == 1
         for make in (copy.copy, copy.deepcopy, pickle.dumps):
-            with pytest.raises(TypeError, match="cannot be copied or pickled"):
+            with pytest.raises(TypeError, match=r"^PagedTSDFVolume:"):
                 make(volume)
 
 

@@ -100,7 +100,7 @@ def test_what_hides_a_triangle_keeps_its_picture_away(device):
 def test_triangles_that_look_away_are_seen_by_nobody(device):
     scene = wall_scene((1.0,), device)
     turned = loom.TriangleMesh(scene.mesh.vertices, np.asarray(scene.mesh.triangles)[:, ::-1], device=device)
-    with pytest.raises(NothingSeenError, match="none shows a triangle"):
+    with pytest.raises(NothingSeenError, match=r"^pictures:"):
         texture(turned, scene.pictures, CAMERA, scene.extrinsics)
 
 
@@ -139,7 +139,7 @@ def test_a_model_of_structure_from_motion_brings_cameras_and_files(tmp_path):
     posed = [loom.mvs.PosedCamera(CAMERA, T) for T in scene.extrinsics]
     assert np.array_equal(texture(scene.mesh, scene.pictures, posed).views, expected.views)
     (tmp_path / "1.png").unlink()
-    with pytest.raises(loom.FileError, match="one of 1 of the model's 3 pictures that are missing"):
+    with pytest.raises(loom.FileError, match=r"/1\.png:.*3"):
         texture(scene.mesh, tmp_path, model)
 
 

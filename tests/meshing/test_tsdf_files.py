@@ -138,7 +138,7 @@ def test_every_truncation_is_refused(saved):
 def test_bytes_around_the_archive_are_refused(saved, tmp_path, before, behind):
     path = tmp_path / "a.npz"
     path.write_bytes(before + saved[0] + behind)
-    with pytest.raises(FileError, match="before or behind"):
+    with pytest.raises(FileError, match=r"/a\.npz:"):
         loom.TSDFVolume.load(path)
 
 

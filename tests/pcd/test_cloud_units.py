@@ -70,7 +70,7 @@ def test_a_unit_is_assigned_by_name_and_moves_no_point():
     assert cloud.unit == "foot" and cloud.points.tolist() == [[1, 2, 3]]
     cloud.unit = None
     assert cloud.unit is None
-    with pytest.raises(ValueError, match=r"expected one of metre, foot, .*, got 'ell'"):
+    with pytest.raises(ValueError, match=r"^unit:"):
         cloud.unit = "ell"
     cloud["unit"] = [7]  # an attribute of that name is another thing
     assert cloud.unit is None and cloud["unit"].tolist() == [7]
@@ -92,7 +92,7 @@ def test_conversion_is_exact_far_from_zero(device, feet):
 
 
 def test_conversion_refuses_what_it_cannot_know():
-    with pytest.raises(ValueError, match="not known; assign it first"):
+    with pytest.raises(ValueError, match=r"^unit:"):
         loom.PointCloud([[0, 0, 1]]).to_unit("metre")
     with pytest.raises(ValueError, match="project_to_utm"):
         loom.PointCloud([[8, 48, 1]], unit="degree").to_unit("metre")
@@ -139,7 +139,7 @@ def test_lidar_odometry_counts_in_metres(feet):
 
 
 def test_ground_by_lengths_in_metres_is_a_warning_in_feet(feet):
-    with pytest.warns(loom.UnitWarning, match="is in foot, and the default lengths are metres") as told:
+    with pytest.warns(loom.UnitWarning, match=r"^cloud:") as told:
         loom.classify_ground(feet, cell_size=3.3)
     assert told[0].filename == __file__
     loom.classify_ground(feet, cell_size=3.3, max_window=59.1, elevation_threshold=1.64, scaling=4.1)

@@ -191,7 +191,7 @@ def test_points_whose_squared_distances_are_no_numbers_are_refused(operation, sc
 def test_points_that_are_refused_are_measured_once_they_are_scaled_as_the_message_says(device, scale, rng):
     points = rng.random((50, 3))
     cloud = loom.PointCloud(points * scale, device=device)
-    with pytest.raises(ValueError, match=r"take a (smaller|larger) unit") as error:
+    with pytest.raises(ValueError, match=r"^points:") as error:
         cloud.compute_nearest_neighbor_distance()
     factor = float(str(error.value).split("scale(")[1].split(",")[0])
     distances = np.linalg.norm(points[:, None] - points, axis=2) + 9 * np.eye(50)
@@ -214,5 +214,5 @@ def test_half_of_the_points_may_lie_out_of_reach(device, rng):
     found = loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()
     assert (found[9:] < 1).all()
     points[9:11] *= 1e25
-    with pytest.raises(ValueError, match="most lie more than"):
+    with pytest.raises(ValueError, match=r"^points:"):
         loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()

@@ -57,7 +57,7 @@ def test_questions_may_be_called(shapes):
     assert lines.has_points() and lines.has_lines() and not lines.has_colors()
     for shape in (cloud, mesh, lines):
         assert shape.clear().is_empty() and not shape.is_empty
-    with pytest.warns(loom.DroppedResultWarning, match="write mesh = mesh.clear"):
+    with pytest.warns(loom.DroppedResultWarning, match=r"TriangleMesh\.clear:.*mesh\.clear"):
         mesh.clear()
 
 
@@ -177,7 +177,7 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
     np.testing.assert_array_equal(mine.points, same.points)
     np.testing.assert_array_equal(mine.colors, same.colors)
     grey = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH, device=device)
-    with pytest.raises(TypeError, match=r"the RGBDImage holds brightness, .*convert_rgb_to_intensity=False"):
+    with pytest.raises(TypeError, match=r"^depth:.*convert_rgb_to_intensity"):
         volume.integrate(grey, CAMERA, np.eye(4))
     plain = loom.TSDFVolume(voxel_size=0.1, color=False, device=device)
     assert plain.integrate(grey, CAMERA, np.eye(4)) > 0
@@ -203,5 +203,5 @@ def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):
     ]  # fmt: skip
     with pytest.raises(loom.FileError, match=f"{tmp_path}/in/b.ply: does not exist"):
         loom.read_point_cloud("~/in/b.ply")
-    with pytest.raises(DatasetError, match=r"does not exist|no folder"):
+    with pytest.raises(DatasetError, match="/nowhere:"):
         loom.open_frames("~/nowhere")

@@ -179,7 +179,7 @@ def test_a_bad_file_is_refused_with_the_place(tmp_path, content):
 
 
 def test_places_that_cannot_be_read_or_written_are_file_errors(tmp_path):
-    with pytest.raises(loom.FileError, match="cannot be read"):
+    with pytest.raises(loom.FileError, match=r"/missing\.json:"):
         loom.SelectionPolygonVolume.from_json(tmp_path / "missing.json")
-    with pytest.raises(loom.FileError, match="does not exist"):
+    with pytest.raises(loom.FileError, match=r"/a\.json:"):
         loom.SelectionPolygonVolume(SQUARE, "Z", 0, 1).to_json(tmp_path / "no" / "a.json")

@@ -207,7 +207,7 @@ def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
     (tmp_path / "b.tif").write_text("old")
     with pytest.raises(loom.FileError, match="exists already"):
         good.write(tmp_path / "b.tif", overwrite=False)
-    with pytest.raises(loom.FileError, match=r"End it in \.tif"):
+    with pytest.raises(loom.FileError, match=r"/c\.png:"):
         good.write(tmp_path / "c.png")
     assert [path.name for path in tmp_path.iterdir()] == ["b.tif"]
 
@@ -223,7 +223,7 @@ def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
     before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     try:
         resource.setrlimit(resource.RLIMIT_FSIZE, (size - missing, before[1]))
-        with pytest.raises(loom.FileError, match="cannot be written"):
+        with pytest.raises(loom.FileError, match=r"/dsm\.tif:"):
             raster.write(path)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
@@ -245,7 +245,7 @@ def test_all_points_on_a_line_have_heights_but_no_triangles(device):
     line = np.column_stack([np.arange(5) + 0.5, np.arange(5) + 0.5, np.arange(5)])
     cloud = loom.PointCloud(line, **GROUND, device=device)
     np.testing.assert_allclose(np.diag(loom.rasterize(cloud, 1.0).values[::-1]), np.arange(5), atol=1e-6)
-    with pytest.raises(ValueError, match="span no triangle: fewer than 3, or all on one line; take method='idw'"):
+    with pytest.raises(ValueError, match=r"^cloud:.*3"):
         loom.rasterize(cloud, 1.0, method="tin")
 
 
@@ -273,9 +273,9 @@ def test_what_no_raster_can_be_made_of_is_said_by_name(cloud, options, message):
 
 def test_a_cloud_without_ground_is_said_by_name():
     bare = loom.PointCloud(POINTS, classification=np.ones(5, np.uint8))
-    with pytest.raises(NoGroundError, match=r"has no points of class 2; classify_ground\(cloud\)"):
+    with pytest.raises(NoGroundError, match=r"^cloud:.*2.*classify_ground"):
         loom.rasterize(bare, 1.0)
-    with pytest.raises(NoGroundError, match="has no points of class 2 or 8"):
+    with pytest.raises(NoGroundError, match=r"^cloud:.*2.*8"):
         loom.height_above_ground(bare, classes=(2, 8))
 
 

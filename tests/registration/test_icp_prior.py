@@ -148,6 +148,6 @@ def test_a_prior_out_of_reach_of_the_free_motions_is_told(pair):
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=prior)
     turned = reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01)  # a yaw that is free, far away
     reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=turned)
-    with pytest.raises(ValueError, match="free roll, pitch, or trust"):
+    with pytest.raises(ValueError, match=r"^prior:"):
         tilted = reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01)
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=tilted)

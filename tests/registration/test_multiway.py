@@ -167,5 +167,5 @@ def test_level_clouds_stay_level(fragments):
     assert worst_shift(found.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
     tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
     known = [FragmentPair(1, 0, tilted, 0.0, 1.0)]
-    with pytest.raises(ValueError, match=r"known\[0\].transformation: tilts by 1 degrees"):
+    with pytest.raises(ValueError, match=r"known\[0\]\.transformation:.*1"):
         reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"), known=known)

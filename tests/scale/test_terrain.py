@@ -225,7 +225,7 @@ def test_a_raster_that_cannot_be_is_refused_before_anything_runs(files, tmp_path
 
 def test_two_rasters_of_one_name_are_refused(files, tmp_path):
     steps = [{"step": "rasterize", "cell": 1.0}, {"step": "rasterize", "cell": 2.0}]
-    with pytest.raises(ValueError, match="give each a 'name' of its own"):
+    with pytest.raises(ValueError, match=r"^steps:"):
         loom.scale.plan_tiles(files, steps, tmp_path / "job")
 
 

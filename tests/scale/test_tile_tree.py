@@ -136,7 +136,7 @@ def test_points_in_one_place_and_on_a_line(tmp_path, points):
 def test_more_points_in_one_place_than_can_be_held_are_an_error(tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MOST", 100)
     job = job_of(loom.PointCloud(np.tile(CORNER, (500, 1))), tmp_path, 7.0)
-    with pytest.raises(FileError, match=r"500 points lie within .*voxel_down_sample"):
+    with pytest.raises(FileError, match=r"/tiles:.*500.*voxel_down_sample"):
         loom.scale.finish_tiles(job, tmp_path / "a.copc.laz")
     assert not [*tmp_path.glob("*.copc.laz*")]
 
@@ -161,7 +161,7 @@ def test_a_full_disk_leaves_no_file(job, tmp_path, monkeypatch):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("pointloom.files.points.copc_writer.CopcWriter.finish", full)
-    with pytest.raises(FileError, match="No space left"):
+    with pytest.raises(FileError, match=r"/a\.copc\.laz:"):
         loom.scale.finish_tiles(job, tmp_path / "a.copc.laz")
     assert not [*tmp_path.iterdir()]
 
@@ -198,5 +198,5 @@ def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_pa
 
 
 def test_outputs_that_there_are_not_are_refused(tmp_path):
-    with pytest.raises(ValueError, match="'copc', got 'ept'"):
+    with pytest.raises(ValueError, match=r"^output:"):
         loom.scale.finish_tiles(tmp_path, tmp_path / "x", output="ept")

@@ -334,7 +334,7 @@ def test_a_block_in_which_nothing_happens_warns_and_the_program_goes_on(path):
         pass
     assert not path.exists() and told[0].filename == __file__
     assert r._repr_mimebundle_() == {"text/plain": repr(r)}
-    with pytest.raises(ValueError, match="nothing was recorded"):
+    with pytest.raises(ValueError, match=r"/out\.html:"):
         r.save()
     with pytest.raises(KeyError, match="mine"), loom.record(path) as r:  # and no warning beside it
         r.add("cloud", bumps(10))
@@ -356,9 +356,9 @@ def test_the_tab_has_the_title_or_the_name_of_the_file(tmp_path, title, most, ta
 
 
 def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch):
-    with pytest.raises(FileError, match=r"avi.*ends in .html, .gif or .mp4"):
+    with pytest.raises(FileError, match=r"/a\.avi:.*mp4"):
         loom.record(tmp_path / "a.avi")
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match=r"/a\.html:"):
         loom.record(tmp_path / "no" / "a.html")
     for wrong in ({"max_frames": 1}, {"fps": 1e9}, {"view": {"forward": [0, 0, 1]}}, {"background": (1, 1, 2)}):
         with pytest.raises(ValueError, match=next(iter(wrong))):
@@ -367,7 +367,7 @@ def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch
     with pytest.raises(FileError, match="exists already"):
         loom.record(tmp_path / "b.html", overwrite=False)
     monkeypatch.setenv("PATH", "")
-    with pytest.raises(FileError, match=r"ffmpeg.*not on the path.*Install ffmpeg"):
+    with pytest.raises(FileError, match=r"/c\.mp4:"):
         loom.record(tmp_path / "c.mp4")
     assert (tmp_path / "b.html").read_text() == "keep me"
 

@@ -102,7 +102,7 @@ def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of(o3d):
 
 def test_refusals_say_what_was_given_and_how_to_go_on():
     for path in ("scan.ply", Path("scan.ply")):
-        with pytest.raises(TypeError, match=r"files are read first: loom\.read_point_cloud, .*; got 'scan\.ply'"):
+        with pytest.raises(TypeError, match=r"^geometries:.*loom\.read_point_cloud.*scan\.ply"):
             named_geometries([path])
     with pytest.raises(TypeError, match="geometries:"):
         named_geometries({1: loom.PointCloud(CUBE)})
@@ -191,7 +191,7 @@ def test_a_frustum_holds_what_its_camera_sees():
 
 @pytest.mark.parametrize("wrong", [3, None, [1, 2], [[0, 0, 0]], {"a": 3}, loom.PointCloud, [loom.PointCloud(), None]])
 def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
-    with pytest.raises((TypeError, ValueError), match=r"geometries|points: expected shape"):
+    with pytest.raises((TypeError, ValueError), match=r"^geometries:"):
         for _, geometry, style in named_geometries(wrong):
             parts_of(geometry, style)
 

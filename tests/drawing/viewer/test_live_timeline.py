@@ -88,7 +88,7 @@ def test_without_set_time_nothing_is_kept(viewer):
     viewer.add("a", cloud_of(1))
     viewer.update("a", cloud_of(2))
     assert viewer.timeline is None
-    with pytest.raises(ValueError, match="nothing was logged"):
+    with pytest.raises(ValueError, match=r"^t:"):
         viewer.show_time()
 
 

@@ -172,7 +172,7 @@ def test_a_turned_view_and_a_cloud_without_points_are_refused(rng):
     with pytest.raises(ValueError, match="turned away"):
         polygon_to_volume(fit_view(points), STAR, points)
     view, star = looking(points, "Z")
-    with pytest.raises(ValueError, match="none of them is finite"):
+    with pytest.raises(ValueError, match=r"^points:"):
         polygon_to_volume(view, star, np.full((3, 3), np.nan))
 
 

@@ -221,7 +221,7 @@ def test_grids_beyond_64_bits_are_refused(device):
     assert build(points, covariances, 1.0, device).count == 2
     with pytest.raises(ValueError, match="voxel_size:"):
         build(points, covariances, 1e-6, device)
-    with pytest.raises(ValueError, match=r"makes 1,000,000 grids of 1,000,001 x"):
+    with pytest.raises(ValueError, match=r"^voxel_size:.*1.*000.*000.*1.*000.*001"):
         build(points, covariances, 1.0, device, segment_count=10**6)
     with pytest.raises(ValueError, match="voxel_size:"):
         build(points, covariances, 1e-12, device)

@@ -164,7 +164,7 @@ def test_only_what_uses_a_variant_has_a_twin():
 
 
 def test_a_variant_takes_what_its_walk_takes():
-    with pytest.raises(TypeError, match="a variant of group_total takes and gives"):
+    with pytest.raises(TypeError, match=r"^other:.*group_total"):
 
         @group_total.on_cuda
         def other(i: int, row: Row) -> float:
@@ -172,13 +172,13 @@ def test_a_variant_takes_what_its_walk_takes():
 
 
 def test_lanes_are_refused_outside_a_variant():
-    with pytest.raises(KernelLanguageError, match="ballot is CUDA's alone"):
+    with pytest.raises(KernelLanguageError, match=r"^count:"):
 
         @func
         def count(x: int) -> int:
             return ballot(x)
 
-    with pytest.raises(KernelLanguageError, match="lane_total is CUDA's alone"):
+    with pytest.raises(KernelLanguageError, match=r"^count_again:.*lane_total"):
 
         @func
         def count_again(x: int) -> int:
@@ -190,7 +190,7 @@ def test_lanes_take_whole_numbers_of_32_bits_and_floats():
     def far(x: float) -> float:
         return shuffle(x, x)
 
-    with pytest.raises(KernelLanguageError, match="it takes int32, float32 or float64, and an int32 lane"):
+    with pytest.raises(KernelLanguageError, match=r"^far:.*int32.*float32.*float64.*int32"):
         far.settle()
 
 

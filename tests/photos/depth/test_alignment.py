@@ -96,17 +96,17 @@ def test_networks_of_metric_depth_lack_a_scale_alone():
 
 def test_fewer_than_20_that_agree_are_refused():
     d, y = exact(200)
-    with pytest.raises(AlignmentError, match="19 references lie in the picture, expected at least 20"):
+    with pytest.raises(AlignmentError, match=r"^align:.*19.*20"):
         align_inverse_depth(d[:19], y[:19])
     assert align_inverse_depth(d[:20], y[:20]).inlier_share == 1.0
     wrong = np.random.default_rng(3).uniform(0.01, 100, 30) ** 2
-    with pytest.raises(AlignmentError, match="of 30 references agree"):
+    with pytest.raises(AlignmentError, match=r"^align:.*30"):
         align_inverse_depth(d[:30], wrong)
 
 
 def test_a_map_that_falls_where_depth_says_nearer_is_refused():
     d, y = exact(200)
-    with pytest.raises(AlignmentError, match="check that they are of this picture"):
+    with pytest.raises(AlignmentError, match=r"^align:"):
         align_inverse_depth(d, y.max() + 0.2 - y)
     with pytest.raises(AlignmentError):
         align_inverse_depth(np.full(50, 3.0), y[:50])
@@ -115,9 +115,9 @@ def test_a_map_that_falls_where_depth_says_nearer_is_refused():
 def test_two_distances_settle_scale_and_shift_without_a_check():
     found = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
     assert (found.scale, found.shift, found.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
-    with pytest.raises(AlignmentError, match="farther or the same"):
+    with pytest.raises(AlignmentError, match=r"^align:"):
         align_to_distances(np.array([10.0, 30.0]), np.array([0.5, 0.25]))
-    with pytest.raises(AlignmentError, match="1 distances, expected at least 2"):
+    with pytest.raises(AlignmentError, match=r"^align:.*1.*2"):
         align_to_distances(np.array([10.0]), np.array([0.5]))
 
 
@@ -135,10 +135,10 @@ def test_of_more_distances_most_must_agree():
     assert (found.scale, found.shift) == pytest.approx((0.0125, 0.125), rel=1e-9)
     assert found.inlier_share == pytest.approx(0.8)
     wrong[[0, 4]] *= (0.2, 6.0)
-    with pytest.raises(AlignmentError, match="of 5 distances agree"):
+    with pytest.raises(AlignmentError, match=r"^align:.*5"):
         align_to_distances(d, wrong)
     half = np.array([5.0, 10.0, 20.0, 30.0, 40.0, 50.0])
-    with pytest.raises(AlignmentError, match="3 of 6 distances agree"):
+    with pytest.raises(AlignmentError, match=r"^align:.*3.*6"):
         align_to_distances(half, (0.0125 * half + 0.125) * (1, 2, 1, 9, 1, 0.2))
-    with pytest.raises(AlignmentError, match="2 of 3 distances agree with one scale and shift"):
+    with pytest.raises(AlignmentError, match=r"^align:.*2.*3"):
         align_to_distances(d[:3], y[:3] * (1, 1, 4))

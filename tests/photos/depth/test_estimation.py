@@ -268,9 +268,9 @@ def test_one_model_serves_many_pictures(tmp_path):
         picture = np.random.default_rng(seed).integers(0, 256, (28, 28, 3), dtype=np.uint8)
         once, again = (loom.estimate_depth(picture, each).depth for each in (path, model))
         np.testing.assert_array_equal(once, again)
-    with pytest.raises(ValueError, match="opened as 'depth-anything-v2'"):
+    with pytest.raises(ValueError, match=r"^preset:.*depth-anything-v2"):
         loom.estimate_depth(PICTURE, model, preset="dpt")
-    with pytest.raises(ValueError, match="say it there"):
+    with pytest.raises(ValueError, match=r"^device:"):
         loom.estimate_depth(PICTURE, model, device="cpu")
 
 

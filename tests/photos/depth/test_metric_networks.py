@@ -105,7 +105,7 @@ def test_the_refusal_names_the_preset_to_take(name, preset, wanted, files):
 
 @pytest.mark.parametrize("preset", ["depth-anything-v2", "depth-anything-v2-metric"])
 def test_a_metric_network_with_the_relative_one_s_last_function_is_refused_always(preset, files):
-    with pytest.raises(loom.FileError, match="ReLU times 20: a metric network that was exported with"):
+    with pytest.raises(loom.FileError, match=r"/dav2_broken\.onnx:.*20"):
         loom.DepthModel(files["dav2 broken"], preset)
 
 
@@ -124,7 +124,7 @@ def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name
     assert found.shift == 0
     assert found.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
     assert found.inlier_share > 0.9
-    with pytest.raises(ValueError, match="1 of 3 distances agree"):
+    with pytest.raises(ValueError, match=r"^align:.*1.*3"):
         loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
 
 
@@ -162,7 +162,7 @@ def test_points_that_no_camera_puts_where_their_pixels_are_are_refused(tmp_path)
     ends = [("image", FLOAT, [1, 3, "h", "w"])], [("points", FLOAT, None), ("metric_scale", FLOAT, None)]
     path, picture = save(tmp_path / "m.onnx", nodes, *ends, one=np.array([1], np.int64)), picture_of()
     for camera in (None, camera_of(picture)):
-        with pytest.raises(loom.FileError, match="points that do not lie where their pixels are"):
+        with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'points'\):"):
             loom.estimate_depth(picture, path, preset="moge-2", intrinsic=camera)
 
 
@@ -178,13 +178,13 @@ def test_a_wall_from_the_front_leaves_moge_without_metres_where_the_camera_is_un
 
 def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
     for size in ((616, 616), (1064, 1064), (616, 1216)):
-        with pytest.raises(loom.FileError, match="metric3d-v2 has 616 x 1064 or 1064 x 616"):
+        with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*metric3d-v2.*616.*1064.*1064.*616"):
             loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
 
 
 def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(616, 1064))
-    with pytest.raises(loom.FileError, match="Take the preset metric3d-v2"):
+    with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
         loom.DepthModel(path, "depth-anything-v2")
     assert "metres" in (loom.DepthModel(path, "metric3d-v2").note or "")
 

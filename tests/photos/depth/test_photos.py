@@ -52,9 +52,9 @@ def test_a_rotated_jpeg_gives_depth_upright_and_wants_its_camera_so(tmp_path):
     model = linear(tmp_path / "m.onnx", size=(28, 28))
     assert loom.estimate_depth(path, model).depth.shape == RGB.shape[:2]
     stored = loom.PinholeCameraIntrinsic(192, 320, 300.0, 300.0, 95.5, 159.5)
-    with pytest.raises(ValueError, match="EXIF turns the picture upright to 320 x 192; turn the camera too"):
+    with pytest.raises(ValueError, match=r"^intrinsic:.*320.*192"):
         loom.estimate_depth(path, model, intrinsic=stored)
-    with pytest.raises(ValueError, match="turned the picture upright, turn this too"):
+    with pytest.raises(ValueError, match=r"^align:"):
         loom.estimate_depth(path, model, align=np.ones((320, 192)))
 
 
@@ -113,7 +113,7 @@ def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
     found = loom.estimate_depth(line[None], model)
     assert found.depth.shape == (1, 30)
     assert len(found.to_point_cloud()) == 30
-    with pytest.raises(loom.FileError, match="for every pixel"):  # one colour shows no depth
+    with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one colour shows no depth
         loom.estimate_depth(np.full((1, 1), 9, np.uint8), model)
 
 
@@ -123,7 +123,7 @@ def test_a_huge_picture_is_made_small_first(tmp_path):
     found = loom.estimate_depth(picture, model)
     assert found.depth.shape == (1000, 1500)
     assert found.enlargement == 1000 / 160  # 171 rows of 256 columns, in whole multiples of 32
-    with pytest.raises(ValueError, match="so narrow that depth-anything-v2 would work on"):
+    with pytest.raises(ValueError, match=r"^picture:.*depth-anything-v2"):
         loom.estimate_depth(np.zeros((4, 6000), np.uint8), linear(tmp_path / "d.onnx"))
 
 

@@ -74,7 +74,7 @@ def test_maps_of_other_pictures_are_refused(tmp_path):
     kept_in(tmp_path)
     index = json.loads((tmp_path / "depth_maps.json").read_text())
     (tmp_path / "000000.npz").write_bytes((tmp_path / "000001.npz").read_bytes())
-    with pytest.raises(loom.FileError, match=r"000000.npz: depth: expected float32 \[36, 48\]"):
+    with pytest.raises(loom.FileError, match=r"/000000\.npz:.*float32.*36.*48"):
         DepthMaps.open(tmp_path)[0]
     index["sources"] = [[5], []]
     (tmp_path / "depth_maps.json").write_text(json.dumps(index))

@@ -267,13 +267,13 @@ def test_without_ffmpeg_opencv_reads_videos(make_video, panned, tmp_path, monkey
     video = make_video("v.mp4", panned)
     monkeypatch.setattr(video_files, "_ffmpeg", lambda: False)
     assert loom.sfm.choose_frames(video, tmp_path / "out").reader == "opencv"
-    with pytest.raises(loom.FileError, match="ffmpeg and ffprobe are not on the path"):
+    with pytest.raises(loom.FileError, match=r"/v\.mp4:"):
         loom.sfm.choose_frames(video, tmp_path / "other", reader="ffmpeg")
 
 
 def test_a_black_video_is_refused(make_video, tmp_path):
     video = make_video("night.mp4", [np.zeros((48, 64), np.uint8)] * 12)
-    with pytest.raises(loom.FileError, match=r"none of 12 frames shows anything: 12 are black or blank"):
+    with pytest.raises(loom.FileError, match=r"/night\.mp4:.*12.*12"):
         loom.sfm.choose_frames(video, tmp_path / "out")
 
 
@@ -286,7 +286,7 @@ def test_black_frames_and_too_many_frames_are_told(make_video, panned, tmp_path)
 
 def test_a_video_that_takes_too_long_is_given_up(make_video, panned, tmp_path):
     video = make_video("v.mp4", panned * 5)
-    with pytest.raises(loom.FileError, match=r"decoding was stopped after 0.001 s, its limit \(max_seconds\)"):
+    with pytest.raises(loom.FileError, match=r"/v\.mp4:.*0\.001.*max_seconds"):
         loom.sfm.choose_frames(video, tmp_path / "out", max_seconds=1e-3)
     assert not (tmp_path / "out").exists()
 
@@ -351,13 +351,13 @@ def test_photographs_of_several_sizes_are_told(panned, tmp_path):
 
 def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path):
     (tmp_path / "in").mkdir()
-    with pytest.raises(loom.FileError, match="holds no picture"):
+    with pytest.raises(loom.FileError, match="/in:"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.nef").write_bytes(b"")
-    with pytest.raises(loom.FileError, match=r"there are 1 of .nef, which are not read. Convert them"):
+    with pytest.raises(loom.FileError, match=r"/in:.*1"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
     (tmp_path / "in" / "a.png").write_bytes(b"png")
-    with pytest.raises(loom.FileError, match=r"none of 1 picture can be used: a\.png"):
+    with pytest.raises(loom.FileError, match=r"/in:.*1.*a\.png"):
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
 
 

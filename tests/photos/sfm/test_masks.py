@@ -55,7 +55,7 @@ def test_what_is_transparent_is_left_out(panned, tmp_path):
     found = masks_of(tmp_path / "out_masks")
     assert len(found) == 2 and all(np.array_equal(mask, left_half(SIZE)) for mask in found.values())
     write_pictures(tmp_path / "plain", panned[:2])
-    with pytest.raises(loom.FileError, match="no picture has a channel of transparency"):
+    with pytest.raises(loom.FileError, match="/plain:"):
         loom.sfm.choose_frames(tmp_path / "plain", tmp_path / "new", masks="alpha")
     assert not (tmp_path / "new").exists() and not (tmp_path / "new_masks").exists()
 
@@ -79,16 +79,16 @@ def test_masks_that_do_not_fit_are_named(panned, tmp_path):
     with pytest.raises(loom.FileError, match=r"a\.png:"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=wide)
     (tmp_path / "none").mkdir()
-    with pytest.raises(loom.FileError, match=r"there is no mask in .*none, as a.jpg.png"):
+    with pytest.raises(loom.FileError, match=r"/in:.*a\.jpg\.png"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=tmp_path / "none")
     black = write_pictures(tmp_path / "black", [np.zeros(SIZE, np.uint8)] * 2, ["a.png", "b.png"])
-    with pytest.raises(loom.FileError, match="none of 2 pictures is left: masks hide all of them"):
+    with pytest.raises(loom.FileError, match=r"/in:.*2"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=black)
-    with pytest.raises(TypeError, match=r"masks\(a.jpg\): expected bool or uint8"):
+    with pytest.raises(TypeError, match=r"masks\(a\.jpg\):.*uint8"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=lambda pixels, name: np.ones(SIZE))
-    with pytest.raises(ValueError, match=r"masks\(a.jpg\): expected shape \[120, 160\]"):
+    with pytest.raises(ValueError, match=r"masks\(a\.jpg\):.*120.*160"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks=lambda pixels, name: np.ones((5, 5), bool))
-    with pytest.raises(loom.FileError, match="is no folder"):
+    with pytest.raises(loom.FileError, match=r"^nowhere:"):
         loom.sfm.choose_frames(source, tmp_path / "out", masks="nowhere")
     assert not (tmp_path / "out").exists() and not (tmp_path / "out_masks").exists()
 

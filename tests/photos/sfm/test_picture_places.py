@@ -90,7 +90,7 @@ def test_pictures_that_tell_nothing_are_neither_told_nor_refused(tmp_path):
     (tmp_path / "c.jpg").write_bytes(b"no picture")
     places = loom.sfm.read_picture_places(tmp_path)
     assert (len(places), places.refused, places.picture_count) == (0, {}, 3)
-    with pytest.raises(ValueError, match="no picture says where"):
+    with pytest.raises(ValueError, match=r"^places:"):
         _ = places.frame
 
 

@@ -208,7 +208,7 @@ def test_what_does_not_fit_is_named_and_nothing_is_written(tmp_path):
     ):
         with pytest.raises((FileError, ValueError, TypeError), match=reason):
             write(tmp_path / "scene", model, given)
-    with pytest.raises(FileError, match=r"holds no mask of a picture, such as c\.png\.png"):
+    with pytest.raises(FileError, match=r"/photos:.*c\.png\.png"):
         write(tmp_path / "scene", model, pictures, masks=tmp_path / "photos")
     Image.new("RGB", (50, 40)).save(pictures / "c.png")
     with pytest.raises(FileError, match=r"c\.png:"):
@@ -229,7 +229,7 @@ def test_a_folder_of_this_kind_alone_is_replaced(tmp_path):
         loom.sfm.write_training_folder(scene, model, tmp_path / "photos")
     loom.sfm.write_training_folder(scene, model, tmp_path / "photos", overwrite=True)
     assert {path: path.read_bytes() for path in scene.rglob("*") if path.is_file()} == before
-    with pytest.raises(FileError, match="holds other files"):
+    with pytest.raises(FileError, match="/photos:"):
         loom.sfm.write_training_folder(tmp_path / "photos", model, tmp_path / "photos", overwrite=True)
 
 

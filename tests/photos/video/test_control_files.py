@@ -106,17 +106,17 @@ def test_files_that_make_no_sense_are_refused_with_their_line(written, text, rea
 
 
 def test_no_file_no_text_and_too_few_points_are_refused(written, tmp_path):
-    with pytest.raises(FileError, match="does not exist"):
+    with pytest.raises(FileError, match=r"/none\.txt:"):
         Units(control=tmp_path / "none.txt")
     (tmp_path / "gcp.bin").write_bytes(b"\xff\xfe\x00\x01")
-    with pytest.raises(FileError, match="no text in UTF-8"):
+    with pytest.raises(FileError, match=r"/gcp\.bin:.*UTF-8"):
         Units(control=tmp_path / "gcp.bin")
     path = written(ODM.replace("bar A", "# "))
     with pytest.raises(FileError, match=r"gcp\.txt"):
         Units(control=path)
     with pytest.raises(ValueError, match="control:"):
         Units(control=path, scale=2.0)
-    with pytest.raises(ValueError, match="expected a file of control points or of scale bars"):
+    with pytest.raises(ValueError, match=r"^path:"):
         loom.video.read_ground_control(None)
 
 

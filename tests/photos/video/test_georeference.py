@@ -103,9 +103,9 @@ def test_other_units_and_none_leave_gps_aside():
 
 def test_too_few_places_are_refused_before_the_work_where_they_were_asked_for():
     few = PicturePlaces(told(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
-    with pytest.raises(ValueError, match=r'"exif": 2 of 3 pictures tell .* c\.jpg \(its latitude is 97 degrees\)'):
+    with pytest.raises(ValueError, match=r"^align:.*2.*3.*c\.jpg.*97"):
         Units(align="exif", places=few).check_names(["IMG_0000.jpg", "IMG_0001.jpg", "c.jpg"])
-    with pytest.raises(ValueError, match="a video tells no places"):
+    with pytest.raises(ValueError, match=r"^align:"):
         Units(align="exif").check_names(["frame_000000.png"])
 
 

@@ -166,7 +166,7 @@ def test_a_damaged_file_is_made_again(whole, job, name):
     content = whole[2]
     path = job / "slac" / name
     path.write_bytes(path.read_bytes()[:-40])
-    with pytest.raises(FileError, match="Run refine_with_slac"):
+    with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
         rec.integrate_scene(bent_walk(), SETTINGS, job, slac=True)
     rec.run_system(bent_walk(), SETTINGS, job, slac=True, resume=True)
     assert digest_of(job) == content
@@ -185,18 +185,18 @@ def test_another_stiffness_is_another_stage(whole, job):
 
 def test_fragments_placed_again_are_aligned_again(job):
     rec.register_fragments(dataclasses.replace(SETTINGS, seed=1), job)
-    with pytest.raises(FileError, match="Run refine_with_slac"):
+    with pytest.raises(FileError, match=r"/job:.*refine_with_slac"):
         rec.integrate_scene(bent_walk(), SETTINGS, job, slac=True)
 
 
 def test_the_stage_wants_the_ones_before(tmp_path):
-    with pytest.raises(FileError, match="Run make_fragments"):
+    with pytest.raises(FileError, match="make_fragments"):
         refine_with_slac(SETTINGS, tmp_path)
     rec.make_fragments(Walk([0, 1]), SETTINGS, tmp_path)
-    with pytest.raises(FileError, match="Run register_fragments"):
+    with pytest.raises(FileError, match="register_fragments"):
         refine_with_slac(SETTINGS, tmp_path)
     rec.register_fragments(SETTINGS, tmp_path)
-    with pytest.raises(FileError, match="Run refine_with_slac"):
+    with pytest.raises(FileError, match="refine_with_slac"):
         rec.integrate_scene(Walk([0, 1]), SETTINGS, tmp_path, slac=True)
 
 
@@ -227,7 +227,7 @@ def test_a_grid_comes_back_bit_for_bit(tmp_path, device, empty):
 
 def test_a_file_that_is_no_grid_is_refused(tmp_path):
     path = tmp_path / "grid.npz"
-    with pytest.raises(FileError, match="no such file"):
+    with pytest.raises(FileError, match=r"/grid\.npz:"):
         read_control_grid(path)
     write_control_grid(path, a_grid())
     whole = path.read_bytes()
