@@ -1,1 +1,1 @@
-"""The command line: what it parses, runs and prints."""
+"""The command line."""

@@ -1,4 +1,4 @@
-"""The modules of `pointloom.open3d`: the one list of them, for type checkers and for `public_names`."""
+"""Modules of `pointloom.open3d`, for type checkers and for `public_names`."""
 
 from . import camera as camera
 from . import geometry as geometry

@@ -1,13 +1,12 @@
-"""Mutable objects of Open3D over immutable ones of ours: who holds the truth, and how each comes from the other.
+"""Mutable Open3D objects over immutable pointloom objects, with `Held` as base class.
 
-`Held` is the base of all. Until an array of it has been handed out, the object of ours is the truth, and what is kept
-with it (search trees, ray trees) stays. A vector that was handed out or assigned may be written to at any time without
-a call, so it is compared with what it was before each operation, and ours is made anew where it differs. An operation
-in place puts the new values into the memory of the vectors that are out, as Open3D's arrays follow its objects.
+Until an array has been handed out, the pointloom object is authoritative and its caches (search trees) are kept. A
+handed out or assigned vector may be written to at any time, so before each operation it is compared with its last known
+content, and a new pointloom object is made if it differs. In-place operations write into the memory of these vectors,
+as Open3D's arrays follow its objects.
 
-To write a class: name ours in `_kind`, declare the arrays as `Rows`, and say how ours is read, made and compared
-(`_read`, `_made`, `_token`). A method that changes the object returns `self._become(self._ours.method(...))`, one that
-gives a new one `Class._of(self._ours.method(...))`; arguments go through `ours`.
+To write a class: set `_kind`, declare arrays as `Rows`, and implement `_read`, `_made` and `_token`. Mutating methods
+return `self._become(self._ours.method(...))`, others `Class._of(self._ours.method(...))`; arguments go through `ours`.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from .vectors import Vector
 
 
 class Rows:
-    """An attribute of a `Held` that is a vector or an image: the same object at each reading, written to by all."""
+    """A vector or image attribute of a `Held`: the same object at each access."""
 
     def __init__(self, kind: Any):
         self.kind = kind
@@ -47,9 +46,9 @@ class Rows:
 
 @dataclasses.dataclass
 class _HandedOut:
-    """A vector that others may write to, and what it held when ours was last brought up to date."""
+    """A vector that others may write to, and its last known content."""
 
-    vector: Any  # a Vector, or an Image
+    vector: Any  # a Vector or an Image
     was: NDArray[Any]
 
     def changed(self) -> bool:
@@ -61,22 +60,22 @@ class _HandedOut:
 
 
 class Held(KnownNames):
-    """An object of Open3D's kind around one of ours."""
+    """An Open3D object around a pointloom object."""
 
-    _kind: ClassVar[Any] = None  # our class
+    _kind: ClassVar[Any] = None  # the pointloom class
     _held: Any
     _out: dict[str, _HandedOut]
 
     @classmethod
     def _of(cls, ours: Any) -> Self:
-        """The object around one of ours, which is shared, not copied."""
+        """Wrap a pointloom object without a copy."""
         made = cls.__new__(cls)
         made._held, made._out = ours, {}
         return made
 
     @property
     def _ours(self) -> Any:
-        """Our object, with all that was written to vectors."""
+        """The pointloom object, updated from the vectors."""
         changed = [name for name, out in self._out.items() if out.changed()]
         if changed:
             self._held = self._made(changed)
@@ -85,7 +84,7 @@ class Held(KnownNames):
         return self._held
 
     def _become(self, new: Any) -> Self:
-        """Hold what an operation made of `_ours`; vectors that are out follow."""
+        """Replace the object by a result and update the handed out vectors."""
         old, self._held = self._held, new
         for name, out in self._out.items():
             before, after = self._token(old, name), self._token(new, name)
@@ -98,21 +97,17 @@ class Held(KnownNames):
             out.keep()
         return self
 
-    # ------------------------------------------------------------------------------- what a class says of its arrays
-
     def _read(self, name: str) -> NDArray[Any]:
-        """The values of an array of `_held`; no rows where it has none."""
+        """Values of an array of `_held`; empty if it has none."""
         raise NotImplementedError
 
     def _made(self, changed: list[str]) -> Any:
-        """Our object with the vectors `changed` taken over."""
+        """A new object with the vectors `changed`."""
         raise NotImplementedError
 
     def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
-        """The same objects, or equal bytes, where an array of ours is the same; None where there is none."""
+        """Identity (objects or bytes) of an array for comparison; None if there is none."""
         raise NotImplementedError
-
-    # ------------------------------------------------------------------------------------------------------- vectors
 
     def _vector(self, name: str) -> Any:
         if name not in self._out:
@@ -125,7 +120,7 @@ class Held(KnownNames):
         self._vector(name)._fill(vector._values)
 
     def _count(self, name: str) -> int:
-        """How many rows an array has, without bringing ours up to date."""
+        """Number of rows of an array, without an update."""
         return len(self._out[name].vector) if name in self._out else len(self._read(name))
 
     def __copy__(self) -> Self:
@@ -145,15 +140,9 @@ class Held(KnownNames):
 
 
 def ours(value: Any, kind: type[Held] | None = None, name: str = "") -> Any:
-    """Our object of one of Open3D's kind; of a list of them, theirs. What is ours already, and arrays, pass.
+    """Unwrap a `Held`, or a list of them; pointloom objects and arrays are returned unchanged.
 
-    Args:
-        value: A `Held`, an object of ours, anything else.
-        kind: The class that is wanted; None for any.
-        name: The argument, for the error.
-
-    Raises:
-        TypeError: Not of this kind.
+    Raises TypeError if it is not of type `kind`; `name` is the argument's name for the message.
     """
     if kind is not None and not isinstance(value, kind) and not isinstance(value, kind._kind or ()):
         said = f"{name}: " if name else ""
@@ -168,21 +157,21 @@ def ours(value: Any, kind: type[Held] | None = None, name: str = "") -> Any:
 
 
 def as_array(vector: ArrayLike | Vector) -> NDArray[Any]:
-    """The memory of a vector, or of what else NumPy takes."""
+    """The memory of a vector or array-like."""
     return np.asarray(vector)
 
 
 def column(name: str, values: Any, count: int = 3) -> NDArray[np.float64]:
-    """Some numbers as an array (count,), also those of a column (count, 1), which Open3D takes, too."""
+    """Numbers as an array (count,), also from a column (count, 1), as Open3D accepts."""
     array = np.asarray(values)
     return check_shape(name, array[:, 0] if array.shape == (count, 1) else values, (count,))
 
 
 def _bits(values: NDArray[Any]) -> NDArray[Any]:
-    """The values as whole numbers, so that NaN equals itself and 0 is not -0."""
+    """The bits as integers, so that NaN equals itself and 0 differs from -0."""
     return np.ascontiguousarray(values).view(f"u{values.itemsize}")
 
 
 def _same(before: tuple[Any, ...], after: tuple[Any, ...]) -> bool:
-    """Whether tokens name the same objects, or equal bytes."""
+    """True if tokens are the same objects or equal bytes."""
     return all(a is b or (isinstance(a, bytes) and a == b) for a, b in zip(before, after, strict=True))

@@ -12,17 +12,10 @@ from ..core.checks import check_indices
 
 
 def indices_of(name: str, values: Any, count: int, of: str) -> NDArray[np.int64]:
-    """Indices of some of `count` elements, in the order given: a list, a set, a range, an IntVector or an array.
+    """Validate indices of `count` elements, in the given order: a list, set, range, IntVector or array.
 
-    Args:
-        name: Name of the argument.
-        values: The indices.
-        count: Number of elements.
-        of: The owner of the elements, for the message.
-
-    Raises:
-        TypeError: Not integers. A boolean mask is refused, because Open3D reads it as the indices 0 and 1.
-        IndexError: A negative index, or one beyond the elements.
+    `of` names the owner for the message. Raises TypeError if not integers (also for boolean masks, which Open3D reads
+    as the indices 0 and 1) and IndexError if out of range.
     """
     listed = list(values) if isinstance(values, Iterable) and not hasattr(values, "__array__") else values
     given = np.asarray(listed)

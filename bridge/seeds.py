@@ -1,4 +1,4 @@
-"""Open3D's one seed of all that is random: each operation takes the next number that follows from it."""
+"""Open3D's global seed: each operation takes the next number of its sequence."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ _numbers = random.Random(0)
 
 
 def set_seed(seed: int) -> None:
-    """Begin again: the same calls in the same order give the same bits from here on."""
+    """Restart the sequence: the same calls in the same order are bitwise reproducible."""
     _numbers.seed(check_count("seed", seed, minimum=0))
 
 
 def next_seed() -> int:
-    """The `seed=` of the next operation."""
+    """Seed of the next operation."""
     return _numbers.getrandbits(31)

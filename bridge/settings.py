@@ -1,4 +1,4 @@
-"""Options of Open3D, whose numbers are assigned one by one, over our frozen ones."""
+"""Open3D's options with assignable fields, over pointloom's immutable ones."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from .held import Held, ours
 
 @dataclasses.dataclass(eq=False, repr=False)
 class Settings(Held):
-    """A `Held` of plain fields: ours is made of them, and checks them, each time that it is needed.
+    """A `Held` of plain fields: the pointloom object is made and validated from them on demand.
 
-    A class names ours in `_kind` and is a dataclass of Open3D's fields and defaults; the fields have the same names in
-    ours. Another object of the class in the place of the first field is copied.
+    Subclasses set `_kind` and are dataclasses with Open3D's fields and defaults under pointloom's names. An object of
+    the class in place of the first field is copied.
     """
 
     def __post_init__(self) -> None:

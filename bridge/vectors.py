@@ -1,4 +1,4 @@
-"""The vectors of `utility`: arrays that grow like lists, whose memory `np.asarray` shows without a copy."""
+"""The vectors of `utility`: growing arrays whose memory `np.asarray` shares."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from ..core.masked_arrays import unmasked
 
 
 class Vector(ToldNames):
-    """Rows of one type: `np.asarray(vector)` is its memory, and what is written to it changes the vector.
+    """Rows of one type; `np.asarray(vector)` is its memory, and writing to it changes the vector.
 
-    As in Open3D an array that was taken before the vector became longer or shorter shows the old rows.
+    As in Open3D, an array taken before the length changed keeps the old rows.
     """
 
-    _row: ClassVar[tuple[int, ...]] = ()  # the shape of an element
+    _row: ClassVar[tuple[int, ...]] = ()  # shape of an element
     _dtype: ClassVar[Any] = np.float64
-    _element: ClassVar[str] = ""  # as Open3D prints it
+    _element: ClassVar[str] = ""  # name printed by Open3D
     _array: NDArray[Any]
-    _tail: list[Any]  # what was appended since
+    _tail: list[Any]  # appended since the last access
 
     def __init__(self, values: ArrayLike | Vector = ()):
         self._array, self._tail = self._rows(values).copy(), []
 
     @classmethod
     def _around(cls, values: NDArray[Any]) -> Self:
-        """A vector over an array of the right type and shape, without a copy."""
+        """Wrap an array of the right type and shape without a copy."""
         vector = cls.__new__(cls)
         vector._array, vector._tail = values, []
         return vector
@@ -42,7 +42,7 @@ class Vector(ToldNames):
         return self._array
 
     def _fill(self, values: NDArray[Any]) -> None:
-        """Take other values, in the same memory where they fit into it."""
+        """Replace the values, in the same memory if they fit."""
         if self._values.shape == values.shape:
             self._array[...] = values
         else:
@@ -68,7 +68,7 @@ class Vector(ToldNames):
         return rows.astype(self._dtype)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The memory itself, or a copy; NumPy converts to `dtype`, by the rules of the function that needs it."""
+        """The memory itself, or a copy; NumPy converts to `dtype`."""
         return self._values.copy() if copy else self._values
 
     def __len__(self) -> int:
@@ -118,36 +118,29 @@ class Vector(ToldNames):
         return type(self), (self._values,)
 
     def append(self, x: Any) -> None:
-        """Add an element at the end."""
         self._tail.append(self._rows([x])[0])
 
     def extend(self, L: Iterable[Any]) -> None:
-        """Add elements at the end."""
         self._tail.extend(self._rows(L if hasattr(L, "__array__") else list(L)))
 
     def insert(self, i: int, x: Any) -> None:
-        """Put an element before another one."""
         self._array = np.insert(self._values, i, self._rows([x])[0], axis=0)
 
     def pop(self, i: int = -1) -> Any:
-        """Take an element out, the last one if none is named."""
         found = self[i]
         del self[i]
         return found
 
     def remove(self, x: Any) -> None:
-        """Take the first element of this value out."""
         places = np.flatnonzero(self._equal(x))
         if not len(places):
             raise ValueError(f"{type(self).__name__}.remove(x): x not in vector")
         del self[int(places[0])]
 
     def count(self, x: Any) -> int:
-        """How many elements have this value."""
         return int(self._equal(x).sum())
 
     def clear(self) -> None:
-        """Drop all elements."""
         self._array, self._tail = self._array[:0], []
 
     def _equal(self, x: Any) -> NDArray[np.bool_]:
@@ -155,52 +148,52 @@ class Vector(ToldNames):
 
 
 class DoubleVector(Vector):
-    """Numbers, float64 [n]."""
+    """float64 (n,)."""
 
 
 class IntVector(Vector):
-    """Whole numbers, int32 [n]."""
+    """int32 (n,)."""
 
     _dtype = np.int32
 
 
 class Vector2dVector(Vector):
-    """Pairs, float64 [n, 2]."""
+    """float64 (n, 2)."""
 
     _row, _element = (2,), "Eigen::Vector2d"
 
 
 class Vector3dVector(Vector):
-    """Points, normals or colours, float64 [n, 3]."""
+    """Points, normals or colors, float64 (n, 3)."""
 
     _row, _element = (3,), "Eigen::Vector3d"
 
 
 class Vector2iVector(Vector):
-    """Pairs of whole numbers, int32 [n, 2]."""
+    """int32 (n, 2)."""
 
     _row, _dtype, _element = (2,), np.int32, "Eigen::Vector2i"
 
 
 class Vector3iVector(Vector):
-    """Triangles, int32 [n, 3]."""
+    """Triangles, int32 (n, 3)."""
 
     _row, _dtype, _element = (3,), np.int32, "Eigen::Vector3i"
 
 
 class Vector4iVector(Vector):
-    """Tetrahedra, int32 [n, 4]."""
+    """Tetrahedra, int32 (n, 4)."""
 
     _row, _dtype, _element = (4,), np.int32, "Eigen::Vector4i"
 
 
 class Matrix3dVector(Vector):
-    """3x3 matrices, float64 [n, 3, 3]."""
+    """float64 (n, 3, 3)."""
 
     _row, _element = (3, 3), "Eigen::Matrix3d"
 
 
 class Matrix4dVector(Vector):
-    """4x4 matrices, float64 [n, 4, 4]."""
+    """float64 (n, 4, 4)."""
 
     _row, _element = (4, 4), "Eigen::Matrix4d"

@@ -1,1 +1,1 @@
-"""Pictures, recordings and the live viewer."""
+"""Images, recordings and the live viewer."""

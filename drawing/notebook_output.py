@@ -1,9 +1,8 @@
-"""What a cell of a notebook shows: a frame over a still picture, so that something is seen wherever it is read.
+"""Output of notebook cells: a frame over a static image.
 
-A cell's output is kept in the notebook's file and read where the program is long gone, where frames are left out
-(GitHub, a notebook that is not trusted), or where scripts do not run. So the still is always there, in sight, and a
-frame covers it where it has something to show: a page inside the notebook (`page_output`) at once, a live one
-(`live_output`) when it has said that it is there, since a browser shows a page of its own for a server that is gone.
+The output is stored in the notebook and may be read after the program has ended, where frames (GitHub, untrusted
+notebooks) or scripts are disabled. So the image is always visible and a frame covers it only if it has content: an
+embedded page (`page_output`) at once, a live page (`live_output`) after it has reported that it is loaded.
 """
 
 from __future__ import annotations
@@ -19,14 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-QUALITY, MOST_WIDTH, MOST_BYTES = 85, 960, 200_000  # of a still: JPEG's own scale, pixels, bytes
-MOST_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video that lies in a notebook
-SMALLER = 0.8  # by which its sides shrink until it fits
-READY = "pointloom"  # what a live page says to the page around it
+QUALITY, MOST_WIDTH, MOST_BYTES = 85, 960, 200_000  # of an image: JPEG quality, [px], bytes
+MOST_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video in a notebook
+SMALLER = 0.8  # factor of the image size per attempt
+READY = "pointloom"  # message of a live page to the surrounding page
 
 _FRAME = "position:absolute;top:0;left:0;width:100%;height:100%;border:0"
-# A live frame opens when its page speaks, which it does while it loads. Loaded without a word it is shut: what the
-# browser shows for a server that is gone would cover the still.
+# A live frame opens when its page sends a message while loading. If it loads without one, it stays closed:
+# the browser's error page would cover the image.
 _COVER = """<script>
 for (const frame of document.querySelectorAll('iframe[name="%(name)s"]')) {
   let spoke = false;
@@ -41,18 +40,18 @@ for (const frame of document.querySelectorAll('iframe[name="%(name)s"]')) {
 
 
 def ipython_shell() -> Any:
-    """IPython's shell that this runs in; None where there is none."""
+    """The active IPython shell, or None."""
     return getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
 
 
 def in_notebook() -> bool:
-    """Whether this runs in the kernel of a notebook, which shows what a cell ends with."""
+    """True in the kernel of a notebook."""
     shell = ipython_shell()
     return type(shell).__name__ == "ZMQInteractiveShell" or getattr(shell, "kernel", None) is not None
 
 
 def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
-    """A picture [h, w, 3] as JPEG of at most 200 kB and 960 pixels across; one of [h, w, 4] over white."""
+    """JPEG of an image, at most 200 kB and 960 pixels wide; RGBA is composited over white."""
     image, most = Image.fromarray(np.ascontiguousarray(picture)), MOST_WIDTH
     if image.mode == "RGBA":
         image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")
@@ -67,15 +66,7 @@ def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
 
 
 def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], height: int) -> dict[str, Any]:
-    """The page at `url` in a frame, over what it showed when the cell ran, for IPython by kinds of content.
-
-    Args:
-        text: For terminals.
-        url: Of the page.
-        ssh_line: What brings it to another machine.
-        picture: Shape [h, w, 3], uint8.
-        height: Of the frame [px].
-    """
+    """MIME bundle of the page at `url` in a frame over its image (h, w, 3); `text` for terminals, `height` in [px]."""
     name = f"pointloom-{uuid.uuid4().hex[:12]}"
     frame = (
         f'<iframe name="{name}" data-src="{html.escape(url, quote=True)}" style="{_FRAME};visibility:hidden" '
@@ -91,17 +82,7 @@ def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], 
 
 
 def page_output(text: str, page: str, notes: list[str], picture: NDArray[np.uint8], height: int) -> dict[str, Any]:
-    """A whole page in a frame over a still of it, for IPython by kinds of content.
-
-    The page is sealed off from the notebook: it may run its own script and nothing else.
-
-    Args:
-        text: For terminals.
-        page: HTML that asks nobody for anything.
-        notes: What is to be said below.
-        picture: Shape [h, w, 3], uint8.
-        height: Of the frame [px].
-    """
+    """MIME bundle of a self-contained page in a sandboxed frame over an image, with notes below."""
     frame = (
         f'<iframe srcdoc="{html.escape(page, quote=True)}" sandbox="allow-scripts" style="{_FRAME}" '
         'allow="fullscreen"></iframe>'
@@ -111,22 +92,14 @@ def page_output(text: str, page: str, notes: list[str], picture: NDArray[np.uint
 
 
 def media_output(text: str, kind: str, data: bytes, notes: list[str], picture: NDArray[np.uint8]) -> dict[str, Any]:
-    """An animation or a video that notebooks play by themselves, for IPython by kinds of content.
-
-    Args:
-        text: For terminals.
-        kind: "image/gif" or "video/mp4".
-        data: The file.
-        notes: What is to be said below.
-        picture: Of one frame, shape [h, w, 3], uint8.
-    """
+    """MIME bundle of an animation or video ("image/gif" or "video/mp4"), with an image of one frame as fallback."""
     source = f'src="data:{kind};base64,{base64.b64encode(data).decode()}" style="max-width:100%"'
     shown = f"<video controls loop {source}></video>" if kind.startswith("video") else f'<img alt="" {source}>'
     return _bundle(text, shown + _small(notes), _encoded(picture))
 
 
 def still_output(text: str, notes: list[str], picture: NDArray[np.uint8]) -> dict[str, Any]:
-    """A still alone, and what is to be said of it, for IPython by kinds of content."""
+    """MIME bundle of an image with notes."""
     still = _encoded(picture)
     return _bundle(text, _image(still) + _small(notes), still)
 

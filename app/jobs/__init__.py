@@ -1,1 +1,1 @@
-"""What commands do with files."""
+"""Implementation of commands on files."""

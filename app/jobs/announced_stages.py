@@ -1,4 +1,4 @@
-"""The seconds of stages that a function of the library announces: `AnnouncedStages`."""
+"""Timing of stages that a library function reports: `AnnouncedStages`."""
 
 from __future__ import annotations
 
@@ -9,17 +9,10 @@ from ...core.timing import Clock
 
 
 class AnnouncedStages:
-    """A `ReportProgress` that hands on what it is told, and counts each stage's time until the next one begins.
+    """A `ReportProgress` that forwards progress and times each stage until the next one or the end of the block.
 
-    `with AnnouncedStages(job.clock, job.tell) as told: create_surface(cloud, progress=told)`; the last stage ends with
-    the block.
-
-    Args:
-        clock: Gets the seconds.
-        tell: Gets what is told.
-        first: The stage that the block begins with.
-        part_of: Stages that count as part of another one.
-        untold: Stages that are counted, and not handed on.
+    `with AnnouncedStages(job.clock, job.tell) as told: create_surface(cloud, progress=told)`. Stages in `part_of` count
+    as part of another one; `untold` ones are timed but not forwarded.
     """
 
     def __init__(
@@ -44,7 +37,6 @@ class AnnouncedStages:
         self._end()
 
     def __call__(self, stage: str, done: int, total: int) -> None:
-        """Note that a stage is so far."""
         counted = self._part_of.get(stage, stage)
         if counted != self._stage:
             self._end()

@@ -1,4 +1,4 @@
-"""What has changed from one file to a later one: `change_files`, M3C2 of two clouds, or a cloud against a mesh."""
+"""Change between two files: `change_files` by M3C2 of two clouds or cloud to mesh."""
 
 from __future__ import annotations
 
@@ -33,31 +33,22 @@ from ...pcd.search import NearestNeighborSearch
 from .job import Job, JobReport, Settings
 from .rows import COLORED, LABELLED
 
-CYLINDER_POINTS = 20  # of the first epoch in a cylinder, where no radius is given
-NORMAL_RADII = (1.0, 2.0, 4.0)  # times the cylinder's
-REACH = 6.0  # times the cylinder's radius
+CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
+NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
+REACH = 6.0  # maximum distance over the cylinder radius
 LAS = (".las", ".laz")
 UPWARDS = (0.0, 0.0, 1.0)
-_LEAST_KNOWN = 0.5  # of the core points that have a distance
-_MOST_ONE_WAY = 0.8  # of the core points that have moved to one side: a shift of the whole, more likely than change
+_LEAST_KNOWN = 0.5  # fraction of core points with a distance
+_MOST_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
 
 
 @dataclass(frozen=True)
 class ChangeReport(JobReport):
-    """What `change_files` did.
+    """Report of `change_files`.
 
-    Attributes:
-        later: The file of the later epoch; the earlier one is the source.
-        method: "m3c2" or "cloud to mesh".
-        device: Where it was computed.
-        cores: Where it was measured: how many points.
-        known: How many of them have a distance.
-        significant: How many have changed by more than the level of detection.
-        median: Of the distances of those [m]; None where there are none.
-        lowest, highest: The ends between which 98 % of these lie [m].
-        level: Median level of detection [m].
-        lengths: What was measured with: radii of normals, the cylinder's radius, the longest distance [m].
-        registration_error: As of `change_files`.
+    `cores`, `known` and `significant` are the numbers of core points, of those with a distance, and of those that
+    changed by more than the level of detection; the latter have the given median and 98% range [m]. `level` is the
+    median level of detection [m], `lengths` are the radii and the maximum distance [m].
     """
 
     later: str
@@ -74,7 +65,6 @@ class ChangeReport(JobReport):
     registration_error: float
 
     def fields(self) -> Fields:
-        """How much has changed, by how much, and what it was measured with."""
         m, share = self.m, self.significant / max(self.known, 1)
         changed = f"{self.significant:,} of {self.known:,} points with a distance, {format_share(share)}"
         if self.median is not None:
@@ -107,31 +97,18 @@ def change_files(
     limit: float | None = None,
     **settings: Unpack[Settings],
 ) -> ChangeReport:
-    """Measure how far a surface has moved between two files, and what of that is noise.
+    """Measure how far a surface has moved from an earlier cloud or mesh to a later cloud, with the level of detection.
+
+    Unreliable if fewer than half of the core points have a distance, or if nearly all moved in one direction (epochs
+    not registered). By default half of the points have 20 neighbors within `cylinder_radius` [m], and `normal_radii`
+    and `max_distance` follow from it; for a mesh, it is the radius of averaging.
 
     Args:
-        earlier: A cloud, or a mesh that the later cloud is held against.
-        later: A cloud.
-        output: A cloud of the points that were measured at, with the distance and its level of detection as attributes.
-        picture: A .png or .webp file: change from blue to red, grey where it is noise.
-        painted: A cloud of these points in the picture's colours.
-        cores: Measure at one point a cell of this edge [m]; None measures at all points.
-        normal_radii, cylinder_radius, max_distance: As of `loom.change.m3c2` [m]. Without a cylinder's radius it is one
-            within which half of the points have 20 neighbours; the others follow from it. Against a mesh the cylinder's
-            radius is that of the neighbours which distances are averaged over.
-        registration_error: Of both against each other [m].
-        orientation: Distances are positive to this side.
-        limit: The distance of the darkest colours [m]; None fits them to the changes.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. It is unreliable if less than half of the points have a distance, or if nearly all moved in one
-        direction, as they do if the epochs are not registered.
-
-    Raises:
-        FileError: A file that cannot be read or written, is empty, or has another coordinate system than the other.
-        ValueError: A length that is not above 0.
-        DeviceError: No such device.
+        output: Core points with distance and level of detection as attributes.
+        picture: A .png or .webp file: change from blue to red, gray if not significant.
+        painted: Core points in the colors of the image.
+        cores: Cell size of core points [m]; None uses all points.
+        limit: Distance of the darkest colors [m]; None fits them to the changes.
     """
     job = Job("change", earlier, **settings)
     job.check(output, LABELLED, what="attributes")
@@ -151,7 +128,7 @@ def change_files(
 
 
 class Compared(NamedTuple):
-    """What was measured: how, where, what was found, its columns beside the significance, and with what lengths."""
+    """Measurement: method, core points, result, columns besides the significance, and lengths."""
 
     method: str
     where: PointCloud
@@ -211,11 +188,7 @@ def _with_cloud(
 
 
 def check_systems(earlier: FilePath, later: FilePath) -> None:
-    """Hold that two LAS files have one coordinate system, where both tell theirs.
-
-    Raises:
-        FileError: They have two.
-    """
+    """Raise FileError if two LAS files have different coordinate systems."""
     if Path(earlier).suffix.lower() not in LAS or Path(later).suffix.lower() not in LAS:
         return
     names = [crs_name(open_las(path).header) for path in (earlier, later)]
@@ -231,7 +204,6 @@ def _filled(cloud: PointCloud, path: FilePath) -> PointCloud:
 
 
 def _radius_for(cloud: PointCloud, path: FilePath) -> float:
-    """A cylinder's radius [m] within which half of the points have enough neighbours."""
     found = distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), CYLINDER_POINTS)
     if not found:
         reason = f"has fewer than {CYLINDER_POINTS} points, or all at one place: no cylinder's radius follows from it"
@@ -287,7 +259,7 @@ def _report(job: Job, later: FilePath, compared: Compared, registration_error: f
 def _warning(
     known: NDArray[np.bool_], distances: NDArray[np.float64], changed: NDArray[np.bool_], method: str
 ) -> str | None:
-    """Whether the epochs do not overlap, or lie beside each other as a whole."""
+    """Warn if the epochs do not overlap, or are shifted as a whole."""
     share = float(known.mean()) if len(known) else 0.0
     if share < _LEAST_KNOWN:
         what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"

@@ -1,4 +1,4 @@
-"""Points that should not be there, removed from a file: `clean_file`."""
+"""Remove outliers from a file: `clean_file`."""
 
 from __future__ import annotations
 
@@ -19,22 +19,17 @@ from ...pcd.search import NearestNeighborSearch
 from .job import Job, Settings
 from .rows import RowsReport, read_rows
 
-# A radius that removes more than this share of the points was likely meant for another cloud or unit.
+# A radius that removes more than this fraction was probably meant for another cloud or unit.
 _MOST_BY_RADIUS = 0.5
 
 
 @dataclass(frozen=True)
 class CleanReport(RowsReport):
-    """What `clean_file` did.
-
-    Attributes:
-        filters: By filter, in their order: how many points it "removed", and its options.
-    """
+    """Report of `clean_file`; `filters` has the "removed" points and options of each filter."""
 
     filters: dict[str, dict[str, float]]
 
     def fields(self) -> Fields:
-        """The counts, of each filter too."""
         lines = []
         for name, figures in self.filters.items():
             options = {option: value for option, value in figures.items() if option != "removed"}
@@ -54,26 +49,11 @@ def clean_file(
     removed: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> CleanReport:
-    """Write a cloud without the points that filters remove, one filter after the other in the order given here.
+    """Write a cloud without outliers; non-finite points are always removed first, then filters run in this order.
 
-    Points that are not finite go first, always.
-
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud.
-        duplicates: Remove all but the first of the points at one position, equal in float32 about the origin.
-        statistical: Neighbours and ratio as of `PointCloud.remove_statistical_outlier`; None for no such filter.
-        radius: Radius [m] and neighbours needed as of `PointCloud.remove_radius_outlier`; None for no such filter.
-        removed: A file for the points that were removed; not written where there are none.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written, or one name for both outputs.
-        ValueError: A limit out of range.
-        DeviceError: No such device.
+    `duplicates` keeps the first point of each position, compared in float32 relative to the origin; `statistical` and
+    `radius` are the arguments of `remove_statistical_outlier` and `remove_radius_outlier`, or None. `removed` is a file
+    for the removed points.
     """
     if removed is not None and Path(removed).resolve() == Path(output).resolve():
         raise FileError(removed, "is to hold both what is kept and what is removed", remedy="Give two names")
@@ -102,7 +82,7 @@ def clean_file(
 def _filters(
     duplicates: bool, statistical: tuple[int, float] | None, radius: tuple[float, int] | None
 ) -> dict[str, tuple[Callable[..., PointCloud], dict[str, Any]]]:
-    """The filters by name in their order: what leaves the points that stay, and its options."""
+    """Filters by name in order: function and options."""
     filters: dict[str, Any] = {"non_finite": (PointCloud.remove_non_finite_points, {})}
     if duplicates:
         filters["duplicate"] = (PointCloud.remove_duplicated_points, {})
@@ -122,13 +102,12 @@ def _without_lonely(cloud: PointCloud, radius: float, min_neighbors: int) -> Poi
 
 
 def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_neighbors: int) -> str | None:
-    """What to say of a radius that removed most of the points."""
     count, gone = len(before), len(before) - len(after)
     if gone <= _MOST_BY_RADIUS * count:
         return None
     m = symbol_of(before.unit)
     lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
     distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
-    if distance is None or distance < radius:  # too few points, or a sample that is not like the whole
+    if distance is None or distance < radius:  # too few points, or the sample is not representative
         return f"{lonely}; take a larger --radius or fewer --min-neighbors"
     return f"{lonely}; half of them have as many within {rounded_up(distance):g} {m}: take a larger --radius"

@@ -1,4 +1,4 @@
-"""The mesh of a file mended: `clean_mesh_file`."""
+"""Repair the mesh of a file: `clean_mesh_file`."""
 
 from __future__ import annotations
 
@@ -22,22 +22,9 @@ def clean_mesh_file(
     min_area: float = 0.0,
     **settings: Unpack[Settings],
 ) -> ResultReport:
-    """Write a mesh without what is commonly wrong with one, and say what was done and what is still wrong.
+    """Write a repaired mesh and report the repairs and remaining defects; nothing if no triangle is left.
 
-    Args:
-        source: A mesh.
-        output: A mesh.
-        merge, fill: As `merge_distance` and `hole_size` of `clean_mesh`.
-        min_triangles, min_area: As of `clean_mesh`.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done, with the CleanedMesh. Nothing is written where no triangle is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A number out of range.
-        DeviceError: No such device.
+    `merge` and `fill` are `merge_distance` and `hole_size` of `clean_mesh`.
     """
     job = Job("clean-mesh", source, **settings)
     job.check(output, tables.MESHES, what="meshes")

@@ -1,7 +1,4 @@
-"""Files of points to files of points: `convert_file` and `estimate_normals_of_file`.
-
-Each checks its output before the work and returns what was done; `warnings` says why a result is unreliable.
-"""
+"""Conversion and normals of point files: `convert_file` and `estimate_normals_of_file`."""
 
 from __future__ import annotations
 
@@ -26,34 +23,25 @@ if TYPE_CHECKING:
     from ...pcd.cloud import PointCloud
 
 OF_8_BITS = (".ply", ".pcd", ".pts", ".e57")
-COLOR_STEP = 1 / 65535  # of the finest colors that files hold as integers
+COLOR_STEP = 1 / 65535  # of the finest integer colors in files
 WITH_NORMALS = (".ply", ".pcd", ".npz", ".xyzn", ".las", ".laz", ".e57")
 
 
 @dataclass(frozen=True)
 class ConvertReport(JobReport):
-    """What `convert_file` did.
-
-    Attributes:
-        kind: "mesh" or "point cloud": what was written.
-        points: How many points, or vertices of a mesh.
-        triangles: How many triangles; None of a cloud.
-    """
+    """Report of `convert_file`; `kind` is "mesh" or "point cloud", `points` includes vertices."""
 
     kind: str
     points: int
     triangles: int | None = None
 
     def title(self, source: str) -> str:
-        """The file and its kind."""
         return f"{source}: {self.kind}"
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types; of a cloud without triangles."""
         return {name: value for name, value in super().to_dict().items() if name != "triangles" or value is not None}
 
     def fields(self) -> Fields:
-        """The counts."""
         count = f"{self.points:,}"
         if self.triangles is None:
             return [("points", count), *self.closing()]
@@ -69,24 +57,10 @@ def convert_file(
     up: str = "y",
     columns: Sequence[str] | None = None,
 ) -> ConvertReport:
-    """Write a cloud or mesh in another format, every value as the file has it.
+    """Write a cloud or mesh in another format without rounding; a mesh becomes a cloud if the output has no triangles.
 
-    A mesh becomes a cloud of its vertices where the output holds no triangles. In .las and .laz coordinates are rounded
-    to thousandths, unless the source is such a file too: then its steps and coordinate system are kept.
-
-    Args:
-        source: A cloud, or a mesh (.ply .obj .stl .off .glb .gltf).
-        output: A cloud (.ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57) or a mesh (as the source).
-        as_text: Text instead of binary, for .ply and .pcd.
-        overwrite: Replace the output if it exists.
-        up, columns: As of `Settings`.
-
-    Raises:
-        FileError: A file that cannot be read or written, or a cloud for a format of meshes.
-
-    Warns:
-        UserWarning: Colors of 16 bits are rounded to 8, attributes have other names in the output, or records of the
-            source are left out.
+    In .las and .laz, coordinates are rounded to thousandths, unless the source is LAS: then its scale and coordinate
+    system are kept. Warns if 16-bit colors are rounded, attributes are renamed, or records are omitted.
     """
     job = Job("convert", source, as_text=as_text, overwrite=overwrite, up=up, columns=columns)
     allowed = (*WRITTEN, *(suffix for suffix in tables.MESHES if suffix not in WRITTEN))
@@ -122,22 +96,12 @@ def _warn_of_rounded_colors(output: FilePath, table: PointTable) -> None:
 
 @dataclass(frozen=True)
 class NormalsReport(JobReport):
-    """What `estimate_normals_of_file` did.
-
-    Attributes:
-        device: Where it was computed.
-        radius: Within which neighbours lie [m], or None.
-        max_nn: Neighbours at most.
-        points: How many points.
-    """
-
     device: str
     radius: float | None
     max_nn: int
     points: int
 
     def fields(self) -> Fields:
-        """The counts."""
         return [("points", f"{self.points:,}"), *self.closing(self.device)]
 
 
@@ -151,21 +115,9 @@ def estimate_normals_of_file(
     direction: tuple[float, float, float] | None = None,
     **settings: Unpack[Settings],
 ) -> NormalsReport:
-    """Write a cloud with a normal at each point, from the plane through its neighbours.
+    """Write a cloud with estimated normals, optionally oriented `towards` a point [m] or in a `direction`.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud in a format that holds normals (.ply .pcd .npz .xyzn .las .laz .e57).
-        radius: Neighbours lie closer than this [m]; None takes the nearest however far.
-        max_nn: Neighbours at most, the point itself included.
-        towards: Turn normals to the side of this place [m].
-        direction: Turn normals to the side of this direction.
-        settings: As of `Settings`.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A limit out of range.
-        DeviceError: No such device.
+    Uses `max_nn` neighbors (with the point) within `radius` [m] or at any distance.
     """
     job = Job("normals", source, **settings)
     job.check(output, WITH_NORMALS, what="normals")
@@ -183,7 +135,7 @@ def estimate_normals_of_file(
 
 
 def _warning(cloud: PointCloud, radius: float) -> str | None:
-    """Whether the radius is so small that most points find no plane, by a sample of them."""
+    """Warn if the radius is so small that most points have no plane, from a sample."""
     from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
     from ...pcd.search import NearestNeighborSearch
 

@@ -1,4 +1,4 @@
-"""The points of a file, labelled by cluster: `cluster_file`."""
+"""Label the points of a file by cluster: `cluster_file`."""
 
 from __future__ import annotations
 
@@ -21,31 +21,21 @@ from .job import Job, Settings
 from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
 
 LABEL = "label"
-_SHOWN = 10  # the largest clusters, whose sizes are reported
+_SHOWN = 10  # reported sizes of the largest clusters
 
-# Those of matplotlib's "tab20", which label files have been painted with so far.
+# matplotlib's "tab20", used for label files so far.
 TAB20 = PALETTE[:20]
 
 
 @dataclass(frozen=True)
 class ClusterSize:
-    """A cluster by its label, and how many points it has."""
-
     label: int
     points: int
 
 
 @dataclass(frozen=True)
 class ClusterReport(RowsReport):
-    """What `cluster_file` did.
-
-    Attributes:
-        eps, min_points: As of `cluster_file`.
-        clusters: How many clusters.
-        largest: The largest of them.
-        noise: How many points are in none.
-        replaced: Names of what the file had already.
-    """
+    """Report of `cluster_file`; `replaced` are names of replaced attributes."""
 
     eps: float
     min_points: int
@@ -55,7 +45,6 @@ class ClusterReport(RowsReport):
     replaced: tuple[str, ...] = ()
 
     def fields(self) -> Fields:
-        """How many clusters, the sizes of the largest, the share of noise."""
         total = self.points_in
         sizes = ", ".join(f"{cluster.points:,} (label {cluster.label})" for cluster in self.largest)
         fields = [
@@ -78,24 +67,10 @@ def cluster_file(
     paint: bool = False,
     **settings: Unpack[Settings],
 ) -> ClusterReport:
-    """Write a cloud with the cluster of each point as the attribute `label`: int32, -1 for noise.
+    """Write a cloud with the int32 attribute `label` of its clusters, -1 for noise (DBSCAN).
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud, in a format that holds labels, or colours with `paint`, or any with `largest`.
-        eps: Distance of neighbours [m], as of `PointCloud.cluster_dbscan`.
-        min_points: Neighbours that make a core, the point included.
-        largest: Keep only so many clusters, the largest, under the labels that they have anyway; None keeps all points.
-        paint: Colour the points by their label, noise black.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A limit out of range.
-        DeviceError: No such device.
+    `largest` keeps only the largest clusters under their labels; `paint` colors the points by label, noise black. The
+    output format must store labels, or colors if `paint`, unless `largest` is given.
     """
     formats, what = (COLORED, "labels or colours") if paint else (LABELLED, "labels")
     if largest is not None:
@@ -134,14 +109,14 @@ def cluster_file(
 
 
 def _paint(labels: NDArray[np.int32]) -> NDArray[np.float32]:
-    """A colour for each label, the same again after 20; black for -1."""
+    """A color for each label, repeated after 20; black for -1."""
     colors = (TAB20 / 255).astype(np.float32)[labels % len(TAB20)]
     colors[labels < 0] = 0
     return colors
 
 
 def _warning(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int) -> str | None:
-    """Whether the clusters tell no points apart, with the eps that may."""
+    """Warn if the clusters are meaningless, with a proposed eps."""
     finite = len(cloud.remove_non_finite_points())
     if not finite:
         return "no point is finite, so none is in a cluster"

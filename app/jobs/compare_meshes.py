@@ -1,4 +1,4 @@
-"""How far the meshes of two files lie apart: `compare_mesh_files`."""
+"""Distances between the meshes of two files: `compare_mesh_files`."""
 
 from __future__ import annotations
 
@@ -21,35 +21,24 @@ from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
 from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
 from .job import Job, JobReport, Settings
 
-MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # that hold colours at vertices
+MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # formats with vertex colors
 
 _TITLE = "distances of A from B, at the vertices of A"
 
 
 @dataclass(frozen=True)
 class ErrorMaps:
-    """Where the distances of the first mesh from the second are drawn.
-
-    Attributes:
-        mesh: A file for the first mesh, coloured by them.
-        picture: A .png file for a picture of it, with a histogram.
-    """
+    """Outputs of the distances of the first mesh from the second: a colored mesh, and a .png image with a histogram."""
 
     mesh: FilePath | None = None
     picture: FilePath | None = None
 
     def check(self, job: Job) -> None:
-        """Hold that they can be written, before any work.
-
-        Raises:
-            FileError: A format without colours at vertices, or a place that cannot be written.
-        """
         job.check(self.mesh, MAP_FORMATS, what="coloured meshes")
         if self.picture is not None:
             check_plot(self.picture, overwrite=job.form["overwrite"])
 
     def write(self, job: Job, first: TriangleMesh, second: TriangleMesh) -> None:
-        """Write those that are asked for."""
         if self.mesh is None and self.picture is None:
             return
         with job.stage("map"):
@@ -66,25 +55,18 @@ class ErrorMaps:
 
 @dataclass(frozen=True)
 class ComparisonReport(JobReport):
-    """What `compare_mesh_files` did.
-
-    Attributes:
-        second: The file of the second mesh; the first is the source.
-        found: How far they lie apart.
-    """
+    """Report of `compare_mesh_files`; the first file is the source."""
 
     second: str
     found: MeshComparison
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         done = self.done
         files = {"command": done.command, "first": done.source, "second": self.second}
         ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
         return plain(files | self.found.to_dict() | ends | quality(self))
 
     def fields(self) -> Fields:
-        """What was found, and what any command ends in."""
         return [*self.found.fields(), *self.closing(self.found.device)]
 
 
@@ -99,23 +81,7 @@ def compare_mesh_files(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> ComparisonReport:
-    """Measure how far the surfaces of two meshes lie apart.
-
-    Args:
-        first: A mesh.
-        second: The mesh that it is held against.
-        samples, thresholds, limit, seed: As of `compare_meshes`.
-        maps: Where the distances are drawn; None for nowhere.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done, with the MeshComparison.
-
-    Raises:
-        FileError: A file that cannot be read or written, or a mesh without area.
-        ValueError: A number out of range.
-        DeviceError: No such device.
-    """
+    """Measure distances between the surfaces of two meshes; options as in `compare_meshes`."""
     job, drawn = Job("compare-meshes", first, **settings), maps or ErrorMaps()
     drawn.check(job)
     where = job.device

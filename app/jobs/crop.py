@@ -1,4 +1,4 @@
-"""The points of a file inside a box or a polygon: `crop_file`."""
+"""Crop the points of a file by a box or a polygon: `crop_file`."""
 
 from __future__ import annotations
 
@@ -17,10 +17,7 @@ from .rows import Rows, RowsReport, read_rows
 
 @dataclass(frozen=True)
 class CropReport(RowsReport):
-    """What `crop_file` did."""
-
     def fields(self) -> Fields:
-        """The counts."""
         return [("points", f"{self.points:,} of {self.points_in:,}"), *self.closing(self.device)]
 
 
@@ -33,23 +30,10 @@ def crop_file(
     invert: bool = False,
     **settings: Unpack[Settings],
 ) -> CropReport:
-    """Write the points of a cloud inside a box, its faces included, or inside a polygon volume.
+    """Write the points inside a box (with its faces) or a polygon volume, or outside with `invert`.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud.
-        box: The lowest corner and the highest, six coordinates [m]; an infinite one leaves its side open.
-        polygon: A file of Open3D's SelectionPolygonVolume, in place of a box.
-        invert: Write the points outside instead, those that are not finite among them.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A box whose lowest corner is above the highest, or not one of box and polygon.
-        DeviceError: No such device.
+    `box` is the lowest and highest corner [m]; infinite values leave a side open. With `invert`, non-finite points are
+    included. `polygon` is a file of Open3D's SelectionPolygonVolume.
     """
     if box is not None and polygon is None:
         volume = AxisAlignedBoundingBox(box[:3], box[3:])

@@ -44,13 +44,7 @@ _SHOWN = (("median", "median"), ("root mean square", "rmse"), ("95 % below", "p9
 
 @dataclass(frozen=True)
 class SurfaceErrors:
-    """Distances of a mesh's vertices from the true surface [m].
-
-    Attributes:
-        median, rmse, p95, largest: Statistics over all vertices.
-        within_half_voxel: Fraction of the vertices within half a voxel.
-        voxel_size: Edge of a voxel.
-    """
+    """Distances of a mesh's vertices from the true surface [m], and the fraction within half a voxel."""
 
     median: float
     rmse: float
@@ -76,11 +70,9 @@ class SurfaceErrors:
 
     @property
     def rmse_voxels(self) -> float:
-        """The root mean square error in voxels."""
         return self.rmse / self.voxel_size
 
     def to_dict(self) -> dict[str, float]:
-        """The errors in JSON types, in meters and in voxels."""
         meters = {name: getattr(self, name) for _, name in _SHOWN}
         voxels = {f"{name}_voxels": value / self.voxel_size for name, value in meters.items()}
         return meters | voxels | {"within_half_voxel": self.within_half_voxel}
@@ -94,17 +86,7 @@ class SurfaceErrors:
 
 @dataclass(frozen=True)
 class DemoReport(Report, Assessed):
-    """Result of `run_demo`.
-
-    Attributes:
-        noise: True if the frames have the noise of a depth camera.
-        seed: Seed of the noise.
-        fusion: The mesh and the statistics of the fusion.
-        errors: Errors of the mesh; None if it is empty.
-        seconds: Duration of each stage [s].
-        peak_bytes: Peak memory of the process [B].
-        files: The written files.
-    """
+    """Report of `run_demo`; `noise` is True if the frames have camera noise, `errors` is None for an empty mesh."""
 
     noise: bool
     seed: int
@@ -116,11 +98,9 @@ class DemoReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks; empty if the result is reliable."""
         return failed(_problem(self.errors, self.noise))
 
     def to_dict(self) -> dict[str, Any]:
-        """The content of report.json."""
         fusion = self.fusion.to_dict()
         del fusion["refinement"]  # the poses are true
         return {
@@ -136,7 +116,6 @@ class DemoReport(Report, Assessed):
         }
 
     def fields(self) -> Fields:
-        """The report as labels and values for the terminal."""
         fields = fusion_fields(self.fusion.fields(), self.seconds, self.peak_bytes, self.files)
         return [*fields, ("errors", "none: the mesh is empty" if self.errors is None else str(self.errors))]
 
@@ -152,22 +131,10 @@ def run_demo(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> DemoReport:
-    """Render the room, fuse the frames, and write room.ply, room.png and report.json to a folder.
+    """Render the room, fuse the frames, and write room.ply, room.png and report.json to a folder, created if missing.
 
-    Args:
-        folder: Created if missing; its parent must exist.
-        frame_count: Number of frames.
-        voxel_size: Edge of a voxel [m].
-        seed: Seed of the noise, 0..2^31 - 1.
-        noise: Depth and images with the noise of a camera; False renders exact ones.
-        device: Where to compute.
-        overwrite: Replace existing outputs.
-        progress: Called with the stage, the number of finished steps, and the number of steps.
-
-    Raises:
-        FileError: An output exists, or the folder cannot be created or written.
-        ValueError: A count or length is out of range.
-        DeviceError: No such device.
+    Without `noise`, depth and images are exact. `progress` is called with the stage, the finished steps and their
+    number.
     """
     check_count("frame_count", frame_count)
     device, say, clock = resolve_device(device), check_progress(progress), Clock()
@@ -194,11 +161,7 @@ def run_demo(
 
 @contextlib.contextmanager
 def _output_folder(folder: Path, *, overwrite: bool) -> Iterator[tuple[str, ...]]:
-    """The paths of the outputs in a folder, which is created if missing and removed again if it stays empty.
-
-    Raises:
-        FileError: The folder cannot be created, or a file exists already.
-    """
+    """Paths of the outputs in a folder, created if missing and removed if it stays empty; raises FileError."""
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     made = not folder.exists()

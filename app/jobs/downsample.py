@@ -1,4 +1,4 @@
-"""Fewer points of a file that stand for all: `downsample_file`."""
+"""Downsample the points of a file: `downsample_file`."""
 
 from __future__ import annotations
 
@@ -25,18 +25,11 @@ WAYS = {
 
 @dataclass(frozen=True)
 class DownsampleReport(RowsReport):
-    """What `downsample_file` did.
-
-    Attributes:
-        by, amount, seed: As of `downsample_file`.
-    """
-
     by: str
     amount: float
     seed: int
 
     def fields(self) -> Fields:
-        """The counts, and the way of choosing."""
         way = WAYS[self.by].format(self.amount, seed=self.seed, m=self.m)
         return [("points", f"{self.points:,} of {self.points_in:,}, {way}"), *self.closing(self.device)]
 
@@ -44,24 +37,10 @@ class DownsampleReport(RowsReport):
 def downsample_file(
     source: FilePath, output: FilePath, *, by: str, amount: float, seed: int = 0, **settings: Unpack[Settings]
 ) -> DownsampleReport:
-    """Write fewer points of a cloud, chosen in one of five ways.
+    """Write a subset or voxel means of a cloud.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud.
-        by: "every" for every so many-th point, "ratio" for a share at random, "farthest" for so many points spread over
-            the cloud, "voxel" for the means of voxels, "nearest" for the points nearest to these means.
-        amount: The step, the share, the count, or the edge of a voxel [m].
-        seed: Of the choice at random.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written, or has fewer finite points than are to be chosen.
-        ValueError: No such way, or an amount out of range.
-        DeviceError: No such device.
+    `by` is "every" (k-th point), "ratio" (random fraction), "farthest" (count), "voxel" (means of voxels) or "nearest"
+    (points nearest to these means), `amount` its step, fraction, count or voxel size [m].
     """
     if by not in WAYS:
         raise ValueError(f"by: expected one of {', '.join(WAYS)}, got {by!r}")
@@ -82,7 +61,6 @@ def downsample_file(
 
 
 def _choose(rows: Rows, source: FilePath, by: str, amount: float, seed: int) -> NDArray[np.int32]:
-    """The rows of the points that are chosen."""
     if by == "every":
         return rows.of(rows.cloud.uniform_down_sample(int(amount)))
     if by == "ratio":

@@ -1,4 +1,4 @@
-"""How far a trajectory lies from the true one: `evaluate_files`."""
+"""Errors of a trajectory file: `evaluate_files`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...registration.trajectories.trajectory_error import TrajectoryError, evalu
 
 KITTI_EXTRINSICS = ("Tr", "Tr_velo_to_cam", "Tr_velo_cam")  # velodyne to camera, in its calibration files
 
-# How the estimate is brought onto the truth: arguments of `evaluate_trajectory`.
+# Alignment of the estimate to the truth: arguments of `evaluate_trajectory`.
 ALIGNMENTS: dict[str, dict[str, Any]] = {
     "none": {"align": None},
     "first": {"align": "first"},
@@ -31,14 +31,6 @@ ALIGNMENTS: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class EvaluateReport(Report, Assessed):
-    """What `evaluate_files` found.
-
-    Attributes:
-        poses, truth: The files that were compared.
-        found: The errors.
-        files: What was written.
-    """
-
     poses: str
     truth: str
     found: TrajectoryError
@@ -46,16 +38,13 @@ class EvaluateReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks; empty if the result is reliable."""
         return self.found.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level."""
         read = {"command": "evaluate", "poses": self.poses, "truth": self.truth}
         return read | self.found.to_dict() | {"files": list(self.files), **quality(self)}
 
     def fields(self) -> Fields:
-        """The errors, and the picture where there is one."""
         return self.found.fields() + [("files", ", ".join(self.files))] * bool(self.files)
 
 
@@ -68,25 +57,15 @@ def evaluate_files(
     picture: FilePath | None = None,
     overwrite: bool = False,
 ) -> EvaluateReport:
-    """The errors of a file of poses.
+    """Compute the errors of a trajectory file against the true one; raises FileError or ValueError.
 
-    Args:
-        poses: The trajectory to judge: .log, .tum, .kitti, .txt or .json.
-        truth: The true one, in any of these formats.
-        align: One of ALIGNMENTS.
-        extrinsic: A file of T_truth_estimate between the sensors, where they are two of one body: four rows of four
-            numbers, or KITTI's calib.txt with its `Tr`.
-        picture: A .png file for a picture of both paths.
-        overwrite: Replace the picture if it exists.
-
-    Raises:
-        FileError: A file that cannot be read or written, or trajectories that do not belong together.
-        ValueError: No such alignment.
+    Reads .log, .tum, .kitti, .txt or .json files. `align` is one of ALIGNMENTS, `extrinsic` a file of T_truth_estimate
+    between two sensors: 4 rows of 4 numbers, or KITTI's calib.txt with `Tr`. `picture` is a .png file of both paths.
     """
     if align not in ALIGNMENTS:
         raise ValueError(f"align: expected one of {', '.join(ALIGNMENTS)}, got {align!r}")
     if picture is not None:
-        from ...drawing.render.plots import check_plot  # loads kernels, which the errors alone do not need
+        from ...drawing.render.plots import check_plot  # imports kernels, which are not needed for the errors
 
         check_plot(picture, overwrite=overwrite)
     estimate, true_path = read_trajectory(poses), read_trajectory(truth)
@@ -102,11 +81,7 @@ def evaluate_files(
 
 
 def read_extrinsic(path: FilePath) -> NDArray[np.float64]:
-    """The pose of a sensor in another one: a matrix, or the line `Tr` of KITTI's calib.txt.
-
-    Raises:
-        FileError: Neither.
-    """
+    """Extrinsic from a 4x4 matrix or the line `Tr` of KITTI's calib.txt; raises FileError."""
     lines = read_lines(path)
     found = [(number, columns[1:]) for number, columns in lines if columns[0].rstrip(":") in KITTI_EXTRINSICS]
     return read_pose(path) if not found else kitti_poses(path, found[:1], gaps=False)[0]
@@ -120,11 +95,7 @@ def compare(
     align: str,
     extrinsic: NDArray[np.float64] | None = None,
 ) -> TrajectoryError:
-    """The errors of a trajectory; the paths name the two in messages.
-
-    Raises:
-        FileError: Trajectories that do not belong together.
-    """
+    """Errors of a trajectory; paths are for messages. Raises FileError if the trajectories do not match."""
     if (estimate.timestamps is None or truth.timestamps is None) and len(estimate) != len(truth):
         reason = f"has {len(estimate)} poses, and {os.fspath(true_path)} has {len(truth)}"
         remedy = "Give files with as many poses, or both as TUM with timestamps"
@@ -138,7 +109,6 @@ def compare(
 def _draw_paths(
     estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str, sensor: NDArray[np.float64]
 ) -> NDArray[np.uint8]:
-    """Both paths where they were compared, the estimate as it was aligned."""
     from ...drawing.render.plots import trajectory_plot
 
     rows, true_rows = found.pairs.T

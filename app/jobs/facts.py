@@ -1,4 +1,4 @@
-"""What a file or folder holds: `Facts`, and a class for each kind that `pointloom info` knows."""
+"""Facts about a file or folder: a class for each kind that `pointloom info` knows."""
 
 from __future__ import annotations
 
@@ -15,21 +15,16 @@ Bounds = dict[str, list[float]] | None  # of `describe_bounds`
 
 @dataclass(frozen=True)
 class Facts(Report):
-    """What there is to tell of one kind of file or folder: its attributes by name, in their order.
+    """Facts of one kind of file or folder: ordered attributes. Nested `Facts` are flattened in place.
 
-    An attribute that is `Facts` itself is told on the same level, in its place. What is None is null for programs, and
-    not told to people.
-
-    Attributes:
-        KIND: What people call it; empty for a part of another.
-        SPARE: Attributes that programs are not told of either where they are None.
+    None becomes null in JSON and is not printed. KIND is the displayed kind, empty for a part; SPARE lists attributes
+    that are omitted from JSON if None.
     """
 
     KIND: ClassVar[str] = ""
     SPARE: ClassVar[tuple[str, ...]] = ()
 
     def named(self) -> Iterator[tuple[str, Any]]:
-        """All names and values on one level."""
         for name, value in values_of(self).items():
             if isinstance(value, Facts):
                 yield from value.named()
@@ -37,11 +32,9 @@ class Facts(Report):
                 yield name, value
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level, in JSON's types."""
         return {name: plain(value) for name, value in self.named()}
 
     def fields(self) -> Fields:
-        """The facts that there are."""
         return [(name.replace("_", " "), _format(name, value)) for name, value in self.named() if value is not None]
 
 
@@ -67,20 +60,9 @@ def _format(name: str, value: Any) -> str:
     return f"{value:,}" if isinstance(value, int) else str(value)
 
 
-# ------------------------------------------------------------------------------------------------ points
-
-
 @dataclass(frozen=True)
 class Table(Facts):
-    """What clouds and meshes have in common.
-
-    Attributes:
-        coordinates: NumPy's type of them.
-        attributes: The types of all else that points have, by name.
-        not_finite: Points that are not.
-        bounds: The box around the others; None without any.
-        origin: The point that positions are counted from in float32.
-    """
+    """Common facts of clouds and meshes; `bounds` are those of finite points, `origin` that of float32 positions."""
 
     coordinates: str
     attributes: dict[str, str]
@@ -90,30 +72,20 @@ class Table(Facts):
 
 
 class Shape(Facts):
-    """Points, with or without triangles."""
-
     @property
     def point_count(self) -> int:
-        """How many points, or vertices of a mesh."""
         raise NotImplementedError
 
     @property
     def line(self) -> str:
-        """Its size and bounds, for a list of files."""
         raise NotImplementedError
 
 
 @dataclass(frozen=True)
 class Cloud(Shape):
-    """A point cloud.
+    """A point cloud; `grid` is rows and columns of an organized scan, `scans` describes those of an E57 file.
 
-    Attributes:
-        points: How many.
-        grid: Rows and columns, of a scan that has them.
-        unit: Of its coordinates, where the file tells it.
-        table: The rest.
-        scans: Of an E57 file, each in words.
-        viewpoint: Of a PCD file: position and quaternion w x y z of its sensor, not applied.
+    `viewpoint` is the sensor position and quaternion w x y z of a PCD file, not applied.
     """
 
     KIND = "point cloud"
@@ -128,26 +100,15 @@ class Cloud(Shape):
 
     @property
     def point_count(self) -> int:
-        """How many points."""
         return self.points
 
     @property
     def line(self) -> str:
-        """Its size and bounds."""
         return f"{self.points:,} points, {format_bounds(self.table.bounds)}"
 
 
 @dataclass(frozen=True)
 class Mesh(Shape):
-    """A mesh of triangles.
-
-    Attributes:
-        vertices, triangles: How many.
-        textures: Their sizes, where there are any.
-        unit: Of its coordinates, where the file tells it.
-        table: The rest.
-    """
-
     KIND = "mesh"
     SPARE = ("textures", "unit")
 
@@ -159,31 +120,18 @@ class Mesh(Shape):
 
     @property
     def point_count(self) -> int:
-        """How many vertices."""
         return self.vertices
 
     @property
     def line(self) -> str:
-        """Its size and bounds."""
         return f"{self.vertices:,} vertices, {self.triangles:,} triangles, {format_bounds(self.table.bounds)}"
 
 
 @dataclass(frozen=True)
 class Las(Shape):
-    """A cloud in LAS or LAZ, as its header tells; lengths are in its unit.
+    """A LAS or LAZ cloud, from its header; lengths are in its unit.
 
-    Attributes:
-        points: How many.
-        version: Of the format, and whether it is compressed.
-        point_format: 0 to 10.
-        coordinates: How they are stored.
-        scale, offset: What they are stored by.
-        coordinate_system: Its name, where one is told.
-        unit: Of the coordinates, where one is told.
-        unit_doubt: What the file says against it, such as another unit of z; or None.
-        attributes: The types of all else that points have, by name.
-        bounds: The box around the points; None without any.
-        software: What wrote the file, where that is told.
+    `unit_doubt` is a contradiction to the unit in the file, such as another unit of z, or None.
     """
 
     KIND = "point cloud"
@@ -204,21 +152,16 @@ class Las(Shape):
 
     @property
     def point_count(self) -> int:
-        """How many points."""
         return self.points
 
     @property
     def line(self) -> str:
-        """Its size and bounds."""
         return f"{self.points:,} points, {format_bounds(self.bounds)}"
-
-
-# ------------------------------------------------------------------------------------------------ pictures, cameras
 
 
 @dataclass(frozen=True)
 class Picture(Facts):
-    """A picture; `size` is width x height."""
+    """An image; `size` is width x height."""
 
     KIND = "picture"
 
@@ -229,15 +172,7 @@ class Picture(Facts):
 
 @dataclass(frozen=True)
 class DepthMap(Facts):
-    """Depth by pixel.
-
-    Attributes:
-        size: Width x height.
-        type: NumPy's.
-        measured_share: Pixels that hold a depth, of all.
-        depth: The lowest, the median and the highest; empty where nothing was measured.
-        unit: Of these.
-    """
+    """A depth map: size, NumPy type, fraction of pixels with depth, and minimum, median and maximum depth in `unit`."""
 
     KIND = "depth map"
 
@@ -250,7 +185,7 @@ class DepthMap(Facts):
 
 @dataclass(frozen=True)
 class Camera(Facts):
-    """A pinhole camera, in pixels: width x height, fx and fy, cx and cy."""
+    """A pinhole camera [px]: width x height, fx and fy, cx and cy."""
 
     KIND = "camera"
 
@@ -270,7 +205,7 @@ class CameraMatrix(Facts):
 
 @dataclass(frozen=True)
 class Pose(Facts):
-    """One pose: its 4x4 matrix by rows, and where it is [m]."""
+    """One pose: its 4x4 matrix by rows, and its position [m]."""
 
     KIND = "pose"
 
@@ -280,7 +215,7 @@ class Pose(Facts):
 
 @dataclass(frozen=True)
 class Walk(Facts):
-    """Where cameras were: the box around them [m] and the length of the path through them."""
+    """Bounds of camera positions [m] and length of the path [m]."""
 
     camera_bounds: Bounds
     path_length_m: float
@@ -288,7 +223,7 @@ class Walk(Facts):
 
 @dataclass(frozen=True)
 class Trajectory(Facts):
-    """A trajectory: how many poses, their walk, and the time from the first to the last where they have times."""
+    """A trajectory: number of poses, their path, and duration if it has times."""
 
     KIND = "trajectory"
     SPARE = ("duration_s",)
@@ -302,18 +237,8 @@ class Trajectory(Facts):
 class DataSet(Facts):
     """A folder of RGB-D frames.
 
-    Attributes:
-        layout: How it names its files.
-        frames: How many.
-        poses: How many of them have one.
-        has_color: Whether the first has a picture beside its depth.
-        left_out: How many frames cannot be used.
-        camera: Of all frames.
-        camera_from: Where it was found.
-        camera_doubt: Why it may be that of other pictures, or None.
-        depth_scale: Stored depth of one metre.
-        first_frame_measured_share, first_frame_depth_m: As of `DepthMap`, in metres.
-        walk: Of the camera; None without poses.
+    `left_out` is the number of unusable frames, `camera_from` the source of the camera parameters, `camera_doubt` a
+    reason why they may not fit the images, `depth_scale` the stored depth of one meter.
     """
 
     KIND = "RGB-D data set"
@@ -333,18 +258,9 @@ class DataSet(Facts):
     walk: Walk | None
 
 
-# ------------------------------------------------------------------------------------------------ models
-
-
 @dataclass(frozen=True)
 class Cameras(Facts):
-    """The cameras of a model.
-
-    Attributes:
-        pictures: How many have a pose.
-        cameras: The lenses, each in words; many are cut.
-        camera_bounds: The box around where they stood.
-    """
+    """The cameras of a model: images with a pose, descriptions of lenses (truncated), bounds of positions."""
 
     pictures: int
     cameras: list[str]
@@ -353,17 +269,10 @@ class Cameras(Facts):
 
 @dataclass(frozen=True)
 class ColmapModel(Facts):
-    """A model of COLMAP.
+    """A COLMAP model in a subfolder (None: the given folder), `form` "binary" or "text".
 
-    Attributes:
-        folder: Where it lies below the one that was named; None where it is that.
-        form: "binary" or "text".
-        views: Its cameras.
-        points, observations: How many.
-        mean_views: Pictures that see a point; None without points.
-        mean_error_px: Of the points whose error is known [px]; None without any.
-        bounds: The box around the points; None without any.
-        unit: Of the lengths.
+    `mean_views` is the number of images per point, `mean_error_px` the known reprojection error [px]; None without
+    points.
     """
 
     KIND = "COLMAP model"
@@ -381,7 +290,7 @@ class ColmapModel(Facts):
 
 @dataclass(frozen=True)
 class MetashapeCameras(Facts):
-    """Cameras that Metashape exported, and the pictures without a pose, each in words; many are cut."""
+    """Cameras exported by Metashape, and images without a pose (truncated)."""
 
     KIND = "Metashape cameras"
 

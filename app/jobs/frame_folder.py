@@ -1,4 +1,4 @@
-"""A folder of RGB-D frames as a command opens it, and what its report says of it."""
+"""Folders of RGB-D frames for commands, and their reports."""
 
 from __future__ import annotations
 
@@ -28,15 +28,13 @@ from .job import Done, JobReport
 
 @dataclasses.dataclass(frozen=True)
 class FolderOptions:
-    """Which frames of a folder are taken, and as what.
+    """Selection of frames of a folder; `layout` as in `open_frames`.
 
     Attributes:
-        layout: How the folder names its files, as of `open_frames`.
-        intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
-        every: Take every k-th frame, beginning with the first.
-        depth_scale: Stored depth of one metre, if it is another than the folder says; not with posed frames.
-        skip_missing: Leave out frames that lack a picture or whose pose is inf or NaN; only with posed frames.
-        topic, color_topic: Of a recording: its pictures of depth and of colour; None takes the only ones.
+        intrinsic: Camera as Open3D's JSON, replacing that of the folder.
+        every: Use every k-th frame, starting with the first.
+        depth_scale: Stored depth of one meter, replacing that of the folder; not with posed frames.
+        skip_missing: Skip frames without an image or with a non-finite pose; only with posed frames.
     """
 
     layout: str = "auto"
@@ -50,13 +48,7 @@ class FolderOptions:
 
 @dataclasses.dataclass(frozen=True)
 class FrameFolder(Assessed):
-    """A folder that was opened.
-
-    Attributes:
-        path: The folder, as it was given.
-        dataset: Its frames.
-        intrinsic: The file of the camera, where one was given.
-    """
+    """An opened folder, with its frames and the camera file if given."""
 
     path: FilePath
     dataset: RGBDDataset
@@ -64,11 +56,7 @@ class FrameFolder(Assessed):
 
     @classmethod
     def open(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
-        """Open a folder of frames that need no poses.
-
-        Raises:
-            FileError: As `open_folder`.
-        """
+        """Open a folder of frames that need no poses; raises FileError."""
         if is_recording(path_of(path)):
             return cls(path, _frames_of_recording(path, options), options.intrinsic)
         given = dataclasses.asdict(options)
@@ -81,11 +69,7 @@ class FrameFolder(Assessed):
 
     @classmethod
     def open_posed(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
-        """Open a folder of posed frames.
-
-        Raises:
-            FileError: As `open_dataset`, or one that says where frames without any pose can go.
-        """
+        """Open a folder of posed frames; raises FileError, with a hint for frames without poses."""
         camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
         given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
         given["skip_missing"] = options.skip_missing
@@ -99,47 +83,37 @@ class FrameFolder(Assessed):
 
     @property
     def camera_problem(self) -> str | None:
-        """Why the camera may be that of other images, or None."""
         return camera_problem(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings about missing frames and about the camera."""
         return failed(why_incomplete(self.dataset), self.camera_problem)
 
     def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:
-        """What a command did with the frames, and its warnings."""
         return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))
 
     def to_dict(self) -> dict[str, Any]:
-        """What was opened, in JSON's types."""
         return describe_folder(self.path, self.dataset, self.intrinsic)
 
     def among(self, fields: Fields, *, before: str) -> Fields:
-        """Labels and values of a result, with what was left out behind its frames, and the camera before a label."""
+        """Insert omitted frames after the frames, and the camera before a label."""
         camera = camera_line(describe_camera(self.dataset, self.intrinsic))
         return with_camera(fields, camera, self.dataset.left_out, before=before)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FramesReport(JobReport):
-    """What a command on a folder of frames did; each command has its kind, with what it made of them.
-
-    Attributes:
-        folder: The frames.
-        peak: The most memory [B] that was held.
-    """
+    """Report of a command on a folder of frames; base class. `peak` is the peak memory [B]."""
 
     folder: FrameFolder
     peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)
 
     def ending_to_dict(self, **more: Any) -> dict[str, Any]:
-        """The common end of all reports: cost, further values, files and quality."""
+        """Common last entries: cost, further values, files and quality."""
         cost = {"seconds": self.done.seconds, "peak_bytes": self.peak}
         return cost | more | {"files": list(self.done.files), **quality(self)}
 
     def ending(self) -> Fields:
-        """The same for people."""
         return [
             ("seconds", format_seconds(self.done.seconds)),
             ("memory", f"{format_bytes(self.peak)} at most"),
@@ -148,7 +122,7 @@ class FramesReport(JobReport):
 
 
 def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before: str) -> Fields:
-    """Labels and values with what was left out behind the frames, and the camera before a label."""
+    """Insert omitted frames after the frames, and the camera before a label."""
     told: Fields = []
     for label, value in fields:
         lost = left_out if label == "frames" else ()
@@ -158,7 +132,7 @@ def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before:
 
 
 def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
-    """The RGB-D frames of a recording, whose depth is in millimetres or metres whatever is said."""
+    """RGB-D frames of a recording, with depth in millimeters or meters by its encoding."""
     for name, value, usual in (("layout", options.layout, "auto"), ("depth_scale", options.depth_scale, None)):
         if value != usual:
             raise FileError(

@@ -1,4 +1,4 @@
-"""A folder of posed RGB-D frames to a mesh file: `fuse_folder`."""
+"""Fusion of posed RGB-D frames into a mesh file: `fuse_folder`."""
 
 from __future__ import annotations
 
@@ -22,25 +22,21 @@ from .model_outputs import ModelOutputs
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FuseReport(FramesReport):
-    """What `pointloom fuse` did; `result` is what was made of the frames."""
-
     result: FusionResult
 
     def to_dict(self) -> dict[str, Any]:
-        """The report, in JSON's types."""
         figures = self.result.to_dict()
         refinement = figures.pop("refinement")
         report = {"command": self.done.command, **self.folder.to_dict(), **figures}
         return report | self.ending_to_dict(refinement=refinement)
 
     def fields(self) -> Fields:
-        """The report as labels and values for the terminal."""
         told = self.folder.among(self.result.fields(), before="voxels")
         return fusion_fields(told, self.done.seconds, self.peak, self.done.files)
 
 
 def fusion_fields(told: Fields, seconds: dict[str, float], peak: int, files: Iterable[str]) -> Fields:
-    """What a FusionResult tells, with what the work cost and what was written."""
+    """Fields of a FusionResult with cost and written files."""
     *told, (memory, volume) = told
     return [
         *told,
@@ -63,18 +59,9 @@ def fuse_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> FuseReport:
-    """Fuse a folder of frames into a mesh file, and a picture of it; outputs are checked before the work.
+    """Fuse a folder of frames into a mesh file and its image; outputs are checked before the work.
 
-    Args:
-        folder: As `open_dataset` takes it.
-        outputs: What is written. An empty mesh is not, nor its poses.
-        options: Which frames of the folder; None for all, as they lie there.
-        voxel_size, truncation, depth_max, refine, device, progress: As `loom.fuse`.
-        overwrite: Replace outputs that exist.
-
-    Raises:
-        FileError: A file that cannot be read, or an output that cannot be written.
-        ValueError, DeviceError: As `loom.fuse`.
+    An empty mesh and its poses are not written. See `loom.fuse` for the other arguments and errors.
     """
     outputs.check(overwrite=overwrite)
     where, clock = resolve_device(device), Clock()

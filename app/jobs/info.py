@@ -1,7 +1,7 @@
-"""What a file or folder holds: `describe` for clouds, meshes, trajectories, cameras, models, pictures, data sets.
+"""Descriptions of files and folders: `describe` for clouds, meshes, trajectories, cameras, models, images, data sets.
 
-Clouds and meshes are read as tables, so no runtime starts and nothing is rounded; of LAS and LAZ files only the header
-and the tables are read, and held against the file.
+Clouds and meshes are read as tables, without a runtime and without rounding; of LAS and LAZ only the header is read and
+checked.
 """
 
 from __future__ import annotations
@@ -69,29 +69,19 @@ _TRAJECTORIES = (".log", ".tum", ".kitti", ".txt")
 
 @dataclass(frozen=True)
 class BrokenFile(Report):
-    """A file that cannot be read, and why."""
-
     path: str
     error: str
 
     def fields(self) -> Fields:
-        """What is wrong with it."""
         return [("error", self.error)]
 
     def line(self) -> str:
-        """One line, for a list of the files of a folder."""
         return f"{Path(self.path).name}: broken"
 
 
 @dataclass(frozen=True)
 class Description(Report, Assessed):
-    """What lies at a path.
-
-    Attributes:
-        path: The file or folder.
-        facts: What this kind has.
-        bytes: The size of a file; None of a folder.
-    """
+    """Facts about a path, and the size of a file in bytes."""
 
     path: str
     facts: Facts
@@ -99,12 +89,11 @@ class Description(Report, Assessed):
 
     @property
     def kind(self) -> str:
-        """What it is."""
         return self.facts.KIND
 
     @property
     def broken(self) -> str | None:
-        """The first error over a file of a folder, and how many more there are; None where there is none."""
+        """First error among the files of a folder and the number of further ones, or None."""
         files = self.facts.files if isinstance(self.facts, CloudFolder) else []
         errors = [file.error for file in files if isinstance(file, BrokenFile)]
         if not errors:
@@ -113,29 +102,26 @@ class Description(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """The damage of a recording; empty if there is none, and for all other files."""
+        """The damage of a recording; empty otherwise."""
         damage = self.facts.damage if isinstance(self.facts, RecordedTopics) else None
         return (f"{self.path}: {damage}",) if damage else ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level."""
         size = {} if self.bytes is None else {"bytes": self.bytes}
         return {"path": self.path, "kind": self.kind, **self.facts.to_dict(), **size}
 
     def fields(self) -> Fields:
-        """The facts that there are."""
         size = [] if self.bytes is None else [("bytes", f"{self.bytes:,}")]
         return [*self.facts.fields(), *size]
 
     def line(self) -> str:
-        """One line, for a list of the files of a folder."""
         told = self.facts.line if isinstance(self.facts, Shape) else self.kind
         return f"{Path(self.path).name}: {told}"
 
 
 @dataclass(frozen=True)
 class CloudFolder(Facts):
-    """A folder of clouds and meshes: each of them, and how many points and vertices they have together."""
+    """A folder of clouds and meshes, and their total number of points and vertices."""
 
     KIND = "folder of clouds"
 
@@ -143,22 +129,15 @@ class CloudFolder(Facts):
     points: int
 
     def fields(self) -> Fields:
-        """A line a file."""
         return [("files", "\n".join(file.line() for file in self.files)), ("points", f"{self.points:,}")]
 
 
 def describe(
     path: str | os.PathLike[str], *, layout: str = "auto", columns: Sequence[str] | None = None
 ) -> Description:
-    """Describe what lies at a path.
+    """Describe a file, or the folder of a data set, a COLMAP model, clouds or meshes; raises FileError.
 
-    Args:
-        path: A file, the folder of a data set, of a model of COLMAP, or of clouds and meshes.
-        layout: The layout of a folder.
-        columns: The names of the columns of a cloud, for .bin, .csv, .txt and .xyz; None takes those of the file.
-
-    Raises:
-        FileError: Missing, damaged, or of no known kind.
+    `layout` is that of a folder; `columns` names the columns of .bin, .csv, .txt and .xyz.
     """
     path = Path(path)
     restore_folder(path)
@@ -199,9 +178,6 @@ def _describe_file(path: Path) -> Facts:
     raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
 
 
-# ------------------------------------------------------------------------------------------------ points
-
-
 def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
     table = tables.read_table(path, columns)
     if isinstance(table, MeshTable):
@@ -226,7 +202,7 @@ def _table_of(points: NDArray[Any], named: Mapping[str, NDArray[Any] | None]) ->
 
 
 def _describe_las(path: Path) -> Las:
-    """What the header says, which was held against the file; the points are not read."""
+    """Facts from the checked header."""
     file = open_las(path)
     header, (low, high) = file.header, file.header.bounds
     units = units_of(header)
@@ -254,7 +230,7 @@ def _scan_line(scan: dict[str, Any]) -> str:
 
 
 def _files_of_points(folder: Path) -> list[Path]:
-    """The clouds and meshes of a folder in natural order; its .txt are notes."""
+    """Clouds and meshes of a folder in natural order, without .txt."""
     known = {*tables.READERS, *tables.MESHES} - {".txt"}
     return sorted((p for p in folder.iterdir() if p.suffix.lower() in known and p.is_file()), key=natural_key)
 
@@ -283,19 +259,16 @@ def _type_name(values: NDArray[Any]) -> str:
     return f"{values.dtype}" + (f" x {values.shape[1]}" if values.ndim == 2 else "")
 
 
-# ------------------------------------------------------------------------------------------------ pictures
-
-
 def _describe_picture(path: Path) -> Picture | DepthMap:
     header = read_picture_header(path)
     if (header.kind, header.channels, header.bits) == ("png", 1, 16):
         return _measure_depth(read_depth(path))
-    read_color(path)  # holds that it is whole
+    read_color(path)  # checks that it is complete
     return Picture(header.kind.upper(), f"{header.width} x {header.height}", header.channels)
 
 
 def _measure_depth(depth: NDArray[Any]) -> DepthMap:
-    """Size of a depth map, and what its pixels hold in its own unit; 65535 is no measurement in 7-Scenes."""
+    """Facts of a depth map in its own unit; 65535 is invalid in 7-Scenes."""
     with np.errstate(invalid="ignore"):
         measured = depth[(depth > 0) & np.isfinite(depth)]
     limits: dict[str, float] = {}
@@ -308,9 +281,6 @@ def _measure_depth(depth: NDArray[Any]) -> DepthMap:
         depth={name: float(value) for name, value in limits.items()},
         unit="metres" if depth.dtype.kind == "f" else "stored numbers (often millimetres)",
     )
-
-
-# ------------------------------------------------------------------------------------------------ cameras
 
 
 def _describe_camera(camera: PinholeCameraIntrinsic) -> Camera:
@@ -330,7 +300,7 @@ def _describe_json(path: Path) -> Facts:
 
 
 def _describe_text(path: Path) -> Facts:
-    """A trajectory; in a .txt file also one pose, the 3x3 matrix of a camera, or a table of points."""
+    """A trajectory; in .txt also one pose, a 3x3 camera matrix, or a table of points."""
     if path.suffix.lower() != ".txt":
         return _describe_trajectory(path)
     lines = read_lines(path)
@@ -345,7 +315,7 @@ def _describe_text(path: Path) -> Facts:
 
 
 def _is_last_row(words: list[str]) -> bool:
-    """Whether this is the last row of a camera's matrix: three points, too, may stand in three rows of three."""
+    """True for the last row of a camera matrix; distinguishes it from three points."""
     return all(is_number(word.encode()) for word in words) and [float(word) for word in words] == [0, 0, 1]
 
 
@@ -382,15 +352,11 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
     )
 
 
-SHOWN = 20  # cameras, and pictures without a pose, that are listed
+SHOWN = 20  # listed cameras and images without a pose
 
 
 def describe_colmap_model(folder: Path) -> ColmapModel:
-    """A model of COLMAP in a folder, or below it.
-
-    Raises:
-        FileError: Damaged, or several models.
-    """
+    """A COLMAP model in a folder or below it; raises FileError if damaged or not unique."""
     place, form = find_colmap_model(folder)
     model = read_colmap_model(place)
     below = str(place.relative_to(folder))
@@ -407,11 +373,6 @@ def describe_colmap_model(folder: Path) -> ColmapModel:
 
 
 def describe_metashape_file(path: Path) -> MetashapeCameras:
-    """Cameras that Metashape exported.
-
-    Raises:
-        FileError: No such file.
-    """
     model = read_metashape_cameras(path)
     return MetashapeCameras(_describe_cameras(model), _cut(list(model.left_out)) or None)
 
@@ -439,7 +400,7 @@ def _mean(errors: NDArray[np.float64]) -> float | None:
 
 @dataclass(frozen=True)
 class RecordedTopics(Facts):
-    """A recording of a robot: how many messages, its topics, and what is missing of it, or None."""
+    """A robot recording: number of messages, topics, and damage or None."""
 
     KIND = "recording"
     SPARE = ("damage",)
@@ -449,7 +410,6 @@ class RecordedTopics(Facts):
     damage: str | None
 
     def fields(self) -> Fields:
-        """A line a topic."""
         lines = []
         for topic in self.topics:
             frame = f", frame {topic['frame_id']}" if topic["frame_id"] else ""
@@ -460,6 +420,6 @@ class RecordedTopics(Facts):
 
 
 def describe_recording(path: Path) -> RecordedTopics:
-    """The topics; that it is damaged stands among the facts."""
+    """Topics and damage of a recording."""
     recording = read_recording(path)
     return RecordedTopics(len(recording), [dataclasses.asdict(topic) for topic in recording.topics], recording.damage)

@@ -1,4 +1,4 @@
-"""The points of a file to a surface through them: `mesh_file`."""
+"""Surface reconstruction from a point file: `mesh_file`."""
 
 from __future__ import annotations
 
@@ -29,22 +29,9 @@ def mesh_file(
     columns: Sequence[str] | None = None,
     **options: Any,
 ) -> ResultReport:
-    """Write a surface through the points of a cloud, and a picture of it; outputs are checked before the work.
+    """Write a surface through the points of a cloud and its image; outputs are checked before the work.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A .ply, .obj, .stl, .off, .glb or .gltf file; STL holds no normals and colours, which are then left out.
-        picture: A .png file for a picture of the mesh.
-        device, as_text, overwrite, progress, up, columns: As of `Settings`.
-        options: As of `create_surface`.
-
-    Returns:
-        What was done, with the SurfaceResult. An empty mesh is not written.
-
-    Raises:
-        FileError: A file that cannot be read, or an output that cannot be written.
-        ValueError: What the method refuses.
-        DeviceError: No such device.
+    An empty mesh is not written. STL has no normals and colors. `options` are those of `create_surface`.
     """
     form = {"as_text": as_text, "overwrite": overwrite, "up": up}
     job = Job("mesh", source, device=device, progress=progress, columns=columns, **form)

@@ -1,4 +1,4 @@
-"""The files that a model of RGB-D frames is written to: the mesh, a picture of it, the camera's path."""
+"""Output files of a model from RGB-D frames: mesh, image and camera path."""
 
 from __future__ import annotations
 
@@ -22,24 +22,13 @@ from ...meshing.mesh.mesh_files import write_triangle_mesh
 
 @dataclasses.dataclass(frozen=True)
 class ModelOutputs:
-    """Where a model goes.
-
-    Attributes:
-        mesh: A .ply, .obj, .stl, .off, .glb or .gltf file; STL holds no colours, which are then left out.
-        picture: A .png file for a picture of the mesh.
-        trajectory: A file for the poses: .txt or .tum (TUM's format), .log.
-    """
+    """Output files of a model: mesh (STL has no colors), .png image, and poses (.txt or .tum for TUM, .log)."""
 
     mesh: FilePath
     picture: FilePath | None = None
     trajectory: FilePath | None = None
 
     def check(self, *, overwrite: bool) -> None:
-        """Be sure that all can be written, before the work.
-
-        Raises:
-            FileError: An unknown format, a file that exists, or a place that cannot be written.
-        """
         check_output(self.mesh, MESHES, what="meshes", overwrite=overwrite)
         if self.trajectory is not None:
             check_trajectory_output(self.trajectory, overwrite=overwrite)
@@ -47,11 +36,7 @@ class ModelOutputs:
             check_picture(self.picture, overwrite=overwrite)
 
     def write_mesh(self, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool) -> list[str]:
-        """Write a mesh and the picture of it, taken from where the cameras were; gives the files' names.
-
-        Raises:
-            FileError: A file that cannot be written.
-        """
+        """Write a mesh and its image from the side of the cameras. Returns the file names."""
         held = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
             held = TriangleMesh._from_device_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
@@ -62,11 +47,6 @@ class ModelOutputs:
         return [os.fspath(self.mesh), os.fspath(self.picture)]
 
     def write_trajectory(self, trajectory: Trajectory, *, overwrite: bool) -> list[str]:
-        """Write the poses, where they are asked for; gives the file's name.
-
-        Raises:
-            FileError: The file cannot be written.
-        """
         if self.trajectory is None:
             return []
         write_poses(self.trajectory, trajectory, overwrite=overwrite)

@@ -1,4 +1,4 @@
-"""The clouds of a folder brought into one frame: `register_folder`."""
+"""Registration of all clouds of a folder: `register_folder`."""
 
 from __future__ import annotations
 
@@ -26,22 +26,11 @@ from ...registration.voxel_size import choose_voxel_size
 from .job import Job, JobReport
 from .register import read_cloud
 
-_SHOWN = 5  # clouds that could not be placed, by name
+_SHOWN = 5  # names of unplaced clouds
 
 
 @dataclass(frozen=True)
 class MultiwayReport(JobReport):
-    """What `register_folder` did.
-
-    Attributes:
-        device: Where it was computed.
-        voxel_size: Edge of the voxels [m].
-        voxel_size_given: Whether it was given, not chosen.
-        clouds: The names of the files.
-        points: How many points they have.
-        found: Where they lie.
-    """
-
     device: str
     voxel_size: float
     voxel_size_given: bool
@@ -50,14 +39,12 @@ class MultiwayReport(JobReport):
     found: FragmentsResult
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level, clouds by their names."""
         report = super().to_dict()
         points = report.pop("points")
         del report["found"]
         return report | {"points": points} | self.found.to_dict(self.clouds)
 
     def fields(self) -> Fields:
-        """How many clouds were placed, by which pairs, and in whose frame."""
         (_, placed), (_, pairs), _ = self.found.fields()
         chosen = "" if self.voxel_size_given else ", chosen from the clouds"
         return [
@@ -83,30 +70,18 @@ def register_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> MultiwayReport:
-    """Find where the clouds of a folder lie, and write their poses; outputs are checked before the work.
+    """Register the clouds of a folder, in natural order of their names, and write their poses.
+
+    Outputs are checked before the work and omit clouds that could not be placed. Nothing is written if no two clouds
+    match.
 
     Args:
-        folder: Clouds of one kind, taken in natural order of their names.
-        output: A file of poses, T_reference_cloud: .txt or .tum (TUM), .log (Open3D); the time in TUM, and the first
-            number in .log, are the number of the cloud, from 0.
-        voxel_size: Edge of the voxels that the clouds are thinned to [m]; None chooses it from them.
-        neighbors: As of `register_fragments`.
-        level: Whether all clouds are level, so that none is tilted.
-        merged: A cloud of all that could be placed, with the attributes that all of them have.
+        output: Poses T_reference_cloud: .txt or .tum (TUM), .log (Open3D), with the cloud's number from 0 as TUM time
+            and as first number in .log.
+        voxel_size: Voxel size of the downsampled clouds [m]; None chooses it.
+        level: All clouds are level.
+        merged: File for all placed clouds, with their common attributes.
         graph: A .json file for the pose graph.
-        columns: The names of the columns of the clouds, for .bin, .csv, .txt and .xyz; None takes those of the files.
-        device: Where to compute.
-        overwrite: Replace outputs that exist.
-        progress: Called with each stage, and in that of the pairs with how many are done and how many there are.
-
-    Returns:
-        What was done; it is unreliable if clouds could not be placed; the outputs leave them out. Nothing is written
-        where no two clouds lie on each other.
-
-    Raises:
-        FileError: A file that cannot be read or written, or fewer than two clouds.
-        ValueError: A length that is not positive, or no neighbours.
-        DeviceError: No such device.
     """
     job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
     check_outputs(job, output, merged, graph)
@@ -134,7 +109,6 @@ def register_folder(
 
 
 def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
-    """Hold that the outputs can be written, before any work."""
     job.check(output, tuple(FORMATS), what="poses")
     job.check(merged)
     if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
@@ -144,7 +118,7 @@ def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: Fi
 
 
 def list_clouds(folder: FilePath) -> list[Path]:
-    """The clouds of a folder, two at least."""
+    """The clouds of a folder, at least two."""
     paths = list_scans(folder)
     if len(paths) < 2:
         raise FileError(folder, f"holds one cloud, {paths[0].name}; two are needed", remedy="Give another folder")
@@ -159,7 +133,7 @@ def _write_results(
     merged: FilePath | None,
     graph: FilePath | None,
 ) -> None:
-    """Write what is asked for; left out is what the merged cloud cannot hold, or not all clouds have."""
+    """Write the outputs; data that the merged cloud cannot store or that not all clouds have is omitted."""
     write_poses_and_graph(job, found, output, graph)
     if merged is not None:
         whole = found.merge(clouds)
@@ -169,7 +143,6 @@ def _write_results(
 
 
 def write_poses_and_graph(job: Job, found: FragmentsResult, output: FilePath, graph: FilePath | None) -> None:
-    """Write where clouds were placed, and the pose graph where it is asked for."""
     write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
     job.wrote(output)
     if graph is not None:
@@ -183,7 +156,6 @@ def _names_of(cloud: PointCloud) -> list[str]:
 
 
 def placement_warning(lost: list[str], count: int, is_written: bool) -> str | None:
-    """The warning if clouds could not be placed; None if all were."""
     if not lost:
         return None
     if not is_written:

@@ -1,4 +1,4 @@
-"""The scans of a folder brought into one frame by a job that goes on where an earlier call ended: `place_scans`."""
+"""Registration of the scans of a folder by a resumable job: `place_scans`."""
 
 from __future__ import annotations
 
@@ -24,21 +24,16 @@ from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warn
 
 @dataclass(frozen=True)
 class PlacedReport(MultiwayReport):
-    """What `place_scans` did: a MultiwayReport that tells of every pair that was tried.
-
-    Attributes:
-        notes: What the job says of its scans.
-    """
+    """Report of `place_scans`: a MultiwayReport with the status of every pair. `notes` are about the scans."""
 
     notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level, with `tried`: the status of each pair."""
+        """All fields flattened, with `tried`: the status of each pair."""
         return super().to_dict() | {"notes": plain(self.notes)}
 
     @property
     def note(self) -> str | None:
-        """What the job says of its scans."""
         return "; ".join(self.notes) or super().note
 
 
@@ -58,33 +53,11 @@ def place_scans(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> PlacedReport:
-    """As `register_folder`, a pair a task of a job on disk; the same call goes on with it and tries what failed again.
+    """Like `register_folder`, with one task per pair in a job on disk; a repeated call resumes it and retries failures.
 
-    Args:
-        folder: Scans of one kind, taken in natural order of their names.
-        output: A file of poses, as of `register_folder`.
-        job_folder: Of the job; made where it is missing.
-        voxel_size: As of `plan_registration`, like the next one.
-        neighbors: Likewise.
-        level: As of `register_folder`.
-        places: Where they were taken, roughly: a file as `read_trajectory` takes it. Its poses go with the scans by
-            their numbers from 0 in .log files and where times are such numbers, else one by one. Scans that it does
-            not name have no place.
-        place_error: How far they may be off [m].
-        workers: Processes; 0 works in this one.
-        graph: A .json file for the pose graph.
-        device: "auto" or as of `run_job`.
-        overwrite: Replace outputs that exist.
-        progress: Called with each stage of the job.
-
-    Returns:
-        What was done; it is unreliable if scans could not be placed, and names them.
-
-    Raises:
-        FileError: A file that cannot be read or written, places of other scans, fewer than two scans, a job of another
-            plan, or one in which tasks failed: they are named.
-        ValueError: A length that is not positive, or no neighbours.
-        DeviceError: No such device.
+    `places` is a file of approximate poses, matched by number from 0 in .log files and where times are such numbers,
+    else in order; `place_error` is their maximum error [m]. `workers` 0 works in this process. See `plan_registration`
+    for `voxel_size` and `neighbors`, and `run_job` for `device`.
     """
     job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
     check_outputs(job, output, None, graph)
@@ -115,11 +88,7 @@ def place_scans(
 
 
 def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:
-    """The poses of a file by the scans that they are of.
-
-    Raises:
-        FileError: Poses of other scans than there are.
-    """
+    """Poses of a file by scan; raises FileError if they are of other scans."""
     found = read_trajectory(Path(path))
     if found.ids is not None:
         numbers = found.ids[:, 0]

@@ -1,4 +1,4 @@
-"""The path of a scanner from a folder of its scans: `odometry_of_folder`."""
+"""LiDAR odometry of a folder of scans: `odometry_of_folder`."""
 
 from __future__ import annotations
 
@@ -28,16 +28,7 @@ FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",
 
 @dataclass(frozen=True)
 class OdometryReport(JobReport):
-    """What `odometry_of_folder` did.
-
-    Attributes:
-        format: Of the poses.
-        device: Where it was computed.
-        voxel_size, max_range, min_range: As of `LidarOdometry`.
-        found: The path.
-        points: How many points all scans have.
-        errors: Against the true path, where it is known.
-    """
+    """Report of `odometry_of_folder`; `errors` are against the true path, if given."""
 
     format: str
     device: str
@@ -50,11 +41,9 @@ class OdometryReport(JobReport):
 
     @property
     def scans_per_second(self) -> float:
-        """How many scans were registered in a second."""
         return self.found.scan_count / max(self.done.seconds["register"], 1e-9)
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level."""
         path = self.found.to_dict()
         speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
         own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
@@ -63,7 +52,6 @@ class OdometryReport(JobReport):
         return plain(beginning | own | speed | path | ending)
 
     def fields(self) -> Fields:
-        """The path, and its errors where they are known."""
         (_, scans), *path = self.found.fields()
         reach = f"from {self.min_range:g} to {self.max_range:g} m"
         return [
@@ -91,28 +79,17 @@ def odometry_of_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> OdometryReport:
-    """Find the pose of each scan of a folder, and write them; the output and the truth are checked before the work.
+    """Find the pose of each scan of a folder and write them; output and truth are checked before the work.
+
+    Nothing is written if no scan has points in range. See `LidarOdometry` for the ranges.
 
     Args:
-        folder: The scans, in natural order of their names: .bin as KITTI has them, or clouds; or a recording, .bag,
-            .mcap, .db3 or a folder of those.
-        output: A file of poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
-        format: "kitti", "tum" or "log"; None goes by the extension. TUM's times are the numbers of the scans.
-        voxel_size, max_range, min_range: As of `LidarOdometry`.
-        truth: A file of the scanner's true poses, one a scan.
-        topic: Of a recording; None takes the only one of clouds.
-        columns: The names of the columns of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
-        device: Where to compute.
-        overwrite: Replace the output if it exists.
-        progress: Called with the number of scans done and that of all.
-
-    Returns:
-        What was done; the errors are aligned by se3. Nothing is written where no scan has points in range.
-
-    Raises:
-        FileError: A file that cannot be read or written, fewer than two scans, or not one true pose a scan.
-        ValueError: A length out of range.
-        DeviceError: No such device.
+        folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording, .bag, .mcap, .db3 or a folder of
+            those.
+        output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
+        format: "kitti", "tum" or "log"; None for that of the extension. TUM times are scan numbers.
+        truth: File of true poses, one per scan; errors are aligned by se3.
+        topic: Topic of a recording; None for the only one of clouds.
     """
     job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
     form = _check_output(job, output, format)
@@ -139,7 +116,7 @@ def odometry_of_folder(
 
 @dataclass(frozen=True)
 class _Scans:
-    """Scans in their order: how many, what the first is called, and each read when it is asked for."""
+    """Scans in order: number, name of the first, and an iterator that reads them."""
 
     count: int
     first: str
@@ -147,7 +124,6 @@ class _Scans:
 
     @classmethod
     def open(cls, place: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
-        """Those of a folder, or of a topic of a recording."""
         if is_recording(Path(place)):
             if columns is not None:
                 raise FileError(place, "is a recording, which names its columns", remedy="Leave --columns out")
@@ -162,7 +138,6 @@ class _Scans:
 
 
 def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
-    """Bring all scans into the map; gives how many points they have."""
     points = 0
     job.tell("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
@@ -176,7 +151,7 @@ def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
 
 
 def _check_output(job: Job, output: FilePath, format: str | None) -> str:
-    """The format of the poses, once it is sure that they can be written."""
+    """The format of the poses after checking the output."""
     suffix = Path(output).suffix.lower()
     if format is None:
         job.check(output, (*POSE_FORMATS, ".kitti"), what="poses")

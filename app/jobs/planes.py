@@ -1,4 +1,4 @@
-"""The planes of a file's points: `extract_plane` and `label_planes`."""
+"""Planes of point files: `extract_plane` and `label_planes`."""
 
 from __future__ import annotations
 
@@ -17,21 +17,15 @@ from .job import Job, Settings
 from .rows import LABELLED, Rows, RowsReport, label_rows, read_rows
 
 PLANE = "plane"
-MIN_POINTS = 100  # fewer are no plane, where several are looked for
+MIN_POINTS = 100  # minimum size if several planes are searched
 
-# The largest plane holds at least this share of the finite points, or the scene has none, or the distance is too small.
+# A smaller largest plane means that the scene has none, or that the distance is too small.
 _LEAST_SHARE = 0.05
 
 
 @dataclass(frozen=True)
 class Plane:
-    """A plane of a cloud.
-
-    Attributes:
-        model: (a, b, c, d) with ax + by + cz + d = 0 and a unit normal.
-        points: How many points lie on it.
-        share: Their share of the finite points.
-    """
+    """A plane: `model` (a, b, c, d) with unit normal, number of points, and their fraction of the finite points."""
 
     model: tuple[float, ...]
     points: int
@@ -40,14 +34,7 @@ class Plane:
 
 @dataclass(frozen=True)
 class PlaneReport(RowsReport):
-    """What `extract_plane` or `label_planes` did.
-
-    Attributes:
-        distance, iterations, seed: As of `extract_plane`.
-        planes: What was found.
-        on_none: How many points lie on no plane; None where they were not labelled.
-        replaced: Names of what the file had already.
-    """
+    """Report of `extract_plane` or `label_planes`; `on_none` is the number of unlabeled points, None without labels."""
 
     distance: float
     iterations: int
@@ -57,14 +44,12 @@ class PlaneReport(RowsReport):
     replaced: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it; without what goes with labels where there are none."""
         report = super().to_dict()
         if self.on_none is None:
             del report["on_none"], report["replaced"]
         return report
 
     def fields(self) -> Fields:
-        """The planes, and the counts."""
         lines = []
         for plane in self.planes:
             a, b, c, d = plane.model
@@ -86,24 +71,9 @@ def extract_plane(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> PlaneReport:
-    """Write the points on the plane that has the most of them, or with `invert` all others.
+    """Write the points within `distance` [m] of the largest plane, or with `invert` all others.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud.
-        distance: Points closer to the plane than this [m] lie on it.
-        iterations: Samples of three points at most, as of `PointCloud.segment_plane`.
-        invert: Write what does not lie on it.
-        seed: Of the samples.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where there is no plane or no point is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A limit out of range.
-        DeviceError: No such device.
+    Uses at most `iterations` samples of 3 points. Nothing is written without a plane or without points.
     """
     job = Job("plane", source, **settings)
     job.check(output)
@@ -130,25 +100,9 @@ def label_planes(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> PlaneReport:
-    """Write a cloud with the plane of each point as the attribute `plane`: int32, -1 for points on none.
+    """Write a cloud with the int32 attribute `plane`: index of the plane, -1 for none.
 
-    Args:
-        source: A cloud; of a mesh the vertices count.
-        output: A cloud in a format that holds labels.
-        distance: As of `extract_plane`, like iterations and seed.
-        most: Planes at most; each is the one with the most of the points that those before it left.
-        iterations: Samples at most for each plane.
-        min_points: Fewer points are no plane, and end the search.
-        seed: Of the samples.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done, with the planes in the order of their labels.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: A limit out of range.
-        DeviceError: No such device.
+    Finds up to `most` planes one after another; fewer than `min_points` points end the search.
     """
     job = Job("plane", source, **settings)
     job.check(output, LABELLED, what="labels")
@@ -164,7 +118,6 @@ def label_planes(
 def _find(
     job: Job, rows: Rows, distance: float, iterations: int, seed: int, *, most: int, min_points: int
 ) -> tuple[NDArray[np.int32], tuple[Plane, ...], str | None]:
-    """The plane of each point, the planes, and why they are unreliable."""
     with job.stage("planes"):
         labels, models = rows.cloud.segment_planes(
             distance, num_iterations=iterations, min_points=min_points, max_planes=most, seed=seed

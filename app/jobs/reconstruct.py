@@ -1,4 +1,4 @@
-"""A folder of RGB-D frames without poses to a mesh file: `reconstruct_folder`."""
+"""Reconstruction of a mesh from RGB-D frames without poses: `reconstruct_folder`."""
 
 from __future__ import annotations
 
@@ -25,13 +25,9 @@ from .track import rate_of
 
 @dataclasses.dataclass(frozen=True)
 class StageOptions:
-    """How the command works by fragments.
+    """Options of the method with fragments; `work` is the folder of stage files, by default beside the mesh.
 
-    Attributes:
-        work: Folder of the stages' files; None for one beside the mesh.
-        resume: Keep what an earlier run left there.
-        config: A file of settings with the names of Open3D's system; None for the usual ones.
-        slac: Find the camera's distortion too, and take it out of the frames.
+    `config` is a settings file with the names of Open3D's system; `slac` corrects the camera's distortion.
     """
 
     work: FilePath | None = None
@@ -42,12 +38,7 @@ class StageOptions:
     def check(
         self, mesh: FilePath, voxel_size: float | None, depth_max: float | None, *, overwrite: bool
     ) -> FragmentOptions:
-        """The options of `loom.reconstruct`, once the configuration is read and the folder can be written.
-
-        Raises:
-            FileError: A configuration that cannot be read, or a folder that holds other files.
-            ValueError: Lengths that do not go together.
-        """
+        """Options of `loom.reconstruct` after checking configuration and folder; raises FileError or ValueError."""
         config = None if self.config is None else ReconstructionConfig.read(self.config)
         settings = settings_for(config, voxel_size, depth_max)
         folder = self.work or default_work_folder(mesh)
@@ -56,24 +47,22 @@ class StageOptions:
 
 
 def default_work_folder(output: FilePath) -> Path:
-    """The folder of the stages beside the mesh: mesh.ply has mesh-fragments."""
+    """Folder of the stages beside the mesh: mesh-fragments for mesh.ply."""
     return Path(output).with_name(f"{Path(output).stem}-fragments")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ReconstructReport(FramesReport):
-    """What `pointloom reconstruct` did; `result` is what was made of the frames."""
-
     result: ReconstructionResult
 
     @property
     def rate(self) -> float | None:
-        """Frames a second of tracking alone, where they were tracked."""
+        """Tracked frames per second, without other work; None if not tracked."""
         account = self.result.account
         return rate_of(account.path, self.done.seconds) if isinstance(account, SlamAccount) else None
 
     def to_dict(self) -> dict[str, Any]:
-        """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
+        """Report in JSON types; "errors" has ATE and RPE if true poses exist."""
         figures = self.result.to_dict()
         focal = figures.pop("focal")
         report = {"command": self.done.command, "method": figures.pop("method"), **self.folder.to_dict()}
@@ -85,7 +74,6 @@ class ReconstructReport(FramesReport):
         return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
-        """The report as labels and values for the terminal."""
         told = self.result.fields(self.rate)
         return [
             *self.folder.among(told, before="path" if self.rate is not None else "fragments"),
@@ -106,20 +94,10 @@ def reconstruct_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> ReconstructReport:
-    """Make a mesh of a folder of frames whose poses nobody knows; outputs are checked before the work.
+    """Reconstruct a mesh from a folder of frames; outputs are checked first, and an empty mesh is not written.
 
-    Args:
-        folder: As `open_frames` takes it; poses that lie there are taken as the truth, and not used.
-        outputs: What is written. An empty mesh is not.
-        options: Which frames of the folder; None for all, as they lie there.
-        stages: Work by fragments; None tracks each frame against the model, and closes loops.
-        voxel_size, depth_max, device, progress: As `loom.reconstruct`.
-        overwrite: Replace outputs that exist.
-
-    Raises:
-        FileError: A file that cannot be read, or an output that cannot be written.
-        ValueError: A length out of range.
-        DeviceError: No such device.
+    Poses in the folder are only used as truth. `stages` selects the method with fragments; None tracks each frame
+    against the model with loop closure.
     """
     outputs.check(overwrite=overwrite)
     where, clock = resolve_device(device), Clock()

@@ -1,4 +1,4 @@
-"""Clouds out of a recording into files: `convert_recording`."""
+"""Export the clouds of a recording: `convert_recording`."""
 
 from __future__ import annotations
 
@@ -20,20 +20,13 @@ from ...files.points.point_cloud import table_of
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
 
-MARKER = "scans.json"  # beside the scans of a folder: their topic, frame and times
+MARKER = "scans.json"  # marker of a folder: topic, frame and times
 KIND = ".ply"  # of the scans of a folder
 
 
 @dataclass(frozen=True)
 class RecordedCloudsReport(JobReport):
-    """What `convert_recording` did.
-
-    Attributes:
-        topic: Which clouds.
-        frame: The frame that they were brought into; None where they stay in their sensor's.
-        scans: How many.
-        points: How many points they have together.
-    """
+    """Report of `convert_recording`; `frame` is None if the clouds stay in the sensor frame."""
 
     topic: str
     frame: str | None
@@ -41,11 +34,9 @@ class RecordedCloudsReport(JobReport):
     points: int
 
     def title(self, source: str) -> str:
-        """The recording and the topic."""
         return f"{source}: {self.topic}"
 
     def fields(self) -> Fields:
-        """The counts."""
         where = f", in {self.frame}" if self.frame else ""
         return [("scans", f"{self.scans:,}{where}"), ("points", f"{self.points:,}"), *self.closing()]
 
@@ -60,24 +51,10 @@ def convert_recording(
     as_text: bool = False,
     overwrite: bool = False,
 ) -> RecordedCloudsReport:
-    """Write the clouds of a recording: as files of a folder, or all in one file.
+    """Write the clouds of a recording to one file, or to a folder of .ply files and `scans.json` with their times.
 
-    Args:
-        source: A .bag, .mcap or .db3 file, or a folder of those.
-        output: A cloud, which then holds all scans, or a folder, which gets a .ply a scan and `scans.json` with their
-            times.
-        topic: Of clouds; None takes the only one.
-        frame: The frame that they are brought into by the recording's transforms.
-        poses: A file of poses T_world_scan, one a scan, that they are moved by instead.
-        as_text: Text instead of binary, for .ply and .pcd.
-        overwrite: Replace the output if it exists; of folders only one that holds scans of a recording.
-
-    Returns:
-        What was done; unreliable if the recording is damaged.
-
-    Raises:
-        FileError: A file that cannot be read or written, no way into the frame, not one pose a scan, or one file for
-            several scans that nothing brings together.
+    Clouds are transformed into `frame` by the recording's transforms, or by a file of poses T_world_scan, one per scan.
+    Only a folder with scans of a recording is overwritten.
     """
     job = Job("convert", source, as_text=as_text, overwrite=overwrite)
     as_folder = not Path(output).suffix or Path(output).is_dir()
@@ -113,13 +90,13 @@ def _moved(scans: Iterator[PointCloud], poses: FilePath | None, count: int, sour
 
 
 def _told(recording: Recording, topic: str, frame: str | None) -> dict[str, Any]:
-    """What the marker of a folder says: the times of headers, None where a scan has none."""
+    """Content of the marker file: header times, None for scans without."""
     times = [recording.header_at(row)[0] for row in recording.rows_of(topic)]
     return {"recording": recording.path.name, "topic": topic, "frame": frame, "times": times}
 
 
 def _write_folder(job: Job, output: FilePath, scans: Iterator[PointCloud], told: dict[str, Any]) -> int:
-    """Write a file a scan, all of them or none; gives how many points they have."""
+    """Write one file per scan, atomically. Returns their number of points."""
     points = 0
     with job.stage("write"), atomic_folder(output, MARKER, overwrite=job.form["overwrite"]) as folder:
         for number, scan in enumerate(scans):

@@ -1,7 +1,4 @@
-"""One cloud of a file brought onto another: `register_files`.
-
-What is written is the pose, and the source with all it has, moved.
-"""
+"""Registration of two cloud files: `register_files` writes the pose and the moved source."""
 
 from __future__ import annotations
 
@@ -42,25 +39,17 @@ _REMEDIES = {
 
 @dataclass(frozen=True)
 class RegisterReport(JobReport):
-    """What `register_files` did.
-
-    Attributes:
-        target: The cloud that stays.
-        device: Where it was computed.
-        found: The pose; its `init` is what the user said.
-    """
+    """Report of `register_files`; the `init` of `found` is as given by the user."""
 
     target: str
     device: str
     found: PairRegistration
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level."""
         report = super().to_dict()
         return report | report.pop("found")
 
     def fields(self) -> Fields:
-        """How the pose came about, how good it is, and the pose."""
         return [*self.found.fields(), *self.closing(self.device)]
 
 
@@ -83,28 +72,15 @@ def register_files(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> RegisterReport:
-    """Find the pose that brings one cloud onto another, and write what is asked for; outputs are checked first.
+    """Register a source file to a target file; outputs are checked first, and not written without correspondences.
 
     Args:
-        source: The cloud that moves; of a mesh the vertices count.
-        target: The cloud that stays.
-        output: A .txt file for the pose T_target_source, four rows of four numbers with all digits.
-        init: Where to begin: "global" searches, "identity" takes the clouds as they lie, else a file with such a pose.
-        method, voxel_size, distance, free: As of `register_pair`.
-        prior: A file with a pose that is known beforehand.
-        prior_sigma: How well: standard deviations of its translation [m] and rotation [degrees].
-        aligned: A file for the source on the target, with all its attributes.
-        picture: A .png file for both clouds before (left) and after (right).
-        columns: The names of the columns of both, for .bin, .csv, .txt and .xyz; None takes those of the files.
-        device, overwrite, progress: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where no point found a correspondence.
-
-    Raises:
-        FileError: A file that cannot be read or written, or a cloud that is empty or lacks colours.
-        ValueError: A length that is not positive, or no such method.
-        DeviceError: No such device.
+        output: A .txt file for T_target_source, 4 rows of 4 numbers with all digits.
+        init: "global", "identity", or a file with an initial pose.
+        prior: File with a known pose.
+        prior_sigma: Standard deviations of its translation [m] and rotation [degrees].
+        aligned: File for the moved source with all attributes.
+        picture: A .png file of both clouds before (left) and after (right).
     """
     if method not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
@@ -135,11 +111,7 @@ def register_files(
 
 
 def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None) -> PointCloud:
-    """A cloud with all its attributes; of a mesh the vertices.
-
-    Raises:
-        FileError: It cannot be read, or holds no finite point.
-    """
+    """A cloud with all attributes, or the vertices of a mesh; raises FileError without finite points."""
     table = tables.read_table(path, columns)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
@@ -149,19 +121,14 @@ def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None
 
 
 def _start(init: FilePath) -> np.ndarray | None:
-    """The pose to begin from; None where it is searched for."""
+    """The initial pose; None for a search."""
     if str(init) == GLOBAL:
         return None
     return np.eye(4) if str(init) == IDENTITY else read_pose(init)
 
 
 def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior | None:
-    """The pose of a file with how well it is known; both or neither.
-
-    Raises:
-        FileError: The file holds no pose.
-        ValueError: One without the other, or deviations that are not positive.
-    """
+    """The prior pose and its deviations, both or neither; raises FileError or ValueError."""
     if prior is None and sigma is None:
         return None
     if prior is None or sigma is None:
@@ -191,7 +158,6 @@ def _write_results(
 
 
 def _warning(found: PairRegistration, init: str) -> str | None:
-    """Why the result is unreliable, with the remedy."""
     if found.reliable:
         return None
     written = "" if found.result.fitness > 0 else "; nothing was written"

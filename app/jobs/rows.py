@@ -1,7 +1,7 @@
-"""Rows: the points of a file, for the commands that choose or label them.
+"""Points of a file for commands that select or label them: `Rows`.
 
-Operations see the positions alone. What is written are rows of the file as the file has them: no value is rounded on
-its way through float32, and attributes take no room on the device.
+Operations use the positions only, and rows are written as stored in the file: nothing is rounded to float32, and
+attributes need no device memory.
 """
 
 from __future__ import annotations
@@ -17,51 +17,32 @@ from ...files.table import PointTable
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
 
-LABELLED = (".ply", ".pcd", ".npz", ".las", ".laz")  # formats that hold an attribute of any name
+LABELLED = (".ply", ".pcd", ".npz", ".las", ".laz")  # formats with attributes of any name
 COLORED = (*LABELLED, ".xyzrgb", ".pts", ".e57")
 
 
 class Rows(NamedTuple):
-    """The points of a file.
-
-    Attributes:
-        table: Points and attributes as the file has them.
-        cloud: The positions, with their rows in the table as the attribute "row".
-    """
+    """The `table` of a file and a `cloud` of its positions, with row indices as the attribute "row"."""
 
     table: PointTable
     cloud: PointCloud
 
     def of(self, cloud: PointCloud) -> NDArray[np.int32]:
-        """Where the points of a part of the cloud stand in the table."""
         return cloud["row"]
 
     def take(self, rows: NDArray[Any]) -> PointTable:
-        """Some points of the table."""
         return take_rows(self.table, rows)
 
 
 @dataclass(frozen=True)
 class RowsReport(JobReport):
-    """What a command did that chooses or labels points.
-
-    Attributes:
-        device: Where it was computed.
-        points_in, points: How many points were read and are left.
-    """
-
     device: str
     points_in: int
     points: int
 
 
 def read_rows(job: Job) -> Rows:
-    """The points of a job's source, on its device.
-
-    Raises:
-        FileError: It cannot be read.
-        DeviceError: No such device.
-    """
+    """Read the points of a job's source; raises FileError or DeviceError."""
     where = job.device
     with job.stage("read"):
         table = job.read_points()
@@ -72,7 +53,7 @@ def read_rows(job: Job) -> Rows:
 
 
 def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
-    """Some points of a table, which then have no grid."""
+    """Selected points of a table, without a grid."""
     normals = None if table.normals is None else table.normals[rows]
     colors = None if table.colors is None else table.colors[rows]
     attributes = {name: values[rows] for name, values in table.attributes.items()}
@@ -80,6 +61,6 @@ def take_rows(table: PointTable, rows: NDArray[Any]) -> PointTable:
 
 
 def label_rows(table: PointTable, name: str, labels: NDArray[np.int32]) -> tuple[PointTable, list[str]]:
-    """A table with labels as an attribute, and the names of what that replaces."""
+    """A table with labels as an attribute, and the names of replaced attributes."""
     attributes = table.attributes | {name: labels}
     return replace(table, attributes=attributes), [name] if name in table.attributes else []

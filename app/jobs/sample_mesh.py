@@ -1,4 +1,4 @@
-"""Points on the surface of a file's mesh: `sample_mesh_file`."""
+"""Sample points on the mesh of a file: `sample_mesh_file`."""
 
 from __future__ import annotations
 
@@ -13,17 +13,6 @@ from .job import Job, JobReport, Settings
 
 @dataclass(frozen=True)
 class MeshSamplesReport(JobReport):
-    """What `sample_mesh_file` did.
-
-    Attributes:
-        device: Where it was computed.
-        vertices_in, triangles_in: What the mesh has.
-        points: How many were drawn.
-        even: Whether they are spread evenly.
-        seed: What chose them.
-        area: Of the mesh [m^2].
-    """
-
     device: str
     vertices_in: int
     triangles_in: int
@@ -33,7 +22,6 @@ class MeshSamplesReport(JobReport):
     area: float
 
     def fields(self) -> Fields:
-        """The counts, and how far the points lie apart."""
         how = "evenly" if self.even else "each by itself"
         spacing = (self.area / self.points) ** 0.5 if self.points else 0.0
         return [
@@ -53,24 +41,9 @@ def sample_mesh_file(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> MeshSamplesReport:
-    """Write points on the surface of a mesh as a cloud.
+    """Write points on the surface of a mesh as a cloud; nothing if it has no area.
 
-    Args:
-        source: A mesh.
-        output: A cloud.
-        count: How many.
-        even: Spread them evenly (Poisson disk) instead of drawing each by itself.
-        triangle_normals: Give them the normals of their triangles.
-        seed: Chooses the points.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done. Nothing is written where the mesh has no area.
-
-    Raises:
-        FileError: A file that cannot be read or written, or a triangle with a corner that is not finite.
-        ValueError: A count out of range.
-        DeviceError: No such device.
+    `even` uses Poisson disk sampling, `triangle_normals` the normals of triangles.
     """
     job = Job("sample-mesh", source, **settings)
     job.check(output)

@@ -1,4 +1,4 @@
-"""Fewer triangles for the mesh of a file: `simplify_file`."""
+"""Simplify the mesh of a file: `simplify_file`."""
 
 from __future__ import annotations
 
@@ -25,24 +25,10 @@ def simplify_file(
     boundary_weight: float = 1.0,
     **settings: Unpack[Settings],
 ) -> ResultReport:
-    """Write a mesh of fewer triangles, and say how far it lies from the one that was read.
+    """Write a mesh with fewer triangles and report its distance from the original.
 
-    Args:
-        source: A mesh.
-        output: A mesh.
-        by: "triangles" for so many, "ratio" for a share of them, both by quadric decimation; "voxel" for one vertex a
-            voxel.
-        amount: The count, the share, or the edge of a voxel [m].
-        max_error, boundary_weight: As of `simplify_mesh`.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done, with the SimplifiedMesh. Nothing is written where no triangle is left.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: An amount out of range.
-        DeviceError: No such device.
+    `by` is "triangles" (count) or "ratio" (fraction), both by quadric decimation, or "voxel" (vertex clustering),
+    `amount` the count, fraction or voxel size [m].
     """
     job = Job("simplify", source, **settings)
     job.check(output, tables.MESHES, what="meshes")

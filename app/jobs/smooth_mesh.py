@@ -1,4 +1,4 @@
-"""The mesh of a file smoothed: `smooth_mesh_file`."""
+"""Smooth the mesh of a file: `smooth_mesh_file`."""
 
 from __future__ import annotations
 
@@ -20,23 +20,7 @@ def smooth_mesh_file(
     factors: dict[str, Any] | None = None,
     **settings: Unpack[Settings],
 ) -> ResultReport:
-    """Write a mesh with smoothed vertices, normals and colours.
-
-    Args:
-        source: A mesh.
-        output: A mesh.
-        method, iterations: As of `smooth_mesh`.
-        factors: The method's own, by their names there.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done, with the SmoothedMesh. A mesh without triangles is not written.
-
-    Raises:
-        FileError: A file that cannot be read or written.
-        ValueError: No such method, or a number out of range.
-        DeviceError: No such device.
-    """
+    """Write a mesh with smoothed vertices, normals and colors; `factors` are the parameters of the method."""
     job = Job("smooth-mesh", source, **settings)
     job.check(output, tables.MESHES, what="meshes")
     mesh = job.read_mesh()

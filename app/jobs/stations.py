@@ -1,10 +1,8 @@
-"""The scans of an E57 file, or of many files, brought into one frame: `register_scans`.
+"""Registration of the scans of one or several E57 files: `register_scans`.
 
-Tables of targets and of control points: rows of text, separated by commas, semicolons, tabs or spaces.
-
-Targets: station, name, x, y, z and, if known, a standard deviation [m]; the station is a scan's name or its number,
-from 0. Control: name, x, y, z and, if known, one standard deviation or three. Lines that begin with # are left out, and
-a first line whose coordinates are words is a head.
+Tables are text with commas, semicolons, tabs or spaces; lines with # and a header are skipped. Targets: station (scan
+name or number from 0), name, x, y, z and optionally a standard deviation [m]. Control: name, x, y, z and optionally one
+or three standard deviations.
 """
 
 from __future__ import annotations
@@ -38,14 +36,7 @@ E57, WITH_SCANS = (".e57",), (".e57", ".ptx")
 
 @dataclass(frozen=True)
 class StationsReport(JobReport):
-    """What `register_scans` did.
-
-    Attributes:
-        device: Where it was computed.
-        points: How many points the scans have.
-        began: "poses of the file" or "no poses".
-        found: Where the stations are.
-    """
+    """Report of `register_scans`; `began` is "poses of the file" or "no poses"."""
 
     device: str
     points: int
@@ -53,13 +44,11 @@ class StationsReport(JobReport):
     found: StationsResult
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level."""
         report = super().to_dict()
         del report["found"]
         return self.found.to_dict() | report
 
     def fields(self) -> Fields:
-        """How many stations were placed, by what and how well."""
         return [*self.found.fields(), ("began", f"{self.began}; {self.points:,} points"), *self.closing(self.device)]
 
 
@@ -77,25 +66,11 @@ def register_scans(
     overlap: float | None = None,
     **settings: Unpack[Settings],
 ) -> StationsReport:
-    """Register the scans of an E57 file and write them back with their poses.
+    """Register the scans of an E57 file and write them with their poses.
 
-    Args:
-        source: The file.
-        output: The E57 file to write: the scans as they were, with the poses that were found.
-        targets, control: Tables of targets and control points.
-        report: A folder for report.txt, report.json and plan.png.
-        free: The motions of stations: "x", "y", "z" and "yaw", or all six; None: the four.
-        use_poses: Whether the file's poses are rough ones to begin from; else nothing is known.
-        rough, voxel_size, overlap: As of `register_stations`; None: its defaults.
-        settings: As of `Settings`.
-
-    Returns:
-        What was done; unreliable if the result is.
-
-    Raises:
-        FileError: A file that cannot be read or written, or a table that does not fit.
-        ValueError: As `register_stations`.
-        DeviceError: No such device.
+    `targets` and `control` are tables, `report` a folder for report.txt, report.json and plan.png. `free` are the
+    degrees of freedom of stations: "x", "y", "z" and "yaw" (default), or all six. See `register_stations` for the other
+    options.
     """
     job = Job("stations", source, **settings)
     job.check(output, E57, what="stations")
@@ -141,7 +116,6 @@ def _filled(scans: Stations, source: FilePath) -> Stations:
 
 
 def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path]:
-    """Where the parts of the report go, once it is sure that they may."""
     if folder is None:
         return {}
     place = Path(folder)
@@ -158,7 +132,7 @@ def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path
 
 
 def _tell_apart(poses: Any) -> bool:
-    """Whether poses say anything: a file without them has the identity everywhere."""
+    """True if poses are meaningful: a file without them has the identity everywhere."""
     return bool(np.abs(poses - poses[0]).max() > 0)
 
 
@@ -176,15 +150,11 @@ def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> N
 
 
 _APART = re.compile(r"[;,\t]")
-MOST_BYTES = 1 << 26  # a table of half a million points
+MOST_BYTES = 1 << 26  # a table of 500,000 points
 
 
 def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
-    """The targets that stations saw.
-
-    Raises:
-        FileError: Missing, no such table, or a station that there is not; names the line.
-    """
+    """Read observed targets; raises FileError with the line."""
     found = []
     numbers = {name: i for i, name in enumerate(stations)}
     numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
@@ -202,11 +172,7 @@ def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservat
 
 
 def read_control(path: FilePath) -> list[ControlPoint]:
-    """The control points.
-
-    Raises:
-        FileError: Missing, or no such table; names the line.
-    """
+    """Read control points; raises FileError with the line."""
     found = []
     for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
         x, y, z, *sigma = _numbers(path, line, fields[1:])
@@ -219,7 +185,7 @@ def read_control(path: FilePath) -> list[ControlPoint]:
 
 
 def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
-    """The lines with something on them, as so many words and numbers; without a head."""
+    """Line numbers and words of the rows of a table, without a header."""
     try:
         if Path(path).stat().st_size > MOST_BYTES:
             raise FileError(path, f"is larger than {MOST_BYTES >> 20} MiB, which no table of targets is")

@@ -1,4 +1,4 @@
-"""The colours of posed frames onto a mesh of the same place: `texture_folder`."""
+"""Color a mesh from posed frames: `texture_folder`."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from .announced_stages import AnnouncedStages
 
 WITH_ATLAS = (".obj", ".glb", ".gltf")
 WRITTEN = (".ply", *WITH_ATLAS)
-SIZE = 2048  # texels a side: 3 mm each on the walls of a room
+SIZE = 2048  # texels per side: 3 mm each on the walls of a room
 
 _NOTHING = "no frame shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
 
@@ -50,29 +50,14 @@ def texture_folder(
     progress: ReportProgress | None = None,
     **layout: Any,
 ) -> TextureReport:
-    """Write a mesh with the colours of posed frames; outputs are checked before the work.
+    """Write a mesh with the colors of posed frames; outputs are checked before the work.
 
     Args:
-        mesh: A mesh, in the frame of the poses.
-        folder: As `open_dataset` takes it, with `layout` and `every`.
-        output: A .ply for a colour at each vertex, an .obj, .glb or .gltf for a texture.
-        method, depth_max: As of `texture_mesh`.
-        size: Texels a side of the texture.
-        intrinsic: A camera as Open3D's JSON, if it is another than the folder says.
-        device: Where to compute.
-        up: The axis that is up in the frame of the poses, "y" or "z", where the mesh or the output is .glb or .gltf.
-        picture: A .png file for a picture of the mesh, with the colours at its vertices.
-        overwrite: Replace outputs that exist.
-        progress: Called with the stage, how many of its steps are done, and how many there are.
-        layout: layout and every, as of `open_dataset`.
-
-    Returns:
-        What was done, as `TexturedMesh` says it. Where no frame shows anything of the mesh nothing is written.
-
-    Raises:
-        FileError: A file that cannot be read, or an output that cannot be written.
-        ValueError: An unknown method, a mesh without vertices, or a number out of range.
-        DeviceError: No such device.
+        folder: See `open_dataset`, with `layout` and `every`.
+        output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
+        intrinsic: Camera as Open3D's JSON, replacing that of the folder.
+        up: Up axis in the frame of the poses, "y" or "z", for .glb or .gltf.
+        picture: A .png file of the mesh with vertex colors.
     """
     check_count("size", size)
     tell = check_progress(progress)
@@ -100,16 +85,7 @@ def texture_folder(
 
 @dataclass(frozen=True)
 class Task:
-    """What is to be coloured, and by what.
-
-    Attributes:
-        mesh, dataset: The file and the folder, as they were given.
-        layout: Of the folder.
-        shape: The mesh.
-        method: As of `texture_mesh`.
-        frame_count: How many frames.
-        depth_max: Farther pixels show nothing [m].
-    """
+    """Input of the coloring; pixels beyond `depth_max` [m] are ignored."""
 
     mesh: str
     dataset: str
@@ -120,7 +96,6 @@ class Task:
     depth_max: float
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh itself in JSON's types."""
         files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
         how = {"device": str(self.shape.device), "method": self.method, "frames": self.frame_count}
         sizes = {"vertices": self.shape.array("vertices").size, "triangles": len(self.shape)}
@@ -129,15 +104,7 @@ class Task:
 
 @dataclass(frozen=True)
 class TextureReport(Report, Assessed):
-    """What `texture_folder` did.
-
-    Attributes:
-        task: What was asked for.
-        found: The coloured mesh; None where no frame shows anything of it.
-        seconds: Of each stage.
-        files: What was written.
-        peak_bytes: The most memory that was held.
-    """
+    """Report of `texture_folder`; `found` is None if no frame shows the mesh."""
 
     task: Task
     found: TexturedMesh | None
@@ -147,17 +114,14 @@ class TextureReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks; empty if the result is reliable."""
         return (_NOTHING,) if self.found is None else self.found.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         found = {} if self.found is None else self.found.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return plain(self.task.to_dict() | found | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
-        """What the result says, what it took, and what was written."""
         task = self.task
         return [
             *(self.found.fields() if self.found else task_fields(task.shape, task.frame_count, task.depth_max)),
@@ -175,7 +139,6 @@ def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
 
 
 def _up_of(path: FilePath, up: str) -> str:
-    """The axis that is to be up, for a file of a format that says which one is."""
     return up if Path(path).suffix.lower() in UPRIGHT else "y"
 
 

@@ -1,4 +1,4 @@
-"""The pictures of a model of structure from motion onto a mesh of the same place: `texture_model`."""
+"""Texture a mesh from the images of a structure-from-motion model: `texture_model`."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 
 WRITTEN = (".obj", ".glb", ".gltf")
 PLACED = Path("mesh")  # of a video's work folder: the model in the units of its mesh
-STRAIGHT = Path("undistorted") / "images"  # and the pictures that it is of
-IMAGES = "images"  # as COLMAP's projects name theirs
+STRAIGHT = Path("undistorted") / "images"  # and its images
+IMAGES = "images"  # as in COLMAP projects
 
 _NOTHING = "no picture shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
 
 
 def holds_model(folder: FilePath) -> bool:
-    """Whether a folder is a project of COLMAP, or the work folder of a video."""
+    """True for a COLMAP project, or the work folder of a video."""
     place = Path(folder)
     return place.is_dir() and (is_colmap_model(place) or is_colmap_model(place / PLACED / "sparse"))
 
@@ -48,22 +48,11 @@ def texture_model(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> ModelTextureReport:
-    """Write a mesh with a texture cut out of the pictures of a model; the output is checked before the work.
+    """Write a mesh with a texture from the images of a model; the output is checked before the work.
 
-    Args:
-        mesh: A mesh, in the frame of the model.
-        folder: A project of COLMAP with its pictures in `images`, or the work folder of `pointloom video`.
-        output: An .obj, .glb or .gltf.
-        size, depth_max: As of `texture_from_pictures`.
-        device: Where to compute.
-        up: The axis that is up in the frame of the poses, "y" or "z", where the mesh or the output is .glb or .gltf.
-        overwrite: Replace an output that exists.
-        progress: Called with the stage, how many of its steps are done, and how many there are.
-
-    Raises:
-        FileError: A file that cannot be read, or an output that cannot be written.
-        ValueError: A number out of range.
-        DeviceError: No such device.
+    `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
+    .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
+    `texture_from_pictures` for `size` and `depth_max`.
     """
     tell = check_progress(progress)
     check_output(output, WRITTEN, what="textures out of pictures", overwrite=overwrite)
@@ -90,16 +79,7 @@ def texture_model(
 
 @dataclass(frozen=True)
 class ModelTextureReport(Report, Assessed):
-    """What `texture_model` did.
-
-    Attributes:
-        mesh, folder: As they were given.
-        picture_count: Pictures of the model.
-        found: The textured mesh; None where no picture shows anything of it.
-        seconds: Of each stage.
-        files: What was written.
-        peak_bytes: The most memory that was held.
-    """
+    """Report of `texture_model`; `found` is None if no image shows the mesh."""
 
     mesh: str
     folder: str
@@ -111,18 +91,15 @@ class ModelTextureReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks; empty if the result is reliable."""
         return (_NOTHING,) if self.found is None else self.found.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
         found = {"pictures": self.picture_count} if self.found is None else self.found.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return plain(given | found | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
-        """What the result says, what it took, and what was written."""
         return [
             *(self.found.fields() if self.found else [("pictures", str(self.picture_count))]),
             ("seconds", format_seconds(self.seconds)),
@@ -132,7 +109,6 @@ class ModelTextureReport(Report, Assessed):
 
 
 def _open(folder: Path) -> tuple[Any, Path]:
-    """The model, and the folder of its pictures."""
     if is_colmap_model(folder / PLACED / "sparse"):
         return read_colmap_model(folder / PLACED / "sparse"), folder / STRAIGHT
     places = [place / IMAGES for place in (folder, folder.parent, folder.parent.parent)]
@@ -143,5 +119,4 @@ def _open(folder: Path) -> tuple[Any, Path]:
 
 
 def _up_of(path: FilePath, up: str) -> str:
-    """The axis that is to be up, for a file of a format that says which one is."""
     return up if Path(path).suffix.lower() in UPRIGHT else "y"

@@ -1,4 +1,4 @@
-"""What the commands `tile ...` say of a job of tiles."""
+"""Reports of the commands `tile ...`."""
 
 from __future__ import annotations
 
@@ -13,19 +13,12 @@ from ...scale.buckets import FOLDER as BUCKETS
 from ...scale.finish import finish_tiles
 from ...scale.status import TileStatus, tile_status
 
-MOST_NAMED = 20  # tiles in a line; JSON has all
+MOST_NAMED = 20  # tiles per line; JSON has all
 
 
 @dataclass(frozen=True)
 class TileReport(Report, Assessed):
-    """How far a job of tiles is, as a command tells it.
-
-    Attributes:
-        command: Its name.
-        status: How far the job is.
-        is_part: Whether only some tiles were to be done.
-        files: What was written.
-    """
+    """Progress of a tile job; `is_part` if only some tiles were requested."""
 
     command: str
     status: TileStatus
@@ -34,7 +27,6 @@ class TileReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Which tiles failed or were set aside; empty if none."""
         told = self.status
         if not told.troubles:
             return ()
@@ -44,7 +36,7 @@ class TileReport(Report, Assessed):
 
     @property
     def note(self) -> str | None:
-        """What is still to be done, after a run; that there are no points to write."""
+        """Remaining work after a run, or that there are no points to write."""
         told = self.status
         if self.command == "finish" and not told.points_out:
             return "the steps left no point: there are rasters alone"
@@ -55,7 +47,6 @@ class TileReport(Report, Assessed):
         return f"{told.waiting + told.running} tiles wait or are worked on by others"
 
     def fields(self) -> Fields:
-        """What has been done, and what went wrong, a line each."""
         told = self.status
         fields = [
             ("tiles", f"{told.done + told.empty} of {_all(told)} done" + (f", {told.empty} empty" * bool(told.empty)))
@@ -78,24 +69,21 @@ class TileReport(Report, Assessed):
         if told.done + told.empty:
             points += f", {told.points_in:,} done, {told.points_out:,} out"
         fields.append(("points", points))
-        if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # which `finish` removes
+        if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # removed by `finish`
             fields.append(("temporary", f"{told.bucket_bytes / 1e6:,.1f} MB on disk"))
         fields += [(name, " ".join(error.split())) for name, error in told.troubles.items()]
         return [*fields, ("files", ", ".join(self.files))] if self.files else fields
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types, on one level."""
         finished = {"is_finished": self.status.is_finished, "files": self.files, **quality(self)}
         return plain({"command": f"tile {self.command}"} | asdict(self.status) | finished)
 
 
 def report_of(command: str, status: TileStatus, *, is_part: bool = False) -> TileReport:
-    """What a command says of a job."""
     return TileReport(command, status, is_part)
 
 
 def finish_job(folder: Path, path: Path | None, **options: Any) -> TileReport:
-    """Make one file of all tiles, with the options of `finish_tiles`; what is said of it."""
     made = finish_tiles(folder, path, **options)
     return TileReport("finish", tile_status(folder), files=(str(made),))
 

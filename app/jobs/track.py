@@ -1,4 +1,4 @@
-"""The path of a camera from a folder of its RGB-D frames, to a file: `track_folder`."""
+"""Camera tracking of a folder of RGB-D frames: `track_folder`."""
 
 from __future__ import annotations
 
@@ -22,13 +22,7 @@ from .frame_folder import FolderOptions, FrameFolder, FramesReport
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class TrackReport(FramesReport):
-    """What `pointloom track` did.
-
-    Attributes:
-        path: What was made of the frames.
-        form: The format of the poses.
-        focal: Whether another focal length fits better.
-    """
+    """Report of `pointloom track`; `focal` reports if another focal length fits better."""
 
     path: TrackedPath
     form: str
@@ -36,17 +30,15 @@ class TrackReport(FramesReport):
 
     @property
     def rate(self) -> float:
-        """Frames a second of tracking alone."""
         return rate_of(self.path, self.done.seconds)
 
     def to_dict(self) -> dict[str, Any]:
-        """The report, in JSON's types; "errors" holds ATE and RPE where true poses lie beside the frames."""
+        """Report in JSON types; "errors" has ATE and RPE if true poses exist."""
         report = {"command": self.done.command, **self.folder.to_dict(), "format": self.form, **self.path.to_dict()}
         report |= {"frames_per_second": self.rate, "focal": plain(self.focal), "errors": plain(self.path.error)}
         return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
-        """The report as labels and values for the terminal."""
         return [
             *self.folder.among(self.path.fields(self.rate), before="path"),
             ("model", f"voxels of {self.path.voxel_size * 1000:g} mm"),
@@ -56,7 +48,6 @@ class TrackReport(FramesReport):
 
 
 def rate_of(path: TrackedPath, seconds: dict[str, float]) -> float:
-    """Frames a second of tracking alone."""
     return path.frame_count / max(seconds.get("track", 0.0), 1e-9)
 
 
@@ -71,20 +62,10 @@ def track_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrackReport:
-    """Find where each frame of a folder was taken, and write the poses; the output is checked before the work.
+    """Track the frames of a folder and write the poses; the output is checked before the work.
 
-    Args:
-        folder: As `open_frames` takes it; poses that lie there are taken as the truth.
-        output: A file of poses, T_world_camera with the first frame as the world: .txt or .tum (TUM's format), .log.
-            Frames that were lost have none in it; without any it is not written.
-        options: Which frames of the folder; None for all, as they lie there.
-        voxel_size, depth_max, device, progress: As `loom.track`.
-        overwrite: Replace the output if it exists.
-
-    Raises:
-        FileError: A folder of fewer than two frames, a file that cannot be read, an output that cannot be written.
-        ValueError: A length out of range.
-        DeviceError: No such device.
+    Poses in the folder are only used as truth. The output has T_world_camera with the first frame as world, .txt or
+    .tum (TUM) or .log, without lost frames; it is not written if all are lost.
     """
     form, where, clock = check_trajectory_output(output, overwrite=overwrite), resolve_device(device), Clock()
     opened = FrameFolder.open(folder, options or FolderOptions())

@@ -1,4 +1,4 @@
-"""How a command ends: its report printed, and the exit code that goes with it."""
+"""Report and exit code of a command."""
 
 from __future__ import annotations
 
@@ -13,24 +13,18 @@ from .group import exit_code
 
 
 class CommandReport(Protocol):
-    """What a command says of what it did."""
+    """Interface of command reports."""
 
     @property
-    def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks; empty if the result is reliable."""
-        ...
+    def warnings(self) -> tuple[str, ...]: ...
 
-    def fields(self) -> Fields:
-        """For people."""
-        ...
+    def fields(self) -> Fields: ...
 
-    def to_dict(self) -> dict[str, Any]:
-        """For programs."""
-        ...
+    def to_dict(self) -> dict[str, Any]: ...
 
 
 def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool = False) -> int:
-    """Print a report, as JSON or as labels and values below a title (to stderr with `err`), and give its exit code."""
+    """Print a report, as JSON or as fields below a title (on stderr with `err`). Returns the exit code."""
     if as_json:
         print_json(report.to_dict())
     else:

@@ -1,4 +1,4 @@
-"""The command `change`: what has moved between two surveys. As in cli.py nothing heavy is imported here."""
+"""The command `change`: change between two surveys. Nothing expensive is imported here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The chapters of the documentation, and which of them speak of a word: what `pointloom docs` shows."""
+"""Chapters of the documentation and their search: `pointloom docs`."""
 
 from __future__ import annotations
 
@@ -14,15 +14,9 @@ SKILL = Path(__file__).with_name("SKILL.md")
 
 @dataclasses.dataclass(frozen=True)
 class Chapter:
-    """A chapter.
+    """A chapter with its functions and classes under `loom`, corresponding shell commands, and additional search words.
 
-    Attributes:
-        number: From 1.
-        slug: The end of its script's name, docs/examples/chapters/plot_<slug>.py, and of its page's.
-        title: In words.
-        names: What to call, under `loom`.
-        commands: Which commands of the shell do the like.
-        words: Others by which it is found.
+    `slug` is the suffix of its script, docs/examples/chapters/plot_<slug>.py, and of its page.
     """
 
     number: int
@@ -33,31 +27,28 @@ class Chapter:
     words: str
 
     def speaks_of(self, words: tuple[str, ...]) -> bool:
-        """Whether each of the words stands somewhere in it; a number is the chapter's own."""
+        """True if it contains all words; a number is the chapter's own."""
         text = " ".join([self.title, self.slug, *self.names, *self.commands, self.words]).lower()
         return all(word.lower() in text if not word.isdigit() else int(word) == self.number for word in words)
 
     def lines(self, page: str | None) -> list[str]:
-        """What to call, what to type, what to read."""
         said = ["loom." + ", loom.".join(self.names)]
         if self.commands:
             said.append("pointloom " + ", pointloom ".join(self.commands))
         return [*said, page] if page else said
 
     def as_row(self) -> dict[str, object]:
-        """Its attributes by name."""
         return dataclasses.asdict(self)
 
 
 @functools.cache
 def chapters() -> tuple[Chapter, ...]:
-    """All of them, in order."""
     rows = tomllib.loads(Path(__file__).with_name("chapters.toml").read_text(encoding="utf-8"))["chapter"]
     return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
 
 
 def place_of_docs() -> str | None:
-    """Where the pages are: those built in this checkout, else the project's address; None where there is neither."""
+    """Location of the pages: built in this checkout, else the project's address, else None."""
     built = PACKAGE / "build" / "docs" / "html"
     if (built / "index.html").is_file():
         return built.as_uri()
@@ -70,7 +61,7 @@ def place_of_docs() -> str | None:
 
 
 def page_of(chapter: Chapter, place: str | None) -> str | None:
-    """Where a chapter's page is, or its script where only that is there; None where neither is."""
+    """Page of a chapter, or its script, or None."""
     if place is not None and place.startswith("file:"):
         return f"{place}/chapters/plot_{chapter.slug}.html"
     script = PACKAGE / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"

@@ -1,6 +1,6 @@
-"""The command line: `pointloom COMMAND`. What a command does lies in a module of its own, loaded when it runs.
+"""The command line `pointloom COMMAND`. Commands are implemented in their own modules, loaded on use.
 
-Nothing heavy is imported here: `pointloom --help` and each `COMMAND --help` answer at once.
+Nothing expensive is imported here, so that `--help` is fast.
 """
 
 from __future__ import annotations
@@ -302,15 +302,15 @@ def _terminate(number: int, frame: FrameType | None) -> None:
 
 
 def main() -> None:
-    """Run the command that the process was started with; what asks it to end leaves nothing half-written."""
+    """Run the command of the process; termination signals leave no partial files."""
     try:
-        if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as it is where a script starts the command with &
+        if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:  # as in a script that starts the command with &
             signal.signal(signal.SIGINT, signal.default_int_handler)
         signal.signal(signal.SIGTERM, _terminate)
         if os.environ.get(VARIABLE):
-            from . import completion as completion  # its shells are known to click from then on
+            from . import completion as completion  # registers its shells with click
         cli()
-    except KeyboardInterrupt:  # between two commands of click, which tells all others
+    except KeyboardInterrupt:  # between two commands of click, which handles all others
         click.echo("interrupted", err=True)
         raise SystemExit(INTERRUPTED) from None
 

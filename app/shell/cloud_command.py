@@ -1,4 +1,4 @@
-"""The frame of the commands from one file of points to another: IN, OUT, the options that all share, and the answer."""
+"""Decorator of commands from one point file to another: IN, OUT, common options and exit code."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ Answer: TypeAlias = "JobReport"
 def from_cloud_to_cloud(
     *, device: bool = True, columns: bool = True
 ) -> Callable[[Callable[..., Answer]], Callable[..., int]]:
-    """Give a command IN and OUT, either of them `-`, and after its own options those that all such commands share.
+    """Decorator: add IN and OUT (each may be `-`; OUT also by `-o`) and the common options after the command's own.
 
-    OUT is given by its place or by `-o`. The function gets source and output as files, overwrite, as_text, up,
-    (with `device`) device and (with `columns`) columns beside its own options, and returns its report.
+    The function receives source, output, overwrite, as_text, up, `device` and `columns` (if enabled) and its own
+    options, and returns its report.
     """
 
     def decorate(function: Callable[..., Answer]) -> Callable[..., int]:
@@ -81,7 +81,6 @@ def from_cloud_to_cloud(
 
 
 def _the_output(placed: Path | None, named: Path | None) -> Path:
-    """OUT, wherever it was given."""
     if placed is not None and named is not None:
         refuse(f"give OUT once, got {placed} and -o {named}")
     output = placed or named

@@ -1,7 +1,4 @@
-"""Completion in bash, zsh and fish: click's, with files by what their extension says of them.
-
-Loaded where a shell asks, or for `pointloom completion`.
-"""
+"""Completion in bash, zsh and fish: click's, with files by extension. Imported for completion only."""
 
 from __future__ import annotations
 
@@ -17,7 +14,7 @@ from click.shell_completion import (
     add_completion_class,
 )
 
-PATH = "path"  # the kind of an item that is a file or a folder, which shells show by its last part
+PATH = "path"  # type of items for files and folders, which shells show by their last part
 _PLAIN = "[[ $type == 'plain' ]]"
 
 CLOUDS = (
@@ -26,7 +23,7 @@ CLOUDS = (
 )  # fmt: skip
 MESHES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
 POSES = (".txt", ".tum", ".log", ".kitti", ".json")
-# What a parameter's metavar, which its help shows, says of its files; folders are shown beside them.
+# File extensions by the metavar of a parameter; folders are always shown.
 EXTENSIONS = {
     "IN": CLOUDS + MESHES, "OUT": CLOUDS + MESHES, "A": CLOUDS + MESHES, "B": CLOUDS + MESHES, "MESH": MESHES,
     "POSES": POSES, "TRUTH": POSES, "JSON": (".json",), "PNG": (".png",), "HTML": (".html",), "ONNX": (".onnx",),
@@ -36,7 +33,7 @@ EXTENSIONS = {
 
 
 def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
-    """The files that suit a parameter and the folders on the way to them; any file where none does."""
+    """Files that match a parameter, and folders; all files if none matches."""
     extensions = EXTENSIONS.get(metavar or "")
     found: list[CompletionItem] = []
     if extensions is not None:
@@ -55,7 +52,7 @@ def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
 
 
 class _Bash(BashComplete):
-    """Files as files: a folder is not the end of a word."""
+    """Bash completion that treats files as files: a folder does not end a word."""
 
     source_template = BashComplete.source_template.replace(
         f"elif {_PLAIN}; then",
@@ -65,7 +62,7 @@ class _Bash(BashComplete):
 
     @staticmethod
     def _check_version() -> None:
-        """Nothing: it would start bash each time; what an older one than 4.4 lacks, it says itself."""
+        """Skipped: it would start bash each time, and versions before 4.4 report an error themselves."""
 
 
 class _Zsh(ZshComplete):

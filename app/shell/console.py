@@ -1,6 +1,6 @@
-"""What the commands say: progress on stderr; a summary or one JSON object on stdout.
+"""Console output of commands: progress on stderr, a summary or one JSON object on stdout.
 
-Nothing heavy is imported here, so that `--help` stays quick; rich comes in with the first progress bar.
+rich is imported with the first progress bar only, so that `--help` is fast.
 """
 
 from __future__ import annotations
@@ -19,27 +19,23 @@ from ...core.reports import rows_of
 from ...core.standard_streams import is_terminal
 from ...core.wording import json_text
 
-# Seconds between lines of progress where stderr is a file: a log of a long run grows by 12 lines a minute.
+# [s] between lines of progress if stderr is a file: 12 lines per minute.
 LINE_INTERVAL = 5.0
 
 
 class OutputLostError(OSError):
-    """Standard output cannot be written any more: its disk is full, or nobody reads it."""
+    """Raised if standard output cannot be written: disk full or closed pipe."""
 
 
 class Progress:
-    """Progress on stderr: a bar in a terminal, a line now and then elsewhere. Call it as `ReportProgress`.
-
-    Args:
-        rates: Tell how many steps are done in a second too.
-    """
+    """Progress on stderr: a bar in a terminal, lines elsewhere; a `ReportProgress`. `rates` adds steps per second."""
 
     def __init__(self, *, rates: bool = False):
         self._rates, self._began = rates, time.monotonic()
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self._last_line = time.monotonic()
-        self._last_told: dict[str, int] = {}  # steps done, by stage
+        self._last_told: dict[str, int] = {}  # finished steps by stage
 
     def __enter__(self) -> Progress:
         if is_terminal(sys.stderr):
@@ -61,7 +57,7 @@ class Progress:
             self._bar.stop()
 
     def __call__(self, stage: str, done: int, total: int) -> None:
-        """Show that `done` of `total` steps of a stage are done; total 0 where nobody knows."""
+        """Show that `done` of `total` steps of a stage are done; `total` 0 if unknown."""
         if self._bar is None:
             self._tell(stage, done, total)
             return
@@ -77,12 +73,11 @@ class Progress:
             click.echo(escaped(f"{text} {self._rate(stage, done)}".rstrip()), err=True)
 
     def _rate(self, stage: str, done: int) -> str:
-        """The mean rate so far, where it is told."""
         return f"{done / max(time.monotonic() - self._began, 1e-3):.1f} {stage}/s" if self._rates and done else ""
 
 
 class CompileNotice(logging.Handler):
-    """Says on stderr, once, that kernels are compiled: a record of the library's logger."""
+    """Log handler that reports once on stderr that kernels are being compiled."""
 
     def __init__(self):
         super().__init__(logging.INFO)
@@ -99,19 +94,19 @@ class CompileNotice(logging.Handler):
         self._logger.setLevel(self._level)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Say it; how far a call is, the command says itself."""
+        """Print the notice, without the progress of the library's record."""
         if getattr(record, "compiles", False) and not self._said:
             self._said = True
             click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
 
 
 def print_json(report: dict[str, Any]) -> None:
-    """Print one JSON object; what is not a finite number becomes null."""
+    """Print one JSON object; non-finite numbers become null."""
     _say(json_text(report))
 
 
 def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
-    """Print labels and values in two columns, below a title; a value of several lines keeps its column."""
+    """Print labels and values in two columns below a title; multi-line values stay in their column."""
     if title:
         _say(escaped(title), err)
     for row in rows_of(fields):

@@ -1,4 +1,4 @@
-"""The command `depth`: pictures to clouds by a depth network. As in cli.py nothing heavy is imported here."""
+"""The command `depth`: images to clouds by a depth network. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .answer import answer_with
 from .console import Progress
 from .options import FILE, SCALE, device_option, force_option, json_option, refuse_same
 
-# The names of photos/depth/presets.py, which would load NumPy; a test holds the two together.
+# Names of photos/depth/presets.py, which would import NumPy; a test compares them.
 PRESETS = (
     "depth-anything-v2", "midas-v2.1", "midas-v2.1-small", "midas-v2.1-onnx", "midas-v2.1-small-onnx", "dpt",
     "depth-anything-v2-metric", "zoedepth", "depth-pro", "moge-2", "unidepth-v2", "metric3d-v2", "metric3d-convnext",

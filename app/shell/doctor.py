@@ -1,4 +1,4 @@
-"""Whether pointloom is well on this machine: versions, cores, devices, threads, and a trial of each device."""
+"""Check of this machine: versions, cores, devices, threads, and a trial on each device."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NO_COMPILER = "none"
 
 @dataclass(frozen=True)
 class Machine:
-    """Where this runs; `cores` are those that this process may use."""
+    """The machine; `cores` are those available to this process."""
 
     system: str
     python: str
@@ -42,7 +42,7 @@ class Machine:
 
 @dataclass(frozen=True)
 class Gpu:
-    """A GPU that Warp can use: "cuda:0", what it is called, its memory [B] and its architecture (90 for sm_90)."""
+    """A GPU that Warp can use: alias, name, memory [B], and architecture (90 for sm_90)."""
 
     name: str
     title: str
@@ -52,15 +52,7 @@ class Gpu:
 
 @dataclass(frozen=True)
 class Cuda:
-    """What there is of CUDA.
-
-    Attributes:
-        driver: The version of CUDA that the driver brings, where a GPU can be used.
-        installed_driver, needed_driver: Of NVIDIA; None where there is none, and where it is not known.
-        why_none: Why no GPU can be used, or None.
-        devices: The GPUs.
-        compiled_ahead: Whether kernels were, in words.
-    """
+    """State of CUDA: versions of CUDA and of NVIDIA's driver, `why_none` if no GPU is usable, and the GPUs."""
 
     driver: str | None
     installed_driver: str | None
@@ -72,13 +64,7 @@ class Cuda:
 
 @dataclass(frozen=True)
 class Trial:
-    """A small kernel on one device, twice: the first run may compile it.
-
-    Attributes:
-        device: Which.
-        seconds: Of the runs that came to their end, "first_seconds" and "again_seconds".
-        error: What went wrong, or None.
-    """
+    """A small kernel on one device, run twice as the first run may compile it; the error, or None."""
 
     device: str
     seconds: dict[str, float]
@@ -86,11 +72,9 @@ class Trial:
 
     @property
     def ok(self) -> bool:
-        """Whether it gave the right result."""
         return self.error is None
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it on one level; "error" only where there is one."""
         told: dict[str, Any] = {"device": self.device, "ok": self.ok, **self.seconds}
         return told if self.ok else {**told, "error": self.error}
 
@@ -102,17 +86,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class Diagnosis(Report):
-    """How the machine is.
-
-    Attributes:
-        versions: Of pointloom and of what it stands on, by name, or "missing".
-        machine: Where this runs.
-        cuda: What there is of CUDA.
-        cpu_compiler: Which one CPU kernels go through, or "none".
-        why: By how many threads, and what decides that; or why that compiler, or none.
-        trials: Of each device.
-        warnings: Why CPU kernels run on one core or fail, or why no GPU is usable though there is a driver for one.
-    """
+    """State of the machine, with dependency versions (or "missing") and the compiler of CPU kernels (or "none")."""
 
     versions: dict[str, str]
     machine: Machine
@@ -123,11 +97,9 @@ class Diagnosis(Report):
     warnings: tuple[str, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         return {"command": "doctor", **super().to_dict(), **quality(self)}
 
     def fields(self) -> Fields:
-        """The diagnosis as labels and values for the terminal."""
         machine, cuda = self.machine, self.cuda
         cores = f"{machine.cores} usable of {machine.cores_of_machine}"
         gpus = [f"{gpu.name} {gpu.title}, {format_bytes(gpu.memory_bytes)}, sm_{gpu.arch}" for gpu in cuda.devices]
@@ -145,14 +117,10 @@ class Diagnosis(Report):
 
 
 def diagnose() -> Diagnosis:
-    """Look at the machine.
-
-    Notes:
-        A small kernel runs on every device, twice: the first run may compile it.
-    """
+    """Check the machine, running a small kernel twice on every device."""
     versions, gpus = _versions(), _gpus()
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "pointloom uses one CPU core")  # which `why` says
+        warnings.filterwarnings("ignore", "pointloom uses one CPU core")  # reported by `why`
         trials = [_try(device) for device in ("cpu", *(gpu.name for gpu in gpus))]
         chosen, why = _choose()
     return Diagnosis(
@@ -180,7 +148,7 @@ def diagnose() -> Diagnosis:
 
 
 def _try(device: str) -> Trial:
-    """Bound a cloud twice on one device, and hold the answer against NumPy's."""
+    """Compute bounds twice on one device and compare with NumPy."""
     points = np.random.default_rng(0).random((_TRIAL_POINTS, 3), np.float32)
     clock = Clock()
     try:
@@ -190,13 +158,13 @@ def _try(device: str) -> Trial:
             clock.stop(stage)
         right = count == len(points) and (low == points.min(axis=0)).all() and (high == points.max(axis=0)).all()
         fault = None if right else "ran, but gave a wrong result"
-    except Exception as error:  # whatever is broken on this machine is what the user wants to read
+    except Exception as error:  # any failure of this machine is to be reported
         fault = str(error) or type(error).__name__
     return Trial(device, clock.seconds, fault)
 
 
 def _choose() -> tuple[str, str]:
-    """The compiler that CPU kernels go through, and by how many threads or why."""
+    """The compiler of CPU kernels, and the number of threads or the reason."""
     try:
         chosen = current_cpu_compiler()
         if chosen == "warp":
@@ -207,7 +175,6 @@ def _choose() -> tuple[str, str]:
 
 
 def _threads() -> str:
-    """By how many threads Warp's kernels run on the CPU, and what decides that."""
     count = get_num_threads()
     if reason := _why_one_core():
         return reason
@@ -220,7 +187,7 @@ def _threads() -> str:
 
 
 def _why_one_core() -> str | None:
-    """Why this Warp has one core and slower code, or None."""
+    """Reason why this Warp uses one core and slower code, or None."""
     if pool_code.is_usable():
         return None
     version = importlib.metadata.version("warp-lang")
@@ -236,7 +203,7 @@ def _why_slow(chosen: str, why: str, trials: list[Trial]) -> str | None:
 
 
 def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:
-    """Why no GPU serves though the machine has a driver for one."""
+    """Reason why no GPU is usable in spite of a driver."""
     return None if gpus or installed_driver() is None else f"no GPU serves: {why_no_gpu()}"
 
 

@@ -1,7 +1,4 @@
-"""The commands that take folders of RGB-D frames: fuse, track, reconstruct.
-
-As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
-"""
+"""The commands fuse, track and reconstruct for folders of RGB-D frames. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -179,14 +176,12 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
 
 
 def _folder_options(options: dict[str, Any]) -> FolderOptions:
-    """Which frames of a folder are taken, out of the options."""
     from ..jobs.frame_folder import FolderOptions
 
     return FolderOptions(**{name: options.pop(name) for name in FOLDER_OPTIONS if name in options})
 
 
 def _outputs(mesh: Path, options: dict[str, Any]) -> ModelOutputs:
-    """Where a model goes, out of the options."""
     from ..jobs.model_outputs import ModelOutputs
 
     return ModelOutputs(mesh, picture=options.pop("picture"), trajectory=options.pop("trajectory"))

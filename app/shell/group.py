@@ -1,7 +1,7 @@
-"""The command line as a whole: exit codes, errors in one line, and what a misspelt command may have meant.
+"""Command group with exit codes, one-line errors, and suggestions for misspelled commands.
 
-0 is done, 1 an error, 2 a wrong call, 3 done with an unreliable result, 130 interrupted. A command's function returns
-its code (None for 0) and raises whatever the library raises.
+Exit codes: 0 done, 1 error, 2 usage error, 3 unreliable result, 130 interrupted. A command returns its code (None for
+0) or raises the library's errors.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from .console import CompileNotice, OutputLostError, print_json
 
 ERROR, USAGE, UNRELIABLE, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143
 
-# The library's remedies in the words of the command line.
+# Remedies of the library in terms of the command line.
 _OPTIONS = {
     "overwrite=True": "--force",
     "layout=,": "--layout,",
@@ -39,12 +39,9 @@ _NoCommand: Any = getattr(click.exceptions, "NoArgsIsHelpError", ())  # click 8.
 
 
 class Commands(click.Group):
-    """A click group that names the nearest command where there is none of a name."""
-
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or name the nearest one."""
         names = self.list_commands(ctx)
         if args[0] in names or args[0].startswith("-"):
             return super().resolve_command(ctx, args)
@@ -56,7 +53,7 @@ class Commands(click.Group):
 
 
 class CommandLine(Commands):
-    """A click group that turns what its commands raise into one line on stderr and an exit code."""
+    """A click group that turns exceptions into one line on stderr and an exit code."""
 
     def main(
         self,
@@ -66,13 +63,12 @@ class CommandLine(Commands):
         standalone_mode: bool = True,
         **extra: Any,
     ) -> Any:
-        """Run the command that the arguments name, then leave the process with its exit code."""
         words = list(sys.argv[1:] if args is None else args)
         try:
             with warnings.catch_warnings(), CompileNotice():
                 warnings.showwarning = _show_warning
                 code = super().main(words, prog_name or "pointloom", complete_var, standalone_mode=False, **extra)
-        except _NoCommand as error:  # asked for nothing: told what there is
+        except _NoCommand as error:  # no command: show the help
             click.echo(error.ctx.get_help())
             code = 0
         except Exception as error:
@@ -86,7 +82,7 @@ class CommandLine(Commands):
 
 
 def exit_code(warnings: Iterable[str]) -> int:
-    """The exit code for a result: 3, with the warnings on stderr, if there are any; else 0."""
+    """Exit code of a result: 3, with the warnings on stderr, if there are any; else 0."""
     lines = [escaped(f"unreliable result: {warning}", lines=True) for warning in warnings]
     for line in lines:
         click.echo(line, err=True)
@@ -94,7 +90,7 @@ def exit_code(warnings: Iterable[str]) -> int:
 
 
 def report_error(error: Exception) -> str:
-    """Say on stderr what went wrong, with the traceback if the user asks for it; returns the message."""
+    """Print an error on stderr, with the traceback if requested. Returns the message."""
     if os.environ.get(TRACEBACK, "") not in ("", "0"):
         import traceback
 
@@ -105,9 +101,9 @@ def report_error(error: Exception) -> str:
 
 
 def _flushed(code: int) -> int:
-    """The exit code once all is written; 1 where it cannot be.
+    """The exit code after flushing output; 1 if that fails.
 
-    What cannot be written is dropped: Python would try again at its end, and say so in lines of its own.
+    Unwritable output is dropped: Python would retry at exit and print its own message.
     """
     if sys.stdout is None:
         return code
@@ -121,7 +117,7 @@ def _flushed(code: int) -> int:
 
 
 def _unknown_option(given: str, ctx: click.Context) -> str:
-    """What is said of an option that a command does not have: those like it, where else it is, and which there are."""
+    """Message for an unknown option: similar ones, other commands that have it, and all options."""
     from difflib import get_close_matches
 
     own = _options_of(ctx.command)
@@ -135,7 +131,7 @@ def _unknown_option(given: str, ctx: click.Context) -> str:
 
 
 def _commands_like(ctx: click.Context, option: str) -> list[str]:
-    """The commands from and to the same things as this one that have an option."""
+    """Commands with the same input and output types that have an option."""
     group = None if ctx.parent is None else ctx.parent.command
     if not isinstance(group, click.Group):
         return []
@@ -148,7 +144,6 @@ def _commands_like(ctx: click.Context, option: str) -> list[str]:
 
 
 def _options_of(command: click.Command) -> list[str]:
-    """The options of a command by the names that its help shows."""
     options = [one for one in command.params if isinstance(one, click.Option) and not one.hidden]
     return [name for option in options for name in (*option.opts, *option.secondary_opts)]
 

@@ -1,4 +1,4 @@
-"""Commands that help with the others: what the tab key completes, and where it is written how something is done."""
+"""Commands for shell completion and documentation."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import click
 from .console import print_json
 from .options import json_option, refuse
 
-VARIABLE = "_POINTLOOM_COMPLETE"  # how a shell asks for completions
+VARIABLE = "_POINTLOOM_COMPLETE"  # by which a shell requests completions
 BUILD = "`make docs` in a checkout builds them"
 
 
@@ -92,7 +92,6 @@ def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int
 
 
 def _open(page: str | None) -> None:
-    """Show a page in the browser; a wrong call where there is none."""
     if page is None or not page.startswith(("file:", "http")):
         refuse(f"no page is known here to open: {BUILD}")
     click.launch(page)

@@ -1,4 +1,4 @@
-"""The command `mesh`: a cloud to a surface. As in cli.py nothing heavy is imported here."""
+"""The command `mesh`: a cloud to a surface. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -15,17 +15,16 @@ from .toolbox import Number
 
 METHODS = ("poisson", "ball", "alpha")
 
-# The options that belong to one method.
+# Options of a single method.
 _OWN = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
 
 
 class Lengths(click.ParamType):
-    """Lengths in metres, such as 0.01,0.02,0.04."""
+    """Lengths [m], such as 0.01,0.02,0.04."""
 
     name = "lengths"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> list[float]:
-        """The lengths, or a usage error."""
         try:
             lengths = [float(part) for part in value.split(",")]
         except ValueError:
@@ -36,12 +35,11 @@ class Lengths(click.ParamType):
 
 
 class LengthOrAuto(click.ParamType):
-    """A length in metres, or auto."""
+    """A length [m], or auto."""
 
     name = "metres"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        """The length, or a usage error."""
         if value == "auto":
             return value
         try:

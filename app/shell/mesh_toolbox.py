@@ -1,7 +1,4 @@
-"""The commands that change, sample or compare meshes: clean-mesh, simplify, smooth-mesh, sample-mesh, compare-meshes.
-
-As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
-"""
+"""The commands clean-mesh, simplify, smooth-mesh, sample-mesh and compare-meshes; no expensive imports here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the options of the commands share: their types, checked before anything heavy is loaded."""
+"""Common option types of the commands, checked before anything expensive is imported."""
 
 from __future__ import annotations
 
@@ -18,13 +18,12 @@ Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 
 
 class Length(click.ParamType):
-    """A length in metres: a finite number above 0."""
+    """A length [m]: a finite number above 0."""
 
     name = "metres"
     what = "a length in metres above 0"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """The length, or a usage error."""
         try:
             number = float(value)
         except ValueError:
@@ -35,31 +34,27 @@ class Length(click.ParamType):
 
 
 class Scale(Length):
-    """A finite number above 0."""
-
     name = "number"
     what = "a number above 0"
 
 
 class DeviceName(click.ParamType):
-    """The name of a device; whether it exists is looked up later."""
+    """The name of a device; its existence is checked later."""
 
     name = "device"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """The name, or a usage error."""
         if not re.fullmatch(r"auto|cpu|cuda(:\d+)?", value):
             self.fail(f"expected auto, cpu or cuda:N (such as cuda:0), got {value!r}", param, ctx)
         return value
 
 
 class RecordingFile(click.Path):
-    """A file for a recording, whose suffix says the format."""
+    """A file for a recording; the suffix defines the format."""
 
     name = "file"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The path, or a usage error."""
         path = Path(os.fsdecode(super().convert(value, param, ctx)))
         if path.suffix.lower() not in RECORDINGS:
             self.fail(f"expected a name that ends in {', '.join(RECORDINGS)}, got {value!r}", param, ctx)
@@ -67,18 +62,13 @@ class RecordingFile(click.Path):
 
 
 class Renamed(click.Option):
-    """An option that is taken by an earlier name too, which neither help nor completion shows.
-
-    Args:
-        old: The earlier name.
-    """
+    """An option that also accepts an earlier name, hidden from help and completion."""
 
     def __init__(self, *args: Any, old: str, **attrs: Any):
         super().__init__(*args, **attrs)
         self.old = old
 
     def add_to_parser(self, parser: Any, ctx: click.Context) -> None:
-        """Have a parser take all names."""
         shown, self.opts = self.opts, [*self.opts, self.old]
         try:
             super().add_to_parser(parser, ctx)
@@ -87,10 +77,9 @@ class Renamed(click.Option):
 
 
 class CompletedPath(click.Path):
-    """A path, which the tab key completes by the files that the parameter's metavar speaks of."""
+    """A path with completion of the files named by the parameter's metavar."""
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
-        """The files and folders that suit."""
         from .completion import complete_path
 
         metavar = getattr(param, "metavar", None)
@@ -100,11 +89,10 @@ class CompletedPath(click.Path):
 LENGTH = Length()
 SCALE = Scale()
 FILE = CompletedPath(path_type=Path)
-POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format an extension, in all commands
+POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format per extension, in all commands
 
 
 def device_option() -> Decorator:
-    """`--device auto|cpu|cuda:0`."""
     text = "Where to compute: auto takes the first GPU, else the CPU."
     return click.option(
         "--device", type=DeviceName(), default="auto", show_default=True, metavar="auto|cpu|cuda:N", help=text
@@ -112,21 +100,17 @@ def device_option() -> Decorator:
 
 
 def json_option() -> Decorator:
-    """`--json`."""
     return click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout, nothing else.")
 
 
 def force_option() -> Decorator:
-    """`--force`."""
     return click.option("--force", is_flag=True, help="Replace outputs that exist.")
 
 
 def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
-    """`--layout`, `--intrinsic`, `--every`, `--depth-max`: which frames of a folder, and what of them.
+    """`--layout`, `--intrinsic`, `--every`, `--depth-max`; `--skip-missing` if `posed`.
 
-    Where they are posed, `--skip-missing` leaves out what lacks a picture or a pose. Where they need not be posed,
-    `pictures` is a layout too, and `--depth-scale` says its unit; a recording will do as well, and `--topic` and
-    `--color-topic` say which pictures of it.
+    Otherwise also the layout `pictures` with `--depth-scale`, and recordings with `--topic` and `--color-topic`.
     """
     layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
     scale = click.option(
@@ -165,23 +149,21 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
 
 
 def picture_option() -> Decorator:
-    """`--picture`."""
     return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
 
 
 def record_option(what: str) -> Decorator:
-    """`--record`."""
     text = f"Record {what}: .html (a page that plays), .gif or .mp4."
     return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
 
 
 def refuse(message: str) -> NoReturn:
-    """End the command as a wrong call."""
+    """End the command with a usage error."""
     raise click.UsageError(message, click.get_current_context())
 
 
 def refuse_same(**files: Path | None) -> None:
-    """Refuse two outputs in one file; each is named by the option that gives it."""
+    """Usage error if two outputs are one file; each is named by its option."""
     taken: dict[Path, str] = {}
     for name, path in files.items():
         if path is None:
@@ -193,33 +175,29 @@ def refuse_same(**files: Path | None) -> None:
 
 
 class ColumnNames(click.ParamType):
-    """Names of columns, parted by commas."""
+    """Column names separated by commas."""
 
     name = "names"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, ...]:
-        """The names; which of them are needed, the readers know."""
         return value if isinstance(value, tuple) else tuple(name.strip() for name in value.split(","))
 
 
 def columns_option() -> Decorator:
-    """`--columns`."""
     text = "Of .bin, .csv, .txt, .xyz: what the columns are, such as x,y,z,intensity,ring."
     return click.option("--columns", type=ColumnNames(), metavar="NAMES", help=text)
 
 
 def up_option() -> Decorator:
-    """`--up y|z`."""
     text = "Which axis is up here where IN or OUT is .glb or .gltf, in which it is y: z turns those."
     return click.option("--up", type=click.Choice(("y", "z")), default="y", show_default=True, help=text)
 
 
 def check_up(up: str, *paths: Path | None) -> None:
-    """Refuse --up z where it would do nothing."""
+    """Usage error for --up z without effect."""
     if up == "z" and not any(path is not None and path.suffix.lower() in (".glb", ".gltf") for path in paths):
         refuse("--up z is for .glb and .gltf, and none of the files is one")
 
 
 def ascii_option() -> Decorator:
-    """`--ascii`."""
     return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text; binary by default.")

@@ -1,7 +1,7 @@
-"""`-` in place of a file: standard input spooled to a file before the work, a file copied to standard output after it.
+"""`-` as a file name: standard input is spooled to a temporary file, an output is copied to standard output.
 
-Readers look into files from both ends and writers check the place first, so both work on a temporary file; its name
-shows nowhere. What a command says goes to stderr where its output takes stdout.
+Readers need seeking and writers check paths first, so both use temporary files, whose names are hidden. If the output
+takes stdout, the report goes to stderr.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ INPUT, OUTPUT = "standard input", "standard output"
 
 _PIPE = Path("-")
 
-# The extensions of files/bags/recording.py, files/points/formats.py and files/meshes/tables.py, which cannot be loaded
-# for --help; a test holds them alike.
+# Extensions of files/bags/recording.py, files/points/formats.py and files/meshes/tables.py, which are too expensive
+# to import for --help; a test compares them.
 RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
@@ -36,25 +36,17 @@ WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e
 
 
 def from_option() -> Decorator:
-    """`--from ply`."""
     text = "What comes through standard input, where - stands for a file."
     return click.option("--from", "read_as", type=click.Choice(READ), metavar="EXT", help=text)
 
 
 def to_option() -> Decorator:
-    """`--to ply`."""
     text = "What to write to standard output, where - stands for OUT."
     return click.option("--to", "write_as", type=click.Choice(WRITTEN), metavar="EXT", help=text)
 
 
 class Ends(NamedTuple):
-    """Files in place of pipes.
-
-    Attributes:
-        sources: What to read.
-        output: What to write; None where nothing is.
-        names: What to call the temporary files among them.
-    """
+    """Files in place of pipes; `names` has the displayed names of temporary ones."""
 
     sources: list[Path]
     output: Path | None
@@ -62,12 +54,11 @@ class Ends(NamedTuple):
 
     @property
     def writes_pipe(self) -> bool:
-        """Whether the output goes to standard output."""
         return OUTPUT in self.names.values()
 
     @contextlib.contextmanager
     def errors_renamed(self) -> Iterator[None]:
-        """Errors over temporary files come under the names of the pipes."""
+        """Context that renames temporary files in errors."""
         from ...core.errors import FileError
 
         try:
@@ -79,7 +70,6 @@ class Ends(NamedTuple):
             raise renamed from error
 
     def rename(self, value: Any) -> Any:
-        """A report with the names of pipes in place of temporary files."""
         if not self.names:
             return value
         if isinstance(value, dict):
@@ -102,17 +92,10 @@ def open_pipes(
     write_as: str | None = None,
     as_json: bool = False,
 ) -> Iterator[Ends]:
-    """Files in place of `-` among these, as long as the block lasts; at its end standard output has what was written.
+    """Context that replaces `-` by temporary files; at its end the output is copied to standard output.
 
-    Args:
-        sources: Files to read, at most one of them `-`.
-        output: A file to write.
-        read_as, write_as: The extensions of `-`.
-        as_json: Whether the report takes standard output.
-
-    Raises:
-        click.UsageError: An extension without its `-` or the other way round, or a terminal in place of a pipe.
-        FileError: What the block raises over a temporary file, under its own name.
+    `read_as` and `write_as` are the extensions of `-`. Raises click.UsageError for an extension without `-` or the
+    reverse, or a terminal in place of a pipe.
     """
     reads, writes = list(sources).count(_PIPE), output == _PIPE
     _check("from", "IN", reads > 0, read_as)
@@ -148,7 +131,6 @@ def open_pipes(
 
 
 def _send(path: Path, stdout: Any) -> None:
-    """Copy a file to standard output."""
     with path.open("rb") as file:
         try:
             shutil.copyfileobj(file, stdout)

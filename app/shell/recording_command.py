@@ -14,11 +14,7 @@ Made = TypeVar("Made", bound="Recorded")
 
 
 class Recorded(Protocol):
-    """The report of a command whose work may be recorded."""
-
-    def with_file(self, path: FilePath) -> Self:
-        """The report, with one more file that was written."""
-        ...
+    def with_file(self, path: FilePath) -> Self: ...
 
 
 def recorded(
@@ -29,18 +25,7 @@ def recorded(
     progress: ReportProgress,
     **options: Any,
 ) -> Made:
-    """What a command makes, recorded where a file is given for that; it stands behind the report's files.
-
-    Args:
-        make: What the command does; takes `overwrite` and `progress` too.
-        *arguments, **options: For it.
-        record_as: The recording; None makes none. It is checked before the work.
-        overwrite: Replace files that exist.
-        progress: Called with each stage; with "drawing" while an animation is drawn.
-
-    Raises:
-        FileError: The recording cannot be written; and whatever `make` raises.
-    """
+    """Run `make` with the arguments, `overwrite` and `progress`; record it to `record_as` (checked first) if given."""
     given: dict[str, Any] = {"overwrite": overwrite, "progress": progress}
     if record_as is None:
         return make(*arguments, **given, **options)

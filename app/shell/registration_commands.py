@@ -1,7 +1,4 @@
-"""The commands that find poses or judge them: register, multiway, odometry, evaluate.
-
-As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
-"""
+"""The commands register, multiway, odometry and evaluate. Nothing expensive is imported here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command `stations`: terrestrial scans into one frame. As in cli.py nothing heavy is imported here."""
+"""The command `stations`: registration of terrestrial scans. Nothing expensive is imported here."""
 
 from __future__ import annotations
 

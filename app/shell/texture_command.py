@@ -1,4 +1,4 @@
-"""The command `texture`: the colours of posed frames onto a mesh. As in cli.py nothing heavy is imported here."""
+"""The command `texture`: the colors of posed frames onto a mesh. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 
 
 def _for_model(options: dict[str, Any]) -> dict[str, Any]:
-    """What a model of pictures takes of the options; those given that it does not take are refused."""
+    """Options for a model of images; others cause a usage error."""
     context = click.get_current_context()
     taken = ("size", "depth_max", "device", "up")
     given = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]

@@ -1,4 +1,4 @@
-"""The commands `tile`: surveys larger than the memory. As in cli.py nothing heavy is imported here."""
+"""The commands `tile`: surveys larger than memory. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .console import Progress
 from .group import Commands
 from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 
-# The names of scale/plan.py, which would load NumPy; a test holds the two together.
+# Names of scale/plan.py, which would import NumPy; a test compares them.
 OUTPUTS = ("laz", "copc")
 AREAS = (".geojson", ".json", ".wkt")  # of scale/polygons.py
 FILES = ("laz", "las", "copc")  # of scale/finish.py, likewise
@@ -25,12 +25,11 @@ files that have changed and another version are refused, and what differs is sai
 
 
 class Area(click.ParamType):
-    """X0,Y0,X1,Y1, in the coordinates of the files, or the name of a file of polygons."""
+    """X0,Y0,X1,Y1 in file coordinates, or a polygon file."""
 
     name = "area"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The four numbers or the file, or a usage error."""
         if value.lower().endswith(AREAS):
             return Path(value)
         try:
@@ -45,12 +44,11 @@ class Area(click.ParamType):
 
 
 class Part(click.ParamType):
-    """17/400: which of how many."""
+    """17/400: index and number of parts."""
 
     name = "part"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
-        """The two numbers, or a usage error."""
         found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", value)
         which, of = map(int, found.groups()) if found else (0, 0)
         if not 1 <= which <= of:
@@ -59,12 +57,11 @@ class Part(click.ParamType):
 
 
 class TileName(click.ParamType):
-    """3_4: the column and the row of a tile."""
+    """3_4: column and row of a tile; its existence is checked later."""
 
     name = "tile"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """The name, or a usage error; whether there is such a tile is looked up later."""
         if not re.fullmatch(r"\d{1,9}_\d{1,9}", value):
             self.fail(f"expected COLUMN_ROW such as 3_4, got {value!r}", param, ctx)
         return value

@@ -1,7 +1,4 @@
-"""The commands that choose or label the points of a file: clean, cluster, plane, crop, downsample.
-
-As in cli.py nothing heavy is imported here; what a command does lies in the module of its name.
-"""
+"""The commands clean, cluster, plane, crop and downsample. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -16,13 +13,13 @@ from .cloud_command import Answer, from_cloud_to_cloud
 from .console import Progress
 from .options import FILE, LENGTH, Renamed, refuse
 
-NEIGHBORS, RATIO = 20, 2.0  # of the statistical filter, where not given: Open3D's example
+NEIGHBORS, RATIO = 20, 2.0  # defaults of the statistical filter: Open3D's example
 MOST_POINTS = 2**31 - 2
 MOST_SEED = 2**31 - 1
 
 
 class Number(click.ParamType):
-    """A number that a condition holds for; it is never NaN."""
+    """A number that fulfills a condition; never NaN."""
 
     name = "number"
 
@@ -30,7 +27,6 @@ class Number(click.ParamType):
         self._expected, self._accepts, self._kind = expected, accepts, kind
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """The number, or a usage error."""
         try:
             number = self._kind(value)
         except ValueError:

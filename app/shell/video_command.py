@@ -1,4 +1,4 @@
-"""The command `video`: pictures alone to a mesh. As in cli.py nothing heavy is imported here."""
+"""The command `video`: images to a mesh. Nothing expensive is imported here."""
 
 from __future__ import annotations
 
@@ -24,12 +24,11 @@ from .options import (
 
 
 class KnownDistance(click.ParamType):
-    """Two pictures and the distance of their cameras [m], such as 12,48,1.5."""
+    """Two images and the distance of their cameras [m], such as 12,48,1.5."""
 
     name = "pictures"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, str, float]:
-        """The two names and the length, or a usage error."""
         parts = [part.strip() for part in value.split(",")]
         try:
             metres = float(parts[-1])
@@ -41,10 +40,9 @@ class KnownDistance(click.ParamType):
 
 
 class Alignment(CompletedPath):
-    """A file of known places, "exif" or "none"."""
+    """A file of known positions, "exif" or "none"."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """The word or the path."""
         return value if value in ("exif", "none") else super().convert(value, param, ctx)
 
 

@@ -1,4 +1,4 @@
-"""The command view: files in the browser, or as a picture or a page of their own."""
+"""The command `view`: files in the browser, as an image or as a page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `pointloom view` does: `ViewJob`."""
+"""Implementation of `pointloom view`: `ViewJob`."""
 
 from __future__ import annotations
 
@@ -30,16 +30,11 @@ from .answer import answer_with
 from .console import Progress, print_json
 from .pipes import INPUT, Ends
 
-SIZE = (1280, 960)  # of pictures [px]
-FIRST_LOOK = 250_000  # points of a large file that are shown while it is read
+SIZE = (1280, 960)  # [px]
+FIRST_LOOK = 250_000  # points of a large file shown while it is being read
 
 
 def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) -> None:
-    """Hold that the outputs can be written, before any work.
-
-    Raises:
-        FileError: Another extension, or a place that cannot be written.
-    """
     if screenshot is not None:
         check_picture(screenshot, overwrite=force)
     if page is not None:
@@ -49,23 +44,9 @@ def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) ->
 
 
 class ViewJob:
-    """Files to show or to draw.
+    """Files to show or render; arguments are the options of `pointloom view`. Raises FileError or ValueError.
 
-    Args:
-        ends: The files to show, and what to call those that stand for pipes.
-        color_by, colormap: Of the clouds.
-        view_file: Open3D's view JSON.
-        point_size: [px].
-        up: Which axis is up; None takes that of the files.
-        max_points: Of the page.
-        topic, frame: Of recordings: which clouds, and the frame that they are brought together in.
-        columns: The names of the columns, for .bin, .csv, .txt and .xyz; None takes those of the files.
-        force: Replace outputs that exist.
-        port, host, no_open, linger: Of the server.
-
-    Raises:
-        FileError: A file that is missing, damaged or of no kind that is shown.
-        ValueError: No cloud has what it is to be coloured by.
+    `ends` are the files, with names for pipes; clouds of a recording's `topic` are transformed into `frame`.
     """
 
     def __init__(
@@ -103,7 +84,7 @@ class ViewJob:
         self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
     def read(self, tell: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
-        """Read the files; `tell` is told of it as stderr is. `in_parts` reads of large COPC files what comes first."""
+        """Read the files with progress; with `in_parts`, only the coarse levels of large COPC files."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
 
@@ -123,7 +104,6 @@ class ViewJob:
         self.clock.stop("read")
 
     def write(self, screenshot: Path | None, page: Path | None, as_json: bool) -> int:
-        """Draw a picture, write a page, or both."""
         self.read()
         named, written = self._colored(), []
         if screenshot is not None:
@@ -140,7 +120,7 @@ class ViewJob:
         return answer_with(self._ends.rename(report), title, as_json)
 
     def serve(self, as_json: bool) -> int:
-        """Show the files in the browser until the last page has gone; Ctrl-C is raised."""
+        """Show the files in the browser until the last page closes; Ctrl-C is raised."""
         from ...drawing.viewer.draw import announce, open_page
         from ...drawing.viewer.viewer import Viewer
 
@@ -157,7 +137,7 @@ class ViewJob:
             if self.view is not None:
                 viewer.set_view(self.view)
             first: list[Named] = []
-            if not self._ends.names and not any(self._columns):  # a pipe has been waited for
+            if not self._ends.names and not any(self._columns):  # waits for a pipe
                 first = first_looks(self.files, min(self.max_points, FIRST_LOOK), larger_than=self.max_points)
             if first:
                 viewer.add_named(first)
@@ -167,7 +147,7 @@ class ViewJob:
                 share = min(done / total, 1.0) if total > 0 else None
                 viewer.tell_progress(f"a first look at {self.title}; {stage}", share)
 
-            self.read(tell, in_parts=True)  # once it is known that there can be a server
+            self.read(tell, in_parts=True)  # after checking that a server can run
             viewer.tell_progress("")
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
@@ -189,7 +169,6 @@ class ViewJob:
         save_picture(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:
-        """The geometries with what pictures take as their style."""
         found: list[Named] = []
         for name, geometry, style in self.named:
             if name in self.trees:
@@ -224,33 +203,20 @@ class ViewJob:
 
 @dataclasses.dataclass(frozen=True)
 class Shown:
-    """A geometry that is shown.
-
-    Attributes:
-        name, kind: What it is called, and its type.
-        points: How many a cloud has; None of what is none.
-    """
+    """A displayed geometry: name, type, and number of points of a cloud."""
 
     name: str
     kind: str
     points: int | None
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         count = {} if self.points is None else {"points": self.points}
         return {"name": self.name, "kind": self.kind, **count}
 
 
 @dataclasses.dataclass(frozen=True)
 class ViewReport(Report, Assessed):
-    """What `pointloom view` shows, or wrote.
-
-    Attributes:
-        inputs: The files.
-        geometries: What they hold.
-        files: What was written; None where the page was served.
-        seconds: Of each stage; None where the page was served.
-    """
+    """Report of `pointloom view`; `files` and `seconds` are None if the page was served."""
 
     inputs: tuple[str, ...]
     geometries: tuple[Shown, ...]
@@ -259,17 +225,14 @@ class ViewReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """No quality is checked."""
         return ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         shown = {"command": "view", "inputs": self.inputs, "geometries": [one.to_dict() for one in self.geometries]}
         written = {} if self.files is None else {"files": self.files, "seconds": self.seconds}
         return plain(shown | written)
 
     def fields(self) -> Fields:
-        """What is shown, what it took, and what was written."""
         shown = [
             f"{one.name}: {one.kind}" + ("" if one.points is None else f", {one.points:,} points")
             for one in self.geometries

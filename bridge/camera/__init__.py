@@ -1,4 +1,4 @@
-"""Cameras and where they stood, under Open3D's names: extrinsics are world to camera."""
+"""Cameras and their extrinsics (world to camera) under Open3D's names."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""PinholeCameraIntrinsic, whose size and matrix are assigned."""
+"""PinholeCameraIntrinsic with assignable size and matrix."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from ..held import Held
 
 
 class PinholeCameraIntrinsic(Held):
-    """Size and matrix of a camera; without arguments it is none yet: -1 x -1 pixels.
+    """Camera from (width, height, fx, fy, cx, cy), (width, height, K), or PinholeCameraIntrinsicParameters.
 
-    Made of (width, height, fx, fy, cx, cy), of (width, height, K), or of a PinholeCameraIntrinsicParameters.
+    Without arguments the size is -1 x -1 (invalid).
     """
 
     _kind = camera.PinholeCameraIntrinsic
@@ -62,7 +62,6 @@ class PinholeCameraIntrinsic(Held):
 
     @property
     def width(self) -> int:
-        """Columns; assign another number."""
         return self._size[0]
 
     @width.setter
@@ -71,7 +70,6 @@ class PinholeCameraIntrinsic(Held):
 
     @property
     def height(self) -> int:
-        """Rows; assign another number."""
         return self._size[1]
 
     @height.setter
@@ -80,7 +78,7 @@ class PinholeCameraIntrinsic(Held):
 
     @property
     def intrinsic_matrix(self) -> NDArray[np.float64]:
-        """K, shape [3, 3]: not to be written to; assign another."""
+        """K, shape (3, 3), read-only array; assignable."""
         matrix = self._matrix.copy()
         matrix.flags.writeable = False
         return matrix
@@ -90,7 +88,6 @@ class PinholeCameraIntrinsic(Held):
         self._matrix = check_shape("intrinsic_matrix", values, (3, 3)).astype(np.float64)
 
     def set_intrinsics(self, width: int, height: int, fx: float, fy: float, cx: float, cy: float) -> None:
-        """Make it another camera."""
         self._take(self._kind(width, height, fx, fy, cx, cy))
 
     def get_focal_length(self) -> tuple[float, float]:
@@ -102,11 +99,10 @@ class PinholeCameraIntrinsic(Held):
         return float(self._matrix[0, 2]), float(self._matrix[1, 2])
 
     def get_skew(self) -> float:
-        """The skew; a camera with one is refused by what uses it."""
+        """The skew; cameras with skew are rejected where used."""
         return float(self._matrix[0, 1])
 
     def is_valid(self) -> bool:
-        """Whether it has a size."""
         return min(self._size) > 0
 
     def __repr__(self) -> str:

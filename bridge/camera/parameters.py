@@ -1,4 +1,4 @@
-"""PinholeCameraParameters and PinholeCameraTrajectory: extrinsics are world to camera, poses of ours the inverse."""
+"""PinholeCameraParameters and PinholeCameraTrajectory; extrinsics are world to camera, inverse to pointloom's poses."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from .intrinsic import PinholeCameraIntrinsic
 
 
 class PinholeCameraParameters(KnownNames):
-    """A camera and where it stood: `intrinsic`, and `extrinsic` 4x4 world to camera, both assigned.
+    """Assignable `intrinsic` and `extrinsic` (4x4, world to camera).
 
-    A new one stands at the origin (Open3D's extrinsic is whatever was in memory).
+    The initial extrinsic is the identity (in Open3D uninitialized memory).
     """
 
     def __init__(self, other: PinholeCameraParameters | None = None):
@@ -26,7 +26,6 @@ class PinholeCameraParameters(KnownNames):
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The camera; its numbers are assigned in place."""
         return self._intrinsic
 
     @intrinsic.setter
@@ -35,7 +34,7 @@ class PinholeCameraParameters(KnownNames):
 
     @property
     def extrinsic(self) -> NDArray[np.float64]:
-        """World to camera, shape [4, 4]: not to be written to; assign another."""
+        """World to camera, shape (4, 4), read-only array; assignable."""
         matrix = self._extrinsic.copy()
         matrix.flags.writeable = False
         return matrix
@@ -49,14 +48,13 @@ class PinholeCameraParameters(KnownNames):
 
 
 class PinholeCameraTrajectory(KnownNames):
-    """`parameters`: a list of cameras, assigned as a whole; what is appended to it stays, too (Open3D drops that)."""
+    """`parameters`: an assignable list of cameras; appended ones are kept (Open3D drops them)."""
 
     def __init__(self, other: PinholeCameraTrajectory | None = None):
         self._parameters = [] if other is None else [PinholeCameraParameters(one) for one in other._parameters]
 
     @property
     def parameters(self) -> list[PinholeCameraParameters]:
-        """The cameras."""
         return self._parameters
 
     @parameters.setter
@@ -65,7 +63,7 @@ class PinholeCameraTrajectory(KnownNames):
 
     @classmethod
     def _of(cls, trajectory: Trajectory, intrinsic: Any) -> PinholeCameraTrajectory:
-        """The cameras of our poses, which are camera to world."""
+        """Cameras from poses (camera to world)."""
         made = cls()
         for pose in trajectory.poses:
             one = PinholeCameraParameters()
@@ -75,7 +73,7 @@ class PinholeCameraTrajectory(KnownNames):
 
     @property
     def _ours(self) -> Trajectory:
-        """The poses, camera to world."""
+        """Poses, camera to world."""
         extrinsics = np.array([one._extrinsic for one in self._parameters], np.float64)
         poses: NDArray[np.float64] = np.linalg.inv(extrinsics.reshape(-1, 4, 4)).astype(np.float64)
         return Trajectory(poses)

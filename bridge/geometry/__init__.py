@@ -1,4 +1,4 @@
-"""Clouds, meshes, lines, boxes, voxels, images and searches, under Open3D's names and changed in place as there."""
+"""Geometries and searches under Open3D's names, changed in place as there."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

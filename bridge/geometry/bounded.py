@@ -1,4 +1,4 @@
-"""Shapes that boxes are put around."""
+"""Base class of geometries with bounding boxes."""
 
 from __future__ import annotations
 
@@ -10,13 +10,11 @@ from .geometry import Geometry3D
 
 
 class BoundedByBoxes(Geometry3D):
-    """A shape with a box around it."""
-
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The box along the axes.
+        """Axis-aligned bounding box.
 
-        It contains the digits that were assigned and ours, which are rounded to float32: indices of points within it,
-        and voxels that begin at it, contain all points.
+        It contains both the assigned float64 coordinates and the float32 ones, so that point indices within it and
+        voxels starting at it include all points.
         """
         box = self._ours.get_axis_aligned_bounding_box()
         assigned = self._out.get(next(iter(self._arrays)))
@@ -25,17 +23,14 @@ class BoundedByBoxes(Geometry3D):
         return AxisAlignedBoundingBox._of(box)
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """The lowest coordinates, shape [3]."""
         return np.array(self.get_axis_aligned_bounding_box().min_bound)
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """The highest coordinates, shape [3]."""
         return np.array(self.get_axis_aligned_bounding_box().max_bound)
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The box along the principal axes."""
+        """Box along the principal axes."""
         return OrientedBoundingBox._of(self._ours.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The smallest box."""
         return OrientedBoundingBox._of(self._ours.get_minimal_oriented_bounding_box(robust))

@@ -1,4 +1,4 @@
-"""AxisAlignedBoundingBox and OrientedBoundingBox: their corners, axes and colours are assigned, as in Open3D."""
+"""AxisAlignedBoundingBox and OrientedBoundingBox with assignable corners, axes and colors, as in Open3D."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Row = NDArray[np.float64]
 
 
 class Value:
-    """A number or a few of them that are assigned one by one; ours is made of all when it is next needed."""
+    """An assignable number or row; the pointloom object is made from all of them on demand."""
 
     def __init__(self, *shape: int):
         self.shape = shape
@@ -34,10 +34,8 @@ class Value:
 
 
 class BoundingBox(Geometry3D):
-    """What both kinds of boxes have in common."""
-
     _fields: tuple[str, ...] = ()
-    _edited: dict[str, Row] | None = None  # what was assigned since ours was made
+    _edited: dict[str, Row] | None = None  # assigned since the last conversion
 
     color = Value(3)
 
@@ -53,54 +51,43 @@ class BoundingBox(Geometry3D):
         return self._edited or {name: getattr(self._held, name) for name in (*self._fields, "color")}
 
     def clear(self) -> Self:
-        """Make it a box without extent at zero."""
+        """Reset to an empty box at zero."""
         self._held, self._edited = type(self)()._held, None
         return self
 
     def transform(self, arg0: ArrayLike) -> Self:
-        """Not a box any more, as in Open3D.
-
-        Raises:
-            RuntimeError: Always.
-        """
+        """Always raises RuntimeError, as in Open3D."""
         raise RuntimeError(
             "a 4x4 matrix does not make a box of a box; box.rotate(R, center) and box.translate(t) move an "
             "OrientedBoundingBox"
         )
 
     def get_box_points(self) -> Vector3dVector:
-        """The eight corners."""
         return Vector3dVector(self._ours.get_box_points())
 
     def get_extent(self) -> Row:
-        """Lengths along the axes."""
         return self._ours.get_extent()
 
     def get_point_indices_within_bounding_box(self, points: Any) -> list[int]:
-        """Which points of a vector are inside."""
         return self._ours.get_point_indices_within_bounding_box(as_array(points)).tolist()
 
     def volume(self) -> float:
-        """Its volume."""
         return self._ours.volume()
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The smallest aligned box around it."""
         return AxisAlignedBoundingBox._of(self._ours.get_axis_aligned_bounding_box())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """It as a turned one."""
         return OrientedBoundingBox._of(self._ours.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """It as a turned one."""
         return OrientedBoundingBox._of(self._ours.get_minimal_oriented_bounding_box(robust))
 
 
 class AxisAlignedBoundingBox(BoundingBox):
-    """A box along the axes: `min_bound`, `max_bound` and `color` are assigned.
+    """An axis-aligned box with assignable `min_bound`, `max_bound` and `color`.
 
-    The corners that make one are sorted, as in Open3D.
+    The constructor sorts the corners, as in Open3D.
     """
 
     _kind, _fields = boxes.AxisAlignedBoundingBox, ("min_bound", "max_bound")
@@ -116,29 +103,21 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points(cls, points: Any) -> Self:
-        """The box of a vector of points."""
         return cls._of(cls._kind.create_from_points(as_array(points)))
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
-        """Not an aligned box any more, as in Open3D.
-
-        Raises:
-            RuntimeError: Always.
-        """
+        """Always raises RuntimeError, as in Open3D."""
         raise RuntimeError(
             "a turned box is not aligned with the axes; box.get_oriented_bounding_box().rotate(R, center)"
         )
 
     def get_half_extent(self) -> Row:
-        """Half the lengths along the axes."""
         return self._ours.get_half_extent()
 
     def get_max_extent(self) -> float:
-        """The longest of the lengths."""
         return self._ours.get_max_extent()
 
     def get_print_info(self) -> str:
-        """The bounds in words."""
         return self._ours.get_print_info()
 
     def __iadd__(self, other: AxisAlignedBoundingBox) -> Self:
@@ -150,7 +129,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
 
 class OrientedBoundingBox(BoundingBox):
-    """A turned box: `center`, `R`, `extent` and `color` are assigned."""
+    """A rotated box with assignable `center`, `R`, `extent` and `color`."""
 
     _kind, _fields = boxes.OrientedBoundingBox, ("center", "R", "extent")
 
@@ -167,17 +146,16 @@ class OrientedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:
-        """The same box."""
         return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(aabox, AxisAlignedBoundingBox, "aabox")))
 
     @classmethod
     def create_from_points(cls, points: Any, robust: bool = False) -> Self:
-        """The box along the principal axes of a vector of points."""
+        """Box along the principal axes of points."""
         return cls._of(cls._kind.create_from_points(as_array(points), robust))
 
     @classmethod
     def create_from_points_minimal(cls, points: Any, robust: bool = False) -> Self:
-        """The smallest box of a vector of points."""
+        """Smallest box of points."""
         return cls._of(cls._kind.create_from_points_minimal(as_array(points), robust))
 
     def __repr__(self) -> str:

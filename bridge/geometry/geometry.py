@@ -1,4 +1,4 @@
-"""The bases of Open3D's shapes: what all of them answer and how they are moved."""
+"""Base classes of Open3D's geometries."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from . import rotations
 
 
 class GeometryType(enum.IntEnum):
-    """Kinds of shapes: what `get_geometry_type` returns."""
+    """Return values of `get_geometry_type`."""
 
     Unspecified = 0
     PointCloud = 1
@@ -31,30 +31,25 @@ class GeometryType(enum.IntEnum):
 
 
 class Geometry(Held):
-    """What all shapes of Open3D have."""
-
     Type = GeometryType
     _dimension: ClassVar[int] = 3
 
     def dimension(self) -> int:
-        """2 of images, 3 of all else."""
+        """2 for images, else 3."""
         return self._dimension
 
     def get_geometry_type(self) -> GeometryType:
-        """Which kind of shape it is."""
         return GeometryType.__members__.get(type(self).__name__, GeometryType.Unspecified)
 
 
 class Geometry2D(Geometry):
-    """Images."""
-
     _dimension = 2
 
 
 class Geometry3D(Geometry):
-    """Shapes in space: moved in place, each method returns the shape itself."""
+    """Base class of 3D geometries, transformed in place; methods return the geometry itself."""
 
-    _arrays: ClassVar[dict[str, str]] = {}  # vectors that a matrix maps: "points", "normals" or "covariances"
+    _arrays: ClassVar[dict[str, str]] = {}  # mapped vectors: "points", "normals" or "covariances"
 
     get_rotation_matrix_from_xyz = staticmethod(rotations.get_rotation_matrix_from_xyz)
     get_rotation_matrix_from_yzx = staticmethod(rotations.get_rotation_matrix_from_yzx)
@@ -66,52 +61,47 @@ class Geometry3D(Geometry):
     get_rotation_matrix_from_quaternion = staticmethod(rotations.get_rotation_matrix_from_quaternion)
 
     def clear(self) -> Self:
-        """Drop all that it holds."""
         return self._become(self._ours.clear())
 
     def is_empty(self) -> bool:
-        """Whether it holds nothing."""
         return bool(self._ours.is_empty())
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """The lowest coordinates, shape [3]."""
         return self._ours.get_min_bound()
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """The highest coordinates, shape [3]."""
         return self._ours.get_max_bound()
 
     def get_center(self) -> NDArray[np.float64]:
-        """The middle, shape [3]."""
         return self._ours.get_center()
 
     def transform(self, arg0: ArrayLike) -> Self:
-        """Move by a 4x4 matrix; a projective or a singular one moves the points in float64."""
+        """Apply a 4x4 matrix; projective or singular ones transform the points in float64."""
         T = np.asarray(arg0)
         if T.shape == (4, 4) and np.isfinite(T).all() and not is_affine(T):
             return self._map_arrays(T.astype(np.float64))
         return self._moved(self._ours.transform(arg0), T[:3, :3])
 
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """Move by a vector; with `relative=False`, the middle there."""
+        """Translate by a vector; with `relative=False`, move the center there."""
         return self._become(self._ours.translate(column("translation", translation), relative))
 
     def scale(self, scale: float, center: ArrayLike) -> Self:
-        """Scale about a point; zero and negative factors move the points alone."""
+        """Scale about a point; zero and negative factors affect the points only."""
         factor, middle = check_number("scale", scale), column("center", center)
         if factor > 0 or not self._arrays:
             return self._become(self._ours.scale(scale, middle))
         return self._map_arrays(map_about(factor * np.eye(3), middle), directions=False)
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
-        """Turn about a point, about the middle where none is given; other matrices than rotations are applied, too."""
+        """Rotate about a point, by default the center; other matrices than rotations are applied, too."""
         A, middle = np.asarray(R), self.get_center() if center is None else column("center", center)
         if self._arrays and A.shape == (3, 3) and not is_rotation(A):
             return self.transform(map_about(A, middle))
         return self._moved(self._ours.rotate(R, middle), A)
 
     def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
-        """Replace ours by what a map with the 3x3 part A made of it."""
+        """Replace the object by its image under a map with the 3x3 part A."""
         return self._become(new)
 
     def _map_arrays(self, T: NDArray[np.float64], *, directions: bool = True) -> Self:
@@ -131,12 +121,12 @@ class Geometry3D(Geometry):
 
 
 def is_affine(T: NDArray[Any]) -> bool:
-    """True for an affine map with an inverse."""
+    """True for an invertible affine map."""
     return np.array_equal(T[3], (0, 0, 0, 1)) and np.linalg.matrix_rank(T[:3, :3]) == 3
 
 
 def is_rotation(A: NDArray[Any]) -> bool:
-    """True for a rotation matrix within the rounding that ours accepts."""
+    """True for a rotation matrix within pointloom's tolerance."""
     T = np.eye(4)
     T[:3, :3] = A
     return is_plainly_rigid(T.tolist(), RIGID_TOLERANCE, LARGEST_NUMBER)

@@ -1,4 +1,4 @@
-"""Image: an array that `np.asarray` shows and writes to, with Open3D's filters by scipy."""
+"""Image: an array shared with `np.asarray`, with Open3D's filters by scipy."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...core.known_names import ToldNames
 from .enums import ImageFilterType
 from .geometry import GeometryType
 
-# What Open3D's filters correlate columns and rows with.
+# Separable kernels of Open3D's filters.
 WEIGHTS = {
     ImageFilterType.Gaussian3: ([0.25, 0.5, 0.25],) * 2,
     ImageFilterType.Gaussian5: ([0.0625, 0.25, 0.375, 0.25, 0.0625],) * 2,
@@ -24,7 +24,7 @@ GREY = np.array([0.2990, 0.5870, 0.1140], np.float32)
 
 
 class Image(ToldNames):
-    """A picture, uint8, uint16 or float32, [h, w] or [h, w, c]: `np.asarray(image)` is its memory."""
+    """An image, uint8, uint16 or float32, (h, w) or (h, w, c); `np.asarray(image)` is its memory."""
 
     Type = GeometryType
     _row: ClassVar[tuple[int, ...]] = (0,)
@@ -41,25 +41,25 @@ class Image(ToldNames):
 
     @classmethod
     def _around(cls, values: NDArray[Any]) -> Self:
-        """An image over an array of the right type and shape, without a copy."""
+        """Wrap an array of the right type and shape without a copy."""
         image = cls.__new__(cls)
         image._values = values
         return image
 
     def _fill(self, values: NDArray[Any]) -> None:
-        """Take other pixels, in the same memory where they fit into it."""
+        """Replace the pixels, in the same memory if they fit."""
         if self._values.shape == values.shape and self._values.dtype == values.dtype:
             self._values[...] = values
         else:
             self._values = np.array(values)
 
     def _floats(self) -> NDArray[np.float32]:
-        """The picture as Open3D takes it for numbers: bytes over 255, larger ones as they are, colours as grey."""
+        """Gray floats as in Open3D: bytes over 255, larger types unscaled."""
         values = self._values.astype(np.float32) / np.float32(255 if self._values.dtype == np.uint8 else 1)
         return values if values.ndim == 2 else values[..., :3] @ GREY
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The memory itself, unless a copy or another type is asked for."""
+        """The memory itself, unless a copy or another type is requested."""
         values = self._values
         return np.array(values, dtype) if copy else values.astype(dtype or values.dtype, copy=False)
 
@@ -75,19 +75,15 @@ class Image(ToldNames):
         return Image(self)
 
     def dimension(self) -> int:
-        """2."""
         return 2
 
     def get_geometry_type(self) -> GeometryType:
-        """That of images."""
         return GeometryType.Image
 
     def is_empty(self) -> bool:
-        """Whether there are no pixels."""
         return self._values.size == 0
 
     def clear(self) -> Image:
-        """Drop the pixels."""
         self._values = np.zeros((0, 0), np.uint8)
         return self
 
@@ -100,21 +96,18 @@ class Image(ToldNames):
         return np.array(self._values.shape[1::-1], np.float64)
 
     def flip_vertical(self) -> Image:
-        """The picture upside down."""
         return Image(self._values[::-1])
 
     def flip_horizontal(self) -> Image:
-        """The picture mirrored."""
         return Image(self._values[:, ::-1])
 
     def filter(self, filter_type: ImageFilterType) -> Image:
-        """The picture as grey floats, smoothed or its slopes."""
         columns, rows = WEIGHTS[filter_type]
         values = correlate1d(self._floats(), columns, axis=1, mode="nearest")
         return Image(correlate1d(values, rows, axis=0, mode="nearest"))
 
     def create_pyramid(self, num_of_levels: int, with_gaussian_filter: bool) -> list[Image]:
-        """The picture as grey floats, and each time half as large: the means of two by two pixels."""
+        """Gray floats at successive half sizes (means of 2 x 2 pixels)."""
         levels = [self._floats()]
         for _ in range(num_of_levels - 1):
             image = Image(levels[-1])
@@ -125,16 +118,11 @@ class Image(ToldNames):
 
     @staticmethod
     def filter_pyramid(image_pyramid: list[Image], filter_type: ImageFilterType) -> list[Image]:
-        """Each picture filtered."""
         return [image.filter(filter_type) for image in image_pyramid]
 
 
 def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
-    """The array of an image, or an array.
-
-    Raises:
-        TypeError: Something else.
-    """
+    """The array of an image, or an array; raises TypeError."""
     if not isinstance(image, Image | np.ndarray):
         raise TypeError(
             f"{name}: expected a geometry.Image, got {type(image).__name__}; o3d.io.read_image(path) reads one, "
@@ -144,9 +132,9 @@ def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
 
 
 def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
-    """The pixels of a depth image: 16 bits or floats, all to be divided by a scale.
+    """Pixels of a depth image, 16 bits or floats, to be divided by a scale.
 
-    Bytes are scaled to 0..1 where `bytes_too`, as Open3D does for RGBDImages; else pointloom refuses them.
+    Bytes are scaled to 0 to 1 if `bytes_too`, as Open3D does for RGBDImages; otherwise they are rejected.
     """
     pixels = pixels_of(depth, "depth")
     if pixels.dtype == np.uint16 or (pixels.dtype == np.uint8 and not bytes_too):
@@ -155,5 +143,5 @@ def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
 
 
 def below(depth_trunc: float) -> float:
-    """The largest depth that is less than a limit: Open3D drops what is at it."""
+    """The largest depth below a limit: Open3D drops values at the limit."""
     return float(np.nextafter(np.float32(depth_trunc), np.float32(0)))

@@ -1,4 +1,4 @@
-"""KDTreeFlann: one query a call, by scipy's tree in float64; `loom.NearestNeighborSearch` takes many at once."""
+"""KDTreeFlann: single queries by scipy's tree in float64; `loom.NearestNeighborSearch` is for many at once."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Found = tuple[int, IntVector, DoubleVector]
 
 
 class KDTreeFlann(ToldNames):
-    """A search over the points of a cloud, the vertices of a mesh, features, or the columns of a matrix.
+    """Search in the points of a cloud, the vertices of a mesh, features, or the columns of a matrix.
 
-    Searches return how many were found, their numbers by distance, and their squared distances. As in Open3D the tree
-    keeps the places that the points had when it was made.
+    Searches return count, indices by distance, and squared distances. As in Open3D, the tree keeps the positions at
+    construction.
     """
 
     def __init__(self, data: Any = None):
@@ -30,15 +30,12 @@ class KDTreeFlann(ToldNames):
             self._set(data)
 
     def set_geometry(self, geometry: Any) -> bool:
-        """Search the points of a cloud or the vertices of a mesh."""
         return self._set(geometry)
 
     def set_matrix_data(self, data: ArrayLike) -> bool:
-        """Search the columns of a matrix."""
         return self._set(data)
 
     def set_feature(self, feature: Any) -> bool:
-        """Search features."""
         return self._set(feature)
 
     def _set(self, data: Any) -> bool:
@@ -49,11 +46,10 @@ class KDTreeFlann(ToldNames):
         return True
 
     def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> Found:
-        """The nearest `knn`."""
         return self._nearest(query, check_count("knn", knn))
 
     def search_radius_vector_3d(self, query: ArrayLike, radius: float) -> Found:
-        """All points nearer than a radius; a point at exactly the radius is not one of them, as in Open3D."""
+        """All points within a radius, excluding those at exactly the radius, as in Open3D."""
         tree, point = self._asked(query)
         reach = check_positive("radius", radius, allow_zero=True, allow_infinite=True)
         rows = np.array(tree.query_ball_point(point, reach), np.int64)
@@ -63,13 +59,11 @@ class KDTreeFlann(ToldNames):
         return len(rows), IntVector(rows[order]), DoubleVector(sqdists[order])
 
     def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> Found:
-        """The nearest `max_nn` that are nearer than a radius."""
         return self._nearest(
             query, check_count("max_nn", max_nn), check_positive("radius", radius, allow_zero=True, allow_infinite=True)
         )
 
     def search_vector_3d(self, query: ArrayLike, search_param: KDTreeSearchParam) -> Found:
-        """As a search parameter says."""
         reach = keywords_of(search_param)
         if reach["radius"] is None:
             return self.search_knn_vector_3d(query, reach["max_nn"])
@@ -99,7 +93,6 @@ class KDTreeFlann(ToldNames):
 
 
 def _rows_of(data: Any) -> NDArray[np.float64]:
-    """What is searched among, a row each."""
     if isinstance(data, Held):
         for name in ("points", "vertices"):
             if name in dir(type(data)):

@@ -17,6 +17,5 @@ def compute_iss_keypoints(
     gamma_32: float = 0.975,
     min_neighbors: int = 5,
 ) -> PointCloud:
-    """As `loom.compute_iss_keypoints`."""
     limits = salient_radius, non_max_radius, gamma_21, gamma_32, min_neighbors
     return PointCloud._of(keypoints.compute_iss_keypoints(ours(input, PointCloud, "input"), *limits))

@@ -18,7 +18,7 @@ from .point_cloud import PointCloud
 
 
 class LineSet(BoundedByBoxes):
-    """Segments between points: `points`, `lines` and `colors` (one a line) are assigned."""
+    """Segments between points; `points`, `lines` and `colors` (per line) are assignable."""
 
     _kind = line_set.LineSet
     _arrays: ClassVar = {"points": "points"}
@@ -50,17 +50,15 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, box: Any) -> Self:
-        """The edges of a box."""
         return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(box, AxisAlignedBoundingBox, "box")))
 
     @classmethod
     def create_from_oriented_bounding_box(cls, box: Any) -> Self:
-        """The edges of a turned box."""
         return cls._of(cls._kind.create_from_oriented_bounding_box(ours(box, OrientedBoundingBox, "box")))
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
-        """The edges of a mesh, each once, as the first triangle that has it names it."""
+        """Unique edges of a mesh, in the order of their first triangles."""
         surface = ours(mesh)
         edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
         _, first = np.unique(np.sort(edges, axis=1), axis=0, return_index=True)
@@ -68,7 +66,7 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:
-        """A line for each pair of points of two clouds, between all points of both: first those of `cloud0`."""
+        """A line per correspondence; the points are those of `cloud0`, then `cloud1`."""
         pairs, ends, points = np.asarray(correspondences).reshape(-1, 2), [], []
         for i, name in enumerate(("cloud0", "cloud1")):
             cloud = ours((cloud0, cloud1)[i], PointCloud, name)
@@ -93,35 +91,28 @@ class LineSet(BoundedByBoxes):
         )
 
     def has_points(self) -> bool:
-        """Whether there are points."""
         return self._count("points") > 0
 
     def has_lines(self) -> bool:
-        """Whether there are lines."""
         return self.has_points() and self._count("lines") > 0
 
     def has_colors(self) -> bool:
-        """Whether each line has a colour."""
         return 0 < self._count("lines") == self._count("colors")
 
     def is_empty(self) -> bool:
-        """Whether there are no points."""
         return not self.has_points()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        """Give all lines one colour."""
         return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def get_line_coordinate(self, line_index: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Both ends of a line."""
         return self._ours.get_line_coordinate(line_index)
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The box along the principal axes."""
+        """Box along the principal axes."""
         return OrientedBoundingBox._of(boxes.OrientedBoundingBox.create_from_points(self._ours.points, robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The smallest box."""
         made = OurCloud(self._ours.points).get_minimal_oriented_bounding_box(robust)
         return OrientedBoundingBox._of(made)
 

@@ -1,4 +1,4 @@
-"""RGBDImage: a colour image and a depth image in metres, both written to by `np.asarray`."""
+"""RGBDImage: a color image and a depth image [m], shared with `np.asarray`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .image import Image, below, depth_of, pixels_of
 
 
 class RGBDImage(Geometry2D):
-    """Brightness (float32) or colours (uint8), and depth (float32) in metres, 0 where there is none."""
+    """Intensity (float32) or color (uint8), and depth (float32) [m], 0 if missing."""
 
     _kind = images.RGBDImage
 
@@ -51,9 +51,9 @@ class RGBDImage(Geometry2D):
         depth_trunc: float = 3.0,
         convert_rgb_to_intensity: bool = True,
     ) -> Self:
-        """An image; depth of any type is divided by `depth_scale`, and 0 from `depth_trunc` on."""
+        """Make an image; depth is divided by `depth_scale`, and 0 from `depth_trunc` on."""
         pixels, numbers = pixels_of(color, "color"), depth_of(depth, bytes_too=True)
-        is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # already, or colours that become so
+        is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # gray already, or converted
         taken = np.zeros(numbers.shape, np.uint8) if is_grey else pixels
         made = images.RGBDImage.create_from_color_and_depth(
             taken, numbers, depth_scale, below(depth_trunc), convert_rgb_to_intensity
@@ -65,17 +65,16 @@ class RGBDImage(Geometry2D):
 
     @classmethod
     def create_from_redwood_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
-        """A frame of the Redwood data sets."""
+        """A frame of the Redwood datasets."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity)
 
     @classmethod
     def create_from_tum_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
-        """A frame of the TUM data sets."""
+        """A frame of the TUM datasets."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity)
 
     @classmethod
     def create_from_sun_format(cls, color: Any, depth: Any, convert_rgb_to_intensity: bool = True) -> Self:
-        """A frame of SUN3D."""
         raw = pixels_of(depth, "depth")
         return cls._of(
             images.RGBDImage.create_from_sun_format(pixels_of(color, "color"), raw, convert_rgb_to_intensity)
@@ -90,11 +89,9 @@ class RGBDImage(Geometry2D):
         )
 
     def is_empty(self) -> bool:
-        """Whether one of the images has no pixels."""
         return self.color.is_empty() or self.depth.is_empty()
 
     def clear(self) -> Self:
-        """Drop all pixels."""
         self._held, self._out = None, {}
         return self
 
@@ -103,7 +100,7 @@ class RGBDImage(Geometry2D):
         return np.zeros(2)
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """Twice the width, for both stand side by side, and the height."""
+        """Twice the width (both images side by side), and the height."""
         return self.color.get_max_bound() * (2, 1)
 
     def __repr__(self) -> str:

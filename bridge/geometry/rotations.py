@@ -1,4 +1,4 @@
-"""Rotation matrices of angles, axes and quaternions, by scipy in Open3D's orders."""
+"""Rotation matrices from angles, axes and quaternions, by scipy in Open3D's orders."""
 
 from __future__ import annotations
 
@@ -16,41 +16,41 @@ def _euler(order: str, rotation: ArrayLike) -> Matrix:
 
 
 def get_rotation_matrix_from_xyz(rotation: ArrayLike) -> Matrix:
-    """Rx(a) Ry(b) Rz(c) of angles [rad]."""
+    """Rx(a) Ry(b) Rz(c), angles in [rad]."""
     return _euler("XYZ", rotation)
 
 
 def get_rotation_matrix_from_yzx(rotation: ArrayLike) -> Matrix:
-    """Ry(a) Rz(b) Rx(c) of angles [rad]."""
+    """Ry(a) Rz(b) Rx(c), angles in [rad]."""
     return _euler("YZX", rotation)
 
 
 def get_rotation_matrix_from_zxy(rotation: ArrayLike) -> Matrix:
-    """Rz(a) Rx(b) Ry(c) of angles [rad]."""
+    """Rz(a) Rx(b) Ry(c), angles in [rad]."""
     return _euler("ZXY", rotation)
 
 
 def get_rotation_matrix_from_xzy(rotation: ArrayLike) -> Matrix:
-    """Rx(a) Rz(b) Ry(c) of angles [rad]."""
+    """Rx(a) Rz(b) Ry(c), angles in [rad]."""
     return _euler("XZY", rotation)
 
 
 def get_rotation_matrix_from_zyx(rotation: ArrayLike) -> Matrix:
-    """Rz(a) Ry(b) Rx(c) of angles [rad]."""
+    """Rz(a) Ry(b) Rx(c), angles in [rad]."""
     return _euler("ZYX", rotation)
 
 
 def get_rotation_matrix_from_yxz(rotation: ArrayLike) -> Matrix:
-    """Ry(a) Rx(b) Rz(c) of angles [rad]."""
+    """Ry(a) Rx(b) Rz(c), angles in [rad]."""
     return _euler("YXZ", rotation)
 
 
 def get_rotation_matrix_from_axis_angle(rotation: ArrayLike) -> Matrix:
-    """Of an axis whose length is the angle [rad]."""
+    """From an axis whose length is the angle [rad]."""
     return Rotation.from_rotvec(column("rotation", rotation)).as_matrix()
 
 
 def get_rotation_matrix_from_quaternion(rotation: ArrayLike) -> Matrix:
-    """Of a quaternion (w, x, y, z)."""
+    """From a quaternion (w, x, y, z)."""
     w, x, y, z = column("rotation", rotation, 4)
     return Rotation.from_quat([x, y, z, w]).as_matrix()

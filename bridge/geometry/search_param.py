@@ -1,4 +1,4 @@
-"""Search parameters, and the keywords that they are in pointloom."""
+"""Search parameters and their pointloom keywords."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ...core.known_names import ToldNames
 
 
 class SearchType(enum.IntEnum):
-    """Kinds of searches: what `get_search_type` returns."""
+    """Return values of `get_search_type`."""
 
     KNNSearch = 0
     RadiusSearch = 1
@@ -17,18 +17,17 @@ class SearchType(enum.IntEnum):
 
 
 class KDTreeSearchParam(ToldNames):
-    """How far a search reaches: by number, by distance, or by both."""
+    """Base class: search by number, by radius, or by both."""
 
     Type = SearchType
     _fields: tuple[str, ...] = ()
     _type = SearchType.KNNSearch
 
     def get_search_type(self) -> SearchType:
-        """Which of the three it is."""
         return self._type
 
     def _keywords(self) -> dict[str, Any]:
-        """`radius` and `max_nn` of our functions."""
+        """`radius` and `max_nn` of pointloom."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
@@ -36,7 +35,7 @@ class KDTreeSearchParam(ToldNames):
 
 
 class KDTreeSearchParamKNN(KDTreeSearchParam):
-    """The nearest `knn`; our `max_nn=knn`."""
+    """The nearest `knn`: pointloom's `max_nn=knn`."""
 
     _fields = ("knn",)
 
@@ -48,7 +47,7 @@ class KDTreeSearchParamKNN(KDTreeSearchParam):
 
 
 class KDTreeSearchParamRadius(KDTreeSearchParam):
-    """All within a radius; our `radius=radius, max_nn=None`."""
+    """All within a radius: pointloom's `radius=radius, max_nn=None`."""
 
     _fields, _type = ("radius",), SearchType.RadiusSearch
 
@@ -60,7 +59,7 @@ class KDTreeSearchParamRadius(KDTreeSearchParam):
 
 
 class KDTreeSearchParamHybrid(KDTreeSearchParam):
-    """The nearest `max_nn` within a radius; our `radius=radius, max_nn=max_nn`."""
+    """The nearest `max_nn` within a radius: pointloom's `radius=radius, max_nn=max_nn`."""
 
     _fields, _type = ("radius", "max_nn"), SearchType.HybridSearch
 
@@ -72,11 +71,7 @@ class KDTreeSearchParamHybrid(KDTreeSearchParam):
 
 
 def keywords_of(search_param: Any) -> dict[str, Any]:
-    """`radius` and `max_nn` of a search parameter.
-
-    Raises:
-        TypeError: Something else.
-    """
+    """`radius` and `max_nn` of a search parameter; raises TypeError."""
     if not isinstance(search_param, KDTreeSearchParam):
         raise TypeError(
             f"search_param: expected a KDTreeSearchParam, got {type(search_param).__name__}; "

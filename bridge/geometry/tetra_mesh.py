@@ -1,4 +1,4 @@
-"""TetraMesh: the tetrahedra of a cloud, as far as the tutorial of alpha shapes asks for them."""
+"""TetraMesh: Delaunay tetrahedra of a cloud, as needed for alpha shapes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .point_cloud import PointCloud
 
 
 class TetraMesh(KnownNames):
-    """Vertices and tetrahedra; `TriangleMesh.create_from_point_cloud_alpha_shape` takes one and makes its own anew."""
+    """Vertices and tetrahedra; `TriangleMesh.create_from_point_cloud_alpha_shape` accepts one but computes its own."""
 
     def __init__(self, vertices: Any = (), tetras: Any = ()):
         self.vertices, self.tetras = Vector3dVector(vertices), Vector4iVector(tetras)
@@ -24,17 +24,15 @@ class TetraMesh(KnownNames):
 
     @classmethod
     def create_from_point_cloud(cls, point_cloud: Any) -> tuple[TetraMesh, list[int]]:
-        """The Delaunay tetrahedra of a cloud, and the point of each vertex."""
+        """Delaunay tetrahedra of a cloud, and the point index of each vertex."""
         cloud = ours(point_cloud, PointCloud, "point_cloud")
         _, tetrahedra, _ = TriangleMesh.create_from_point_cloud_alpha_shape(cloud, np.inf, return_tetrahedra=True)
         return cls(cloud.points, tetrahedra), list(range(len(cloud)))
 
     def has_vertices(self) -> bool:
-        """Whether there are vertices."""
         return len(self.vertices) > 0
 
     def has_tetras(self) -> bool:
-        """Whether there are vertices and tetrahedra."""
         return self.has_vertices() and len(self.tetras) > 0
 
     def __repr__(self) -> str:

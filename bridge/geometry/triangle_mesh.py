@@ -22,38 +22,30 @@ from .point_cloud import PointCloud
 
 
 class MeshBase(BoundedByBoxes):
-    """Vertices, with normals and colours."""
-
     vertices = Rows(Vector3dVector)
     vertex_normals = Rows(Vector3dVector)
     vertex_colors = Rows(Vector3dVector)
 
     def has_vertices(self) -> bool:
-        """Whether there are vertices."""
         return self._count("vertices") > 0
 
     def has_vertex_normals(self) -> bool:
-        """Whether each vertex has a normal."""
         return 0 < self._count("vertices") == self._count("vertex_normals")
 
     def has_vertex_colors(self) -> bool:
-        """Whether each vertex has a colour."""
         return 0 < self._count("vertices") == self._count("vertex_colors")
 
     def is_empty(self) -> bool:
-        """Whether there are no vertices."""
         return not self.has_vertices()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        """Give all vertices one colour."""
         return self._become(self._ours.paint_uniform_color(column("color", color)))
 
     def normalize_normals(self) -> Self:
-        """Bring normals to length 1."""
         return self._become(self._ours.normalize_normals())
 
     def compute_convex_hull(self) -> tuple[Any, list[int]]:
-        """A mesh of the hull, and the numbers of the vertices on it."""
+        """Mesh of the hull, and the indices of its vertices."""
         hull, rows = self._ours.compute_convex_hull()
         return geometry.TriangleMesh._of(hull), rows.tolist()
 
@@ -62,8 +54,6 @@ Ours = mesh.TriangleMesh
 
 
 class MeshFactories(MeshBase):
-    """What makes meshes."""
-
     @classmethod
     def create_box(
         cls,
@@ -73,27 +63,24 @@ class MeshFactories(MeshBase):
         create_uv_map: bool = False,
         map_texture_to_each_face: bool = False,
     ) -> Self:
-        """A box from (0, 0, 0)."""
+        """A box with one corner at (0, 0, 0)."""
         return cls._of(Ours.create_box(width, height, depth, create_uv_map, map_texture_to_each_face))
 
     @classmethod
     def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        """A tetrahedron about (0, 0, 0)."""
+        """A tetrahedron centered at (0, 0, 0)."""
         return cls._of(Ours.create_tetrahedron(radius, create_uv_map))
 
     @classmethod
     def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        """An octahedron about (0, 0, 0)."""
         return cls._of(Ours.create_octahedron(radius, create_uv_map))
 
     @classmethod
     def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        """An icosahedron about (0, 0, 0)."""
         return cls._of(Ours.create_icosahedron(radius, create_uv_map))
 
     @classmethod
     def create_sphere(cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False) -> Self:
-        """A sphere about (0, 0, 0)."""
         return cls._of(Ours.create_sphere(radius, resolution, create_uv_map))
 
     @classmethod
@@ -105,14 +92,13 @@ class MeshFactories(MeshBase):
         resolution: int = 20,
         create_uv_map: bool = False,
     ) -> Self:
-        """An ellipsoid about (0, 0, 0)."""
         return cls._of(Ours.create_ellipsoid(radius_x, radius_y, radius_z, resolution, create_uv_map))
 
     @classmethod
     def create_cylinder(
         cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 4, create_uv_map: bool = False
     ) -> Self:
-        """A cylinder about the z axis."""
+        """A cylinder around the z axis."""
         return cls._of(Ours.create_cylinder(radius, height, resolution, split, create_uv_map))
 
     @classmethod
@@ -130,7 +116,7 @@ class MeshFactories(MeshBase):
         radial_resolution: int = 30,
         tubular_resolution: int = 20,
     ) -> Self:
-        """A torus about the z axis."""
+        """A torus around the z axis."""
         return cls._of(Ours.create_torus(torus_radius, tube_radius, radial_resolution, tubular_resolution))
 
     @classmethod
@@ -164,32 +150,28 @@ class MeshFactories(MeshBase):
         width: float = 1,
         scale: float = 1,
     ) -> Self:
-        """A Moebius strip."""
         return cls._of(Ours.create_mobius(length_split, width_split, twists, radius, flatness, width, scale))
 
     @classmethod
     def create_from_oriented_bounding_box(
         cls, obox: Any, scale: ArrayLike = (1.0, 1.0, 1.0), create_uv_map: bool = False
     ) -> Self:
-        """A box around the box, its sides scaled."""
+        """A mesh of a box, scaled per axis."""
         box = ours(obox)
         extent = box.extent * np.asarray(scale, np.float64)
         width, height, depth = extent.tolist()
         made = Ours.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
         return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
 
-    # -------------------------------------------------------------------------------------------- surfaces of clouds
-
     @classmethod
     def create_from_point_cloud_alpha_shape(
         cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
     ) -> Self:
-        """The alpha shape of a cloud; the tetrahedra are made anew, also where Open3D takes them."""
+        """Alpha shape of a cloud; given tetrahedra are ignored and computed again."""
         return cls._of(Ours.create_from_point_cloud_alpha_shape(ours(pcd, PointCloud, "pcd"), alpha))
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:
-        """The surface of balls that roll over a cloud with normals."""
         return cls._of(Ours.create_from_point_cloud_ball_pivoting(ours(pcd, PointCloud, "pcd"), np.asarray(radii)))
 
     @classmethod
@@ -205,9 +187,9 @@ class MeshFactories(MeshBase):
         samples_per_node: float = 1.5,
         point_weight: float = 2.0,
     ) -> tuple[Self, DoubleVector]:
-        """The closed surface that follows normals, and a density a vertex.
+        """Closed surface from normals, and a density per vertex. `width` > 0 replaces `depth`.
 
-        A width above 0 takes the place of the depth, which may be 0 then. Threads and full_depth have no effect.
+        `n_threads` and `full_depth` have no effect.
         """
         made, densities = Ours.create_from_point_cloud_poisson(
             ours(pcd, PointCloud, "pcd"),
@@ -221,14 +203,14 @@ class MeshFactories(MeshBase):
         return cls._of(made), DoubleVector(densities)
 
 
-ROWS = "triangle normals of pointloom.open3d"  # attribute of triangles while an operation selects some of them
+ROWS = "triangle normals of pointloom.open3d"  # attribute of triangles during a selection
 
 
 class TriangleNormals(MeshFactories):
-    """Normals of triangles: computed or assigned, and kept until they are computed again, as in Open3D.
+    """Triangle normals, computed or assigned and kept until computed again, as in Open3D.
 
-    `_faces` is None without normals, a mesh of ours for the unit normals of its triangles, or an array (t, 3).
-    Computed normals follow the triangles of the mesh as long as its arrays are not written to.
+    `_faces` is None without normals, a mesh for the unit normals of its triangles, or an array (t, 3). Computed normals
+    follow the mesh until its arrays are written to.
     """
 
     _arrays: ClassVar = {"vertices": "points", "vertex_normals": "normals", "triangle_normals": "normals"}
@@ -237,13 +219,13 @@ class TriangleNormals(MeshFactories):
     triangle_normals = Rows(Vector3dVector)
 
     def _face_rows(self) -> NDArray[np.float64]:
-        """The normals as an array; no rows without normals."""
+        """Normals as an array, empty without normals."""
         if self._faces is None:
             return np.zeros((0, 3))
         return self._faces if isinstance(self._faces, np.ndarray) else self._faces.triangle_normals.astype(np.float64)
 
     def _become(self, new: Any) -> Self:
-        """Replace ours; computed normals become those of the new triangles, assigned ones stay."""
+        """Replace the mesh; computed normals become those of the new triangles, assigned ones are kept."""
         before, old = self._faces, self._held
         super()._become(new)
         if before is not old:
@@ -260,14 +242,14 @@ class TriangleNormals(MeshFactories):
         return self
 
     def _show_faces(self) -> None:
-        """Copy the normals into the vector that was handed out."""
+        """Copy the normals into the borrowed vector."""
         out = self._out.get("triangle_normals")
         if out is not None:
             out.vector._fill(self._face_rows())
             out.keep()
 
     def _moved(self, new: Any, A: NDArray[np.float64]) -> Self:
-        """Replace ours by what a map with the 3x3 part A made of it; assigned normals turn with the surface."""
+        """Replace the mesh by its image under a map with the 3x3 part A; assigned normals rotate with the surface."""
         self._become(new)
         if self._faces is None or self._faces is new:
             return self
@@ -277,7 +259,7 @@ class TriangleNormals(MeshFactories):
         return self._set_faces(turned * np.divide(lengths[0], lengths[1], where=lengths[1] > 0, out=lengths[1]))
 
     def _selected(self, operation: Callable[[Any], Any]) -> tuple[Any, Any]:
-        """The mesh that an operation makes by selecting triangles, and the normals of those."""
+        """The mesh that an operation makes by selecting triangles, and their normals."""
         current = self._ours
         rows = self._face_rows()
         if self._faces is None or self._faces is current or len(rows) != len(current):
@@ -289,12 +271,12 @@ class TriangleNormals(MeshFactories):
         return made, made.triangle_attributes.pop(ROWS)
 
     def _keep(self, operation: Callable[[Any], Any]) -> Self:
-        """Drop the triangles that an operation does not select."""
+        """Remove the triangles that an operation does not select."""
         made, faces = self._selected(operation)
         return self._become(made)._set_faces(faces)
 
     def _sampled(self, use_triangle_normal: bool) -> tuple[Any, bool]:
-        """A mesh to draw samples from, and whether they take the normals that its triangles have by themselves.
+        """A mesh for sampling, and whether the samples use computed triangle normals.
 
         Assigned normals are given to the corners of triangles that share no vertices.
         """
@@ -316,17 +298,16 @@ class TriangleNormals(MeshFactories):
         return apart, False
 
     def _new(self, made: Any, *, faces: Any = None) -> Any:
-        """Another mesh with these normals of triangles."""
         other = type(self)._of(made)
         other._faces = faces
         return other
 
     def _recomputed(self, made: Any) -> Any:
-        """Another mesh, with computed normals of triangles where this one has some."""
+        """Another mesh, with computed triangle normals if this one has normals."""
         return self._new(made, faces=None if self._faces is None else made)
 
     def _joined(self, other: Any) -> tuple[Any, Any]:
-        """Both meshes as one; the normals stay where all triangles have some."""
+        """Both meshes as one; normals are kept if all triangles have them."""
         parts = [(self._ours, self), (ours(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
         held = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
@@ -345,15 +326,12 @@ class TriangleNormals(MeshFactories):
         return self._become(made)._set_faces(faces)
 
     def compute_triangle_normals(self, normalized: bool = True) -> Self:
-        """Give each triangle its normal, of length 1 or of twice its area."""
+        """Compute triangle normals of length 1, or of twice the area."""
         current = self._ours
         return self._set_faces(current if normalized else _area_vectors(current))
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
-        """Give each vertex the sum of the area vectors of its triangles, and each triangle its normal.
-
-        All have length 1; with `normalized=False` their lengths are areas.
-        """
+        """Compute vertex normals (sums of area vectors) and triangle normals; unit length unless `normalized=False`."""
         current = self._ours
         if normalized:
             return self._become(current.compute_vertex_normals()).compute_triangle_normals()
@@ -365,7 +343,6 @@ class TriangleNormals(MeshFactories):
         return self._become(made)._set_faces(areas)
 
     def normalize_normals(self) -> Self:
-        """Bring normals of vertices and of triangles to length 1."""
         self._become(self._ours.normalize_normals())
         if not isinstance(self._faces, np.ndarray):
             return self
@@ -374,7 +351,7 @@ class TriangleNormals(MeshFactories):
 
 
 def _area_vectors(mesh: Any) -> NDArray[np.float64]:
-    """The normal of each triangle with a length of twice its area, shape (t, 3)."""
+    """Triangle normals with a length of twice the area, shape (t, 3)."""
     corners = (mesh.vertices - mesh.origin)[mesh.triangles]
     return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
 
@@ -383,9 +360,9 @@ PARTS = ("vertex_normals", "vertex_colors", "triangle_uvs", "triangle_material_i
 
 
 class TriangleMesh(TriangleNormals):
-    """Vertices and triangles: vectors that are assigned, and written to by `np.asarray`.
+    """Vertices and triangles as vectors that can be assigned and written to by `np.asarray`.
 
-    Methods that say so change the mesh, the others return a new one.
+    Some methods change the mesh, others return a new one, as in Open3D.
     """
 
     _kind = mesh.TriangleMesh
@@ -459,7 +436,6 @@ class TriangleMesh(TriangleNormals):
         return made
 
     def _rows(self, kind: str, name: str, indices: Any) -> NDArray[np.int64]:
-        """Indices of vertices or of triangles."""
         count = self._count(kind)
         return indices_of(name, indices, count, f"mesh of {count} {kind}")
 
@@ -468,7 +444,7 @@ class TriangleMesh(TriangleNormals):
 
     @property
     def textures(self) -> list[Image]:
-        """Pictures, their lowest row first as in Open3D; a list to assign, changes in it do not count."""
+        """Images, lowest row first as in Open3D; assign a list, changes in the list have no effect."""
         return [Image(np.flipud(texture)) for texture in self._held.textures]
 
     @textures.setter
@@ -479,149 +455,121 @@ class TriangleMesh(TriangleNormals):
 
     @property
     def adjacency_list(self) -> list[set[int]]:
-        """The neighbours of each vertex, once `compute_adjacency_list` was called."""
+        """Neighbors of each vertex, after `compute_adjacency_list`."""
         if not self._has_adjacency:
             return []
         starts, neighbors = self._ours.compute_adjacency_list()
         return [set(part.tolist()) for part in np.split(neighbors, starts[1:-1])]
 
     def clear(self) -> Self:
-        """Drop all that it holds."""
         self._has_adjacency = False
         return super().clear()._set_faces(None)
 
     def has_triangles(self) -> bool:
-        """Whether there are vertices and triangles."""
         return self.has_vertices() and self._count("triangles") > 0
 
     def has_triangle_normals(self) -> bool:
-        """Whether each triangle has a normal."""
         return 0 < self._count("triangles") == self._count("triangle_normals")
 
     def has_adjacency_list(self) -> bool:
-        """Whether `compute_adjacency_list` was called."""
         return self._has_adjacency
 
     def has_triangle_uvs(self) -> bool:
-        """Whether each corner has texture coordinates."""
         return 0 < 3 * self._count("triangles") == self._count("triangle_uvs")
 
     def has_triangle_material_ids(self) -> bool:
-        """Whether each triangle has the number of its texture."""
         return 0 < self._count("triangles") == self._count("triangle_material_ids")
 
     def has_textures(self) -> bool:
-        """Whether there are textures."""
         return len(self._held.textures) > 0
 
-    # ---------------------------------------------------------------------------------------- that change the mesh
-
     def compute_adjacency_list(self) -> Self:
-        """Fill `adjacency_list`."""
         self._has_adjacency = True
         return self
 
     def remove_degenerate_triangles(self) -> Self:
-        """Drop triangles that name a vertex twice."""
+        """Remove triangles with a repeated vertex."""
         return self._keep(lambda mesh: mesh.remove_degenerate_triangles())
 
     def remove_duplicated_triangles(self) -> Self:
-        """Keep one of equal triangles."""
         return self._keep(lambda mesh: mesh.remove_duplicated_triangles())
 
     def remove_duplicated_vertices(self) -> Self:
-        """Keep one of equal vertices."""
         return self._become(self._ours.remove_duplicated_vertices())
 
     def remove_non_manifold_edges(self) -> Self:
-        """Drop the smallest triangles at edges of more than two."""
+        """Remove the smallest triangles at edges with more than two."""
         return self._keep(lambda mesh: mesh.remove_non_manifold_edges())
 
     def remove_unreferenced_vertices(self) -> Self:
-        """Drop vertices without triangles."""
         return self._become(self._ours.remove_unreferenced_vertices())
 
     def merge_close_vertices(self, eps: float) -> Self:
-        """Make one of vertices nearer than `eps`."""
+        """Merge vertices closer than `eps`."""
         made = self._ours.merge_close_vertices(eps)
         return self._become(made)._set_faces(None if self._faces is None else made)
 
     def remove_triangles_by_index(self, triangle_indices: Any) -> None:
-        """Drop triangles of these numbers."""
         rows = self._rows("triangles", "triangle_indices", triangle_indices)
         self._keep(lambda mesh: mesh.remove_triangles_by_index(rows))
 
     def remove_triangles_by_mask(self, triangle_mask: Any) -> None:
-        """Drop the triangles that are marked."""
         self._keep(lambda mesh: mesh.remove_triangles_by_mask(np.asarray(triangle_mask, bool)))
 
     def remove_vertices_by_index(self, vertex_indices: Any) -> None:
-        """Drop vertices of these numbers, and their triangles."""
         rows = self._rows("vertices", "vertex_indices", vertex_indices)
         self._keep(lambda mesh: mesh.remove_vertices_by_index(rows))
 
     def remove_vertices_by_mask(self, vertex_mask: Any) -> None:
-        """Drop the vertices that are marked, and their triangles."""
         self._keep(lambda mesh: mesh.remove_vertices_by_mask(np.asarray(vertex_mask, bool)))
 
     def orient_triangles(self) -> bool:
-        """Turn triangles alike; whether that can be done."""
+        """Orient triangles consistently. True if possible."""
         turned, is_orientable = self._ours.orient_triangles()
         self._become(turned)
         return is_orientable
 
-    # ---------------------------------------------------------------------------------------- that give other meshes
-
     def select_by_index(self, indices: Any, cleanup: bool = True) -> TriangleMesh:
-        """The vertices of these numbers, and the triangles between them."""
         rows = self._rows("vertices", "indices", indices)
         made, faces = self._selected(lambda mesh: mesh.select_by_index(rows, cleanup))
         return self._new(made, faces=faces)
 
     def crop(self, bounding_box: Any) -> TriangleMesh:
-        """The vertices in a box, and the triangles between them."""
         made, faces = self._selected(lambda mesh: mesh.crop(ours(bounding_box)))
         return self._new(made, faces=faces)
 
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> TriangleMesh:
-        """Four triangles of each."""
         return self._recomputed(self._ours.subdivide_midpoint(number_of_iterations))
 
     def subdivide_loop(self, number_of_iterations: int = 1) -> TriangleMesh:
-        """Four triangles of each, smoothed."""
         return self._recomputed(self._ours.subdivide_loop(number_of_iterations))
 
     def simplify_vertex_clustering(
         self, voxel_size: float, contraction: SimplificationContraction = SimplificationContraction.Average
     ) -> TriangleMesh:
-        """One vertex a voxel."""
         return self._recomputed(self._ours.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
 
     def simplify_quadric_decimation(
         self, target_number_of_triangles: int, maximum_error: float = np.inf, boundary_weight: float = 1.0
     ) -> TriangleMesh:
-        """Fewer triangles, near the surface."""
         limits = target_number_of_triangles, maximum_error, boundary_weight
         return self._recomputed(self._ours.simplify_quadric_decimation(*limits))
 
     def filter_sharpen(
         self, number_of_iterations: int = 1, strength: float = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        """Details made stronger."""
         made = self._ours.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_simple(
         self, number_of_iterations: int = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        """Each vertex the mean of itself and its neighbours."""
         made = self._ours.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        """Each vertex towards its neighbours."""
         made = self._ours.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
         return self._new(made)
 
@@ -632,7 +580,6 @@ class TriangleMesh(TriangleNormals):
         mu: float = -0.53,
         filter_scope: FilterScope = FilterScope.All,
     ) -> TriangleMesh:
-        """As `filter_smooth_laplacian`, without shrinking."""
         made = self._ours.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
         return self._new(made)
 
@@ -644,7 +591,6 @@ class TriangleMesh(TriangleNormals):
         energy: DeformAsRigidAsPossibleEnergy = DeformAsRigidAsPossibleEnergy.Spokes,
         smoothed_alpha: float = 0.01,
     ) -> TriangleMesh:
-        """Some vertices moved to places, the others after them."""
         made = self._ours.deform_as_rigid_as_possible(
             np.asarray(constraint_vertex_indices),
             np.asarray(constraint_vertex_positions),
@@ -654,75 +600,66 @@ class TriangleMesh(TriangleNormals):
         )
         return self._new(made)
 
-    # ------------------------------------------------------------------------------------------------ that give clouds
-
     def sample_points_uniformly(self, number_of_points: int = 100, use_triangle_normal: bool = False) -> PointCloud:
-        """Points on the surface, by `o3d.utility.random.seed`."""
+        """Random points on the surface, seeded by `o3d.utility.random.seed`."""
         surface, is_own = self._sampled(use_triangle_normal)
         return PointCloud._of(surface.sample_points_uniformly(number_of_points, is_own, next_seed()))
 
     def sample_points_poisson_disk(
         self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
     ) -> PointCloud:
-        """Points on the surface with room between them, by `o3d.utility.random.seed`."""
+        """Random points on the surface with a minimum distance, seeded by `o3d.utility.random.seed`."""
         given = None if pcl is None else ours(pcl, PointCloud, "pcl")
         surface, is_own = self._sampled(use_triangle_normal)
         made = surface.sample_points_poisson_disk(number_of_points, int(init_factor), given, is_own, next_seed())
         return PointCloud._of(made)
 
-    # ------------------------------------------------------------------------------------------------ that answer
-
     def cluster_connected_triangles(self) -> tuple[IntVector, list[int], DoubleVector]:
-        """The part of each triangle, and how many triangles and which area each part has."""
+        """Cluster of each triangle, and number of triangles and area of each cluster."""
         labels, counts, areas = self._ours.cluster_connected_triangles()
         return IntVector(labels), counts.tolist(), DoubleVector(areas)
 
     def get_surface_area(self) -> float:
-        """The area of all triangles."""
         return self._ours.get_surface_area()
 
     def get_volume(self) -> float:
-        """The volume that a closed mesh holds."""
         return self._ours.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
-        """Vertices and triangles less edges; vertices without triangles count, as in Open3D."""
+        """V - E + F; unreferenced vertices count, as in Open3D."""
         mesh = self._ours
         unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
         return mesh.euler_poincare_characteristic() + unused
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
-        """Whether no edge has more than two triangles."""
+        """True if no edge has more than two triangles."""
         return self._ours.is_edge_manifold(allow_boundary_edges)
 
     def is_vertex_manifold(self) -> bool:
-        """Whether the triangles at each vertex are one fan."""
+        """True if the triangles at each vertex form one fan."""
         return self._ours.is_vertex_manifold()
 
     def is_orientable(self) -> bool:
-        """Whether triangles can be turned alike."""
         return self._ours.is_orientable()
 
     def is_watertight(self) -> bool:
-        """Whether each edge has two triangles."""
+        """True if each edge has two triangles."""
         return self._ours.is_watertight()
 
     def is_self_intersecting(self) -> bool:
-        """Whether triangles cut each other."""
         return self._ours.is_self_intersecting()
 
     def is_intersecting(self, arg0: Any) -> bool:
-        """Whether another mesh cuts this one."""
         return self._ours.is_intersecting(ours(arg0, TriangleMesh, "other"))
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Vector2iVector:
-        """Edges of more than two triangles."""
+        """Edges with more than two triangles."""
         return Vector2iVector(self._ours.get_non_manifold_edges(allow_boundary_edges))
 
     def get_non_manifold_vertices(self) -> IntVector:
-        """Vertices whose triangles are not one fan."""
+        """Vertices whose triangles do not form one fan."""
         return IntVector(self._ours.get_non_manifold_vertices())
 
     def get_self_intersecting_triangles(self) -> Vector2iVector:
-        """Pairs of triangles that cut each other."""
+        """Pairs of intersecting triangles."""
         return Vector2iVector(self._ours.get_self_intersecting_triangles())

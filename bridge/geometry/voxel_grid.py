@@ -1,4 +1,4 @@
-"""VoxelGrid: the voxels that a mesh or a cloud touches; grids are made and asked, not carved."""
+"""VoxelGrid: the voxels that a mesh or a cloud touches; carving is not supported."""
 
 from __future__ import annotations
 
@@ -21,8 +21,6 @@ CORNERS = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [1, 0
 
 
 class Voxel(KnownNames):
-    """A voxel of a grid: `grid_index` and `color`."""
-
     grid_index: NDArray[np.int32]
     color: NDArray[np.float64]
 
@@ -35,7 +33,7 @@ class Voxel(KnownNames):
 
 
 class VoxelGrid(Geometry):
-    """Occupied voxels, with colours where they come from a coloured cloud; voxel (0, 0, 0) begins at `origin`."""
+    """Occupied voxels, with colors from a colored cloud; voxel (0, 0, 0) begins at `origin`."""
 
     VoxelPoolingMode = VoxelPoolingMode
     _kind = voxel_grid.VoxelGrid
@@ -54,14 +52,12 @@ class VoxelGrid(Geometry):
 
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> VoxelGrid:
-        """The voxels that a mesh touches."""
         return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size))
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> VoxelGrid:
-        """The voxels between two corners that a mesh touches."""
         corners = column("min_bound", min_bound), column("max_bound", max_bound)
         return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
 
@@ -69,7 +65,7 @@ class VoxelGrid(Geometry):
     def create_from_point_cloud(
         cls, input: Any, voxel_size: float, pooling_mode: VoxelPoolingMode = VoxelPoolingMode.AVG
     ) -> VoxelGrid:
-        """The voxels of `voxel_down_sample`, in their mean colours."""
+        """Voxels of a cloud with mean colors."""
         if pooling_mode is not VoxelPoolingMode.AVG:
             raise ValueError(
                 f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean colour"
@@ -85,64 +81,57 @@ class VoxelGrid(Geometry):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where voxel (0, 0, 0) begins."""
+        """Corner of voxel (0, 0, 0)."""
         return self._held.origin
 
     @property
     def voxel_size(self) -> float:
-        """The edge of a voxel."""
         return float(self._held.voxel_size)
 
     def get_voxels(self) -> list[Voxel]:
-        """The occupied voxels."""
         return [Voxel(*both) for both in zip(self._held.coordinates, self._colors, strict=True)]
 
     def get_voxel(self, point: ArrayLike) -> NDArray[np.int32]:
-        """The index of the voxel of a point, occupied or not."""
+        """Index of the voxel of a point, occupied or not."""
         return self._held.get_voxel(column("point", point)).astype(np.int32)
 
     def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
-        """The middle of an occupied voxel; zero of another one."""
+        """Center of an occupied voxel; zero for others."""
         index = column("idx", idx)
         is_there = bool((self._held.coordinates == index).all(axis=1).any())
         return self.origin + (index + 0.5) * self.voxel_size if is_there else np.zeros(3)
 
     def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
-        """The corners of a voxel."""
+        """Corners of a voxel."""
         return Vector3dVector(self.origin + (column("index", index) + CORNERS) * self.voxel_size)
 
     def check_if_included(self, queries: Any) -> list[bool]:
-        """Which points of a vector lie in occupied voxels."""
+        """For each point, True if it is in an occupied voxel."""
         return self._held.check_if_included(as_array(queries)).tolist()
 
     def has_voxels(self) -> bool:
-        """Whether there are any."""
         return len(self._held) > 0
 
     def has_colors(self) -> bool:
-        """True, as in Open3D: voxels without colours are black."""
+        """Always True, as in Open3D: voxels without colors are black."""
         return True
 
     def is_empty(self) -> bool:
-        """Whether there are none."""
         return not self.has_voxels()
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """The lowest coordinates of voxels."""
         low = self._held.coordinates.min(axis=0) if self.has_voxels() else 0
         return self.origin + low * self.voxel_size
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """The highest coordinates of voxels."""
         high = self._held.coordinates.max(axis=0) + 1 if self.has_voxels() else 0
         return self.origin + high * self.voxel_size
 
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the voxels' middles."""
+        """Mean of the voxel centers."""
         return self._held.centers.mean(axis=0) if self.has_voxels() else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The box around the voxels."""
         return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
 
     def __repr__(self) -> str:

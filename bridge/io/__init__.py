@@ -1,7 +1,4 @@
-"""Files under Open3D's names, read and written by ours: what is missing or damaged is an error, not an empty object.
-
-Writers return True; what cannot be written is an error, too.
-"""
+"""File input and output under Open3D's names. Missing or damaged files raise errors; writers return True or raise."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""Files of cameras and trajectories; extrinsics are world to camera in memory, as in Open3D."""
+"""Files of cameras and trajectories; extrinsics are world to camera, as in Open3D."""
 
 from __future__ import annotations
 
@@ -20,18 +20,15 @@ VERSION = {"version_major": 1, "version_minor": 0}
 
 
 def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
-    """As `loom.read_pinhole_camera_intrinsic`."""
     return PinholeCameraIntrinsic._of(camera.read_pinhole_camera_intrinsic(filename))
 
 
 def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
-    """As `loom.write_pinhole_camera_intrinsic`."""
     camera.write_pinhole_camera_intrinsic(filename, ours(intrinsic, PinholeCameraIntrinsic, "intrinsic"))
     return True
 
 
 def read_pinhole_camera_parameters(filename: FilePath) -> PinholeCameraParameters:
-    """A camera and its extrinsic, from JSON."""
     content = read_json_object(filename)
     check_keys(filename, content, required={"intrinsic", "extrinsic"}, optional={"class_name", *VERSION})
     made = PinholeCameraParameters()
@@ -41,12 +38,11 @@ def read_pinhole_camera_parameters(filename: FilePath) -> PinholeCameraParameter
 
 
 def write_pinhole_camera_parameters(filename: FilePath, parameters: PinholeCameraParameters) -> bool:
-    """A camera and its extrinsic, as JSON."""
     return _write_json(filename, _parameters_to_json(parameters))
 
 
 def read_pinhole_camera_trajectory(filename: FilePath) -> PinholeCameraTrajectory:
-    """The cameras of a .json file, or the poses of .log and .txt (TUM) with PrimeSense's camera, as in Open3D."""
+    """Cameras from .json, or poses from .log and .txt (TUM) with PrimeSense's camera, as in Open3D."""
     poses = trajectory.read_trajectory(filename)
     made = PinholeCameraTrajectory._of(poses, camera.PinholeCameraIntrinsic.prime_sense_default())
     if Path(filename).suffix.lower() == ".json":
@@ -56,7 +52,7 @@ def read_pinhole_camera_trajectory(filename: FilePath) -> PinholeCameraTrajector
 
 
 def write_pinhole_camera_trajectory(filename: FilePath, trajectory: PinholeCameraTrajectory) -> bool:
-    """As .json, with cameras; or the poses alone as .log or .txt (TUM)."""
+    """Write cameras as .json, or poses only as .log or .txt (TUM)."""
     if Path(filename).suffix.lower() == ".json":
         parameters = [_parameters_to_json(one) for one in trajectory.parameters]
         return _write_json(filename, {"class_name": "PinholeCameraTrajectory", "parameters": parameters, **VERSION})

@@ -13,11 +13,11 @@ from ...files.pictures import image_files
 from ..geometry.image import Image, pixels_of
 
 FilePath = str | os.PathLike[str]
-ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # what of red, green, blue and alpha a picture with so many channels has
+ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
 
 
 def read_image(filename: FilePath) -> Image:
-    """A PNG or JPEG as it is stored: 8 or 16 bits, grey or colours, with its transparency."""
+    """Read a PNG or JPEG as stored: 8 or 16 bits, gray or color, with alpha."""
     header = image_files.read_picture_header(filename)
     if header.channels == 1 and header.bits == 16:
         return Image(image_files.read_depth(filename))
@@ -29,7 +29,7 @@ def read_image(filename: FilePath) -> Image:
 
 
 def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
-    """A PNG (8 or 16 bits), or a JPEG of a quality of 0 to 100, 90 unless said."""
+    """Write a PNG (8 or 16 bits), or a JPEG of quality 0 to 100, by default 90."""
     pixels = pixels_of(image)
     if Path(filename).suffix.lower() in (".jpg", ".jpeg"):
         with atomic_write(filename) as file:
@@ -40,6 +40,6 @@ def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
 
 
 def _is_grey(filename: FilePath) -> bool:
-    """Whether pixels are grey, and no numbers of a palette."""
+    """True if pixels are gray and not palette indices."""
     with PIL.Image.open(filename) as picture:
         return picture.mode in ("L", "1")

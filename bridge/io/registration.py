@@ -1,4 +1,4 @@
-"""Files of features and of pose graphs."""
+"""Files of features and pose graphs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ HEAD = 8  # bytes: two int32, dimension and points
 
 
 def read_feature(filename: FilePath) -> Feature:
-    """Open3D's .bin: the dimension and the number of points, int32, then a column a point, float64."""
+    """Read Open3D's .bin: int32 dimension and point count, then one float64 column per point."""
     try:
         data = Path(filename).read_bytes()
     except OSError as error:
@@ -33,7 +33,6 @@ def read_feature(filename: FilePath) -> Feature:
 
 
 def write_feature(filename: FilePath, feature: Any) -> bool:
-    """Open3D's .bin."""
     if not isinstance(feature, Feature):
         raise TypeError(f"feature: expected a Feature, got {type(feature).__name__}")
     with atomic_write(filename) as file:
@@ -42,10 +41,8 @@ def write_feature(filename: FilePath, feature: Any) -> bool:
 
 
 def read_pose_graph(filename: FilePath) -> PoseGraph:
-    """As `loom.registration.read_pose_graph`."""
     return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
 
 
 def write_pose_graph(filename: FilePath, pose_graph: Any) -> None:
-    """As `loom.registration.write_pose_graph`."""
     pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))

@@ -1,4 +1,4 @@
-"""Files of clouds and of meshes."""
+"""Files of clouds and meshes."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from ..held import ours
 
 FilePath = str | os.PathLike[str]
 
-# The columns of Open3D's formats of text, for files whose names do not say them.
+# Columns of Open3D's text formats, for files with another suffix.
 COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "xyzrgb": ("x", "y", "z", "r", "g", "b")}
 
-# What Open3D's formats of text have columns for, beside the points; the rest of a cloud stays out of them.
+# Columns of Open3D's text formats besides the points; other data of a cloud is not written.
 HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
@@ -28,7 +28,7 @@ def read_point_cloud(
     remove_infinite_points: bool = False,
     print_progress: bool = False,
 ) -> PointCloud:
-    """As `loom.read_point_cloud`, .las and .e57 too; `format="xyzrgb"` names the columns of a .txt file."""
+    """Like `loom.read_point_cloud`, including .las and .e57; `format="xyzrgb"` names the columns of a .txt file."""
     suffix = Path(filename).suffix.lower().lstrip(".")
     if format in ("auto", suffix):
         cloud = point_cloud.read_point_cloud(filename)
@@ -49,7 +49,7 @@ def write_point_cloud(
     compressed: bool = False,
     print_progress: bool = False,
 ) -> bool:
-    """As `loom.write_point_cloud`; the name gives the format, and a format of text takes what it has columns for."""
+    """Like `loom.write_point_cloud`; the suffix defines the format, and text formats write the columns they have."""
     _check_format(filename, format)
     cloud = ours(pointcloud, PointCloud, "pointcloud")
     held = HELD.get(Path(filename).suffix.lower())
@@ -61,7 +61,6 @@ def write_point_cloud(
 def read_triangle_mesh(
     filename: FilePath, enable_post_processing: bool = False, print_progress: bool = False
 ) -> TriangleMesh:
-    """As `loom.read_triangle_mesh`."""
     return TriangleMesh._of(mesh_files.read_triangle_mesh(filename))
 
 
@@ -75,7 +74,6 @@ def write_triangle_mesh(
     write_triangle_uvs: bool = True,
     print_progress: bool = False,
 ) -> bool:
-    """As `loom.write_triangle_mesh`."""
     mesh_files.write_triangle_mesh(
         filename,
         ours(mesh, TriangleMesh, "mesh"),

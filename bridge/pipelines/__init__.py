@@ -1,4 +1,4 @@
-"""Registration, odometry, fusion and colour maps, under Open3D's names."""
+"""Registration, odometry, integration and color maps under Open3D's names."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""Vectors, verbosity and the seed of all that is random, under Open3D's names."""
+"""Vectors, verbosity and the global seed under Open3D's names."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

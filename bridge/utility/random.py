@@ -6,5 +6,5 @@ from ..seeds import set_seed
 
 
 def seed(seed: int) -> None:
-    """Set the seed of all that is random; a process begins with 0, where Open3D begins with another each time."""
+    """Set the global seed; it is initially 0 (in Open3D random)."""
     set_seed(seed)

@@ -1,4 +1,4 @@
-"""How many threads are used, under Open3D's names."""
+"""Number of threads under Open3D's names."""
 
 from __future__ import annotations
 
@@ -6,10 +6,8 @@ from ...core.threads import get_num_threads, set_num_threads
 
 
 def get_max_threads() -> int:
-    """Threads of the CPU kernels."""
     return get_num_threads()
 
 
 def set_max_threads(num_threads: int) -> None:
-    """As `loom.set_num_threads`."""
     set_num_threads(num_threads)

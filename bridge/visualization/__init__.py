@@ -1,4 +1,4 @@
-"""Windows and their controls under Open3D's names, as pages of the browser or as pictures."""
+"""Windows and their controls under Open3D's names, as browser pages or images."""
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""O3DVisualizer: the window of `open3d.visualization.draw`, whose buttons, times and animations are those of a page."""
+"""O3DVisualizer: the window of `open3d.visualization.draw` as a browser page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Function = Callable[..., Any]
 
 
 class TickResult(enum.Enum):
-    """What a function of `set_on_animation_tick` gives; pages follow either way."""
+    """Return value of an animation tick callback; ignored."""
 
     NO_CHANGE = 0
     REDRAW = 1
@@ -30,11 +30,7 @@ class TickResult(enum.Enum):
 
 @dataclasses.dataclass
 class DrawObject:
-    """What a window knows of a geometry; not to be changed.
-
-    Attributes:
-        name, geometry, group, time, is_visible: As `add_geometry` was told, or `show_geometry` since.
-    """
+    """A geometry of a window (read-only): `name`, `geometry`, `group`, `time` and `is_visible`."""
 
     name: str
     geometry: Any
@@ -44,9 +40,9 @@ class DrawObject:
 
 
 class O3DVisualizer(KnownNames):
-    """The window that functions given to `draw` are called with; it is a page, or a picture where none is opened.
+    """The window passed to callbacks of `draw`; a page, or an image if none is opened.
 
-    Where geometries have different times, the page has a time line: at each time those of that time are seen.
+    If geometries have different times, the page has a timeline and shows those of the current time.
     """
 
     TickResult = TickResult
@@ -58,13 +54,11 @@ class O3DVisualizer(KnownNames):
         self._on_frame: Function | None = None
         self._on_tick: Function | None = None
         self._stop: Callable[[], None] | None = None
-        self._animate: Any = None  # the box in the page
+        self._animate: Any = None  # checkbox in the page
         self._time, self._step, self._end = 0.0, 1.0, math.inf
 
     def __repr__(self) -> str:
         return f"O3DVisualizer({self.title!r}, {len(self._objects)} geometries)"
-
-    # -- what it shows ------------------------------------------------------------------------------------------------
 
     def add_geometry(
         self,
@@ -75,10 +69,9 @@ class O3DVisualizer(KnownNames):
         time: float = 0.0,
         is_visible: bool = True,
     ) -> None:
-        """Show a geometry under a name, or a dictionary with "name", "geometry" and more; materials are not looked at.
+        """Show a geometry under a name, or a dictionary with "name", "geometry" and more; materials are ignored.
 
-        Raises:
-            ValueError: The name is taken.
+        Raises ValueError if the name is in use.
         """
         if isinstance(name, Mapping):
             known = {"name", "geometry", "group", "time", "is_visible"}
@@ -97,7 +90,6 @@ class O3DVisualizer(KnownNames):
                 viewer.set_visible(name, False)
 
     def update_geometry(self, name: str, geometry: Any, update_flags: int = 0) -> None:
-        """Show another geometry under a name."""
         one, shape = self.get_geometry(name), drawn(geometry)
         one.geometry = geometry
         if one.is_visible:
@@ -106,7 +98,6 @@ class O3DVisualizer(KnownNames):
             self._window._viewer.update(name, shape)
 
     def remove_geometry(self, name: str) -> None:
-        """Show it no more."""
         self.get_geometry(name)
         del self._objects[name]
         self._window._geometries.pop(name, None)
@@ -114,7 +105,6 @@ class O3DVisualizer(KnownNames):
             self._window._viewer.remove(name)
 
     def show_geometry(self, name: str, show: bool) -> None:
-        """Show or hide a geometry."""
         one = self.get_geometry(name)
         one.is_visible = bool(show)
         if one.is_visible:
@@ -125,17 +115,13 @@ class O3DVisualizer(KnownNames):
             self._window._viewer.set_visible(name, one.is_visible)
 
     def get_geometry(self, name: str) -> DrawObject:
-        """What is known of a geometry.
-
-        Raises:
-            KeyError: There is none of that name.
-        """
+        """Properties of a geometry; raises KeyError for an unknown name."""
         if name not in self._objects:
             raise KeyError(f"name: no geometry {name!r}; there are {', '.join(map(repr, self._objects)) or 'none'}")
         return self._objects[name]
 
     def _play_times(self) -> None:
-        """Have the page's time line show at each time the geometries of that time."""
+        """Let the timeline show the geometries of each time."""
         times = sorted({one.time for one in self._objects.values()})
         viewer = self._window._viewer
         if viewer is None or len(times) < 2:
@@ -146,27 +132,25 @@ class O3DVisualizer(KnownNames):
                 viewer.set_visible(one.name, one.is_visible and one.time == time)
         viewer.show_time(times[0])
 
-    # -- what calls the program ---------------------------------------------------------------------------------------
-
     def add_action(self, name: str, callback: Function) -> None:
-        """Add a button that calls a function with this window, in a thread of the page."""
+        """Add a button that calls a function with this window in a thread of the page."""
         self._buttons[check_name("name", name)] = callback
         if self._window._viewer is not None:
             self._window._viewer.add_button(name, lambda page: callback(self), folder="Actions")
 
     def set_on_animation_frame(self, callback: Function | None) -> None:
-        """Have a function called with this window and the time, every `animation_time_step`, while it animates."""
+        """Call a function with this window and the time every `animation_time_step` during animation."""
         self._on_frame = check_callback("callback", callback)
         self._offer_animation()
 
     def set_on_animation_tick(self, callback: Function | None) -> None:
-        """Have a function called with this window, the seconds since its last call and the time, while it animates."""
+        """Call a function with this window, the seconds since its last call and the time during animation."""
         self._on_tick = check_callback("callback", callback)
         self._offer_animation()
 
     @property
     def is_animating(self) -> bool:
-        """Whether functions of animations are called; assign, or tick the page's box."""
+        """True if animation callbacks run; assignable, or set by the page's checkbox."""
         return self._stop is not None
 
     @is_animating.setter
@@ -181,7 +165,7 @@ class O3DVisualizer(KnownNames):
 
     @property
     def current_time(self) -> float:
-        """Of the animation [s]; assign another."""
+        """Time of the animation [s], assignable."""
         return self._time
 
     @current_time.setter
@@ -193,7 +177,7 @@ class O3DVisualizer(KnownNames):
 
     @property
     def animation_time_step(self) -> float:
-        """Between two frames of an animation [s]; assign another."""
+        """Frame interval of the animation [s], assignable."""
         return self._step
 
     @animation_time_step.setter
@@ -202,7 +186,7 @@ class O3DVisualizer(KnownNames):
 
     @property
     def animation_duration(self) -> float:
-        """How long an animation lasts before it begins again [s], infinity for ever; assign another."""
+        """Duration of the animation loop [s], may be infinite; assignable."""
         return self._end
 
     @animation_duration.setter
@@ -225,16 +209,13 @@ class O3DVisualizer(KnownNames):
         if self._on_frame is not None and self._time // self._step != before // self._step:
             self._on_frame(self, self._time)
 
-    # -- how it shows it ----------------------------------------------------------------------------------------------
-
     @property
     def title(self) -> str:
-        """What it is called."""
         return self._window.get_window_name()
 
     @property
     def point_size(self) -> float:
-        """Diameter of points [px]; assign another."""
+        """Diameter of points [px], assignable."""
         return self._window.get_render_option().point_size
 
     @point_size.setter
@@ -244,7 +225,7 @@ class O3DVisualizer(KnownNames):
 
     @property
     def line_width(self) -> float:
-        """Width of lines [px]; assign another."""
+        """Width of lines [px], assignable."""
         return self._window.get_render_option().line_width
 
     @line_width.setter
@@ -254,7 +235,7 @@ class O3DVisualizer(KnownNames):
 
     @property
     def show_axes(self) -> bool:
-        """Whether a coordinate frame is shown; assign."""
+        """Show a coordinate frame, assignable."""
         return self._window.get_render_option().show_coordinate_frame
 
     @show_axes.setter
@@ -263,19 +244,17 @@ class O3DVisualizer(KnownNames):
         self.post_redraw()
 
     def set_background(self, bg_color: Any, bg_image: Any = None) -> None:
-        """Another colour behind it all, 0 to 1."""
         if bg_image is not None:
             raise PointloomError("bg_image: pages have a colour behind the scene, no picture")
         self._window.get_render_option().background_color = np.asarray(bg_color, np.float64)[:3]
         self.post_redraw()
 
     def reset_camera_to_default(self) -> None:
-        """Look at all of it."""
         self._window.reset_view_point(True)
         self.post_redraw()
 
     def setup_camera(self, field_of_view: float, center: Any, eye: Any, up: Any) -> None:
-        """Look from `eye` at `center`, with an angle [degrees]."""
+        """Look from `eye` at `center` with a field of view [degrees]."""
         control = self._window.get_view_control()
         away = np.asarray(eye, np.float64) - np.asarray(center, np.float64)
         side = float(np.max(control._bounds[1] - control._bounds[0])) or 1.0
@@ -288,13 +267,11 @@ class O3DVisualizer(KnownNames):
         self.post_redraw()
 
     def post_redraw(self) -> None:
-        """Show view and options as they are now."""
         self._window.update_renderer()
 
     def export_current_image(self, path: FilePath) -> None:
-        """Write a picture of what it shows, .png or .jpg."""
+        """Render to a .png or .jpg file."""
         self._window.capture_screen_image(path)
 
     def close(self) -> None:
-        """Close it."""
         self._window.close()

@@ -1,4 +1,4 @@
-"""SelectionPolygonVolume, whose polygon and heights are assigned."""
+"""SelectionPolygonVolume with assignable polygon and bounds."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class SelectionPolygonVolume(KnownNames):
 
     @property
     def bounding_polygon(self) -> Vector3dVector:
-        """The corners; assign others."""
+        """Corners, assignable."""
         return self._polygon
 
     @bounding_polygon.setter
@@ -41,15 +41,14 @@ class SelectionPolygonVolume(KnownNames):
         return polygon_volume.SelectionPolygonVolume(corners, self.orthogonal_axis, self.axis_min, self.axis_max)
 
     def crop_point_cloud(self, input: Any) -> PointCloud:
-        """The points inside."""
         return PointCloud._of(ours(input, PointCloud, "input").crop(self._ours))
 
     def crop_triangle_mesh(self, input: Any) -> TriangleMesh:
-        """The vertices inside and the triangles between them."""
+        """Vertices inside and the triangles between them."""
         return TriangleMesh._of(ours(input, TriangleMesh, "input").crop(self._ours))
 
     def crop_in_polygon(self, input: Any) -> list[int]:
-        """The numbers of the points inside."""
+        """Indices of the points inside."""
         return self._ours.crop_in_polygon(ours(input, PointCloud, "input")).tolist()
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""What windows show: geometries of Open3D's kind as entries of our drawing."""
+"""Conversion of Open3D geometries for drawing."""
 
 from __future__ import annotations
 
@@ -14,11 +14,7 @@ Entry = dict[str, Any]
 
 
 def drawn(geometry: Any) -> Any:
-    """What is drawn of a geometry: ours, and of pictures a surface with them on it.
-
-    Raises:
-        TypeError: Nothing that windows show.
-    """
+    """The pointloom geometry; images become textured surfaces. Raises TypeError."""
     if isinstance(geometry, RGBDImage):
         geometry = geometry.color
     if isinstance(geometry, Image):
@@ -29,11 +25,7 @@ def drawn(geometry: Any) -> Any:
 
 
 def checked(geometry_list: Any) -> list[Any]:
-    """A list of geometries, as Open3D takes it.
-
-    Raises:
-        TypeError: A geometry alone.
-    """
+    """A list of geometries; raises TypeError for a single geometry."""
     if isinstance(geometry_list, Geometry | Image):
         kind = type(geometry_list).__name__
         raise TypeError(f"geometry_list: expected a list of geometries, got a {kind}; put it into brackets")
@@ -41,7 +33,7 @@ def checked(geometry_list: Any) -> list[Any]:
 
 
 def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
-    """The lowest and highest corner of all; None of nothing."""
+    """Lowest and highest corner of all; None without any."""
     corners = []
     for geometry in geometries:
         shape = drawn(geometry)
@@ -55,7 +47,7 @@ def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
 
 
 def _picture_on_a_surface(pixels: Any) -> TriangleMesh:
-    """A rectangle of a picture's size [px] with the picture on it; numbers beyond bytes from black to white."""
+    """A rectangle of an image's size [px] with the image as texture; larger types than bytes are scaled to gray."""
     if pixels.dtype != np.uint8:
         values = np.nan_to_num(pixels.astype(np.float64), posinf=0.0)
         pixels = (255 * np.clip(values / (values.max(initial=0.0) or 1.0), 0, 1)).astype(np.uint8)

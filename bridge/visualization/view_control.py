@@ -1,4 +1,4 @@
-"""ViewControl: where a window looks from, by Open3D's parameters."""
+"""ViewControl: camera of a window by Open3D's parameters."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from ...drawing.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
 from ..held import ours
 
-TURN = 0.003  # [rad] a pixel of the mouse, as in Open3D
-ZOOM_STEP = 0.02  # a click of the wheel
+TURN = 0.003  # [rad] per pixel, as in Open3D
+ZOOM_STEP = 0.02  # per wheel click
 ANGLE_STEP, LEAST_ANGLE, MOST_ANGLE = 5.0, 5.0, 90.0  # [degrees]
-NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
+NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 log = logging.getLogger("pointloom.viewer")
 
 
@@ -28,10 +28,10 @@ def _nobody() -> View | None:
 
 
 class ViewControl(ToldNames):
-    """Where a window looks from.
+    """Camera of a window.
 
-    What the mouse does in the page is seen by captures and by `convert_to_pinhole_camera_parameters`; `rotate` and the
-    others go on from what the program said last.
+    Mouse motion in the page affects captures and `convert_to_pinhole_camera_parameters`; `rotate` and the other methods
+    continue from the view last set by the program.
     """
 
     def __init__(self):
@@ -39,14 +39,13 @@ class ViewControl(ToldNames):
         self._reset(NOWHERE)
 
     def _reset(self, bounds: tuple[Any, Any]) -> None:
-        """Look at all of a box along -z, as a window of Open3D's begins."""
+        """Show a box along -z, Open3D's initial view."""
         self._bounds, self._angle, self._zoom = bounds, FIELD_OF_VIEW, ZOOM
         self._lookat = (np.asarray(bounds[0]) + np.asarray(bounds[1])) / 2
         self._front, self._up, self._given = np.array([0.0, 0.0, 1.0]), np.array([0.0, 1.0, 0.0]), None
-        self._moved = True  # since the window last looked
+        self._moved = True  # since the window was last updated
 
     def _view(self) -> View:
-        """What the window shows."""
         return self._seen() or self._told()
 
     def _told(self) -> View:
@@ -60,13 +59,13 @@ class ViewControl(ToldNames):
         self._moved, self._given = True, None
 
     def _axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Right, up and front at right angles."""
+        """Right, up and front, orthonormal."""
         front = check_direction("front", self._front)
         right = check_direction("up", np.cross(check_direction("up", self._up), front))
         return right, np.cross(front, right), front
 
     def rotate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
-        """Turn about `lookat` as a drag of the mouse by so many pixels does."""
+        """Rotate about `lookat` like a mouse drag [px]."""
         right, up, front = self._axes()
         a, b = TURN * x, TURN * y
         front = check_direction("front", front * math.cos(a) - right * math.sin(a))
@@ -76,65 +75,64 @@ class ViewControl(ToldNames):
         self._changed()
 
     def translate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
-        """Shift as a drag of the mouse by so many pixels does."""
+        """Translate like a mouse drag [px]."""
         right, up, _ = self._axes()
         reach = 2 * self._zoom * (float(np.max(self._bounds[1] - self._bounds[0])) or 1.0)
         self._lookat = self._lookat + reach * (up * y - right * x) / self._size[1]
         self._changed()
 
     def scale(self, scale: float) -> None:
-        """Go away by so many clicks of the wheel; nearer where negative."""
+        """Zoom out by wheel clicks; negative zooms in."""
         self.set_zoom(min(max(self._zoom + check_number("scale", scale) * ZOOM_STEP, LEAST_ZOOM), MOST_ZOOM))
 
     def change_field_of_view(self, step: float = 0.45) -> None:
-        """Widen by so many steps of 5 degrees, within 5 to 90 degrees."""
+        """Widen by steps of 5 degrees, within 5 to 90 degrees."""
         angle = self._angle + check_number("step", step) * ANGLE_STEP
         self._angle = min(max(angle, LEAST_ANGLE), MOST_ANGLE)
         self._changed()
 
     def get_field_of_view(self) -> float:
-        """From the upper to the lower edge [degrees]."""
+        """Vertical field of view [degrees]."""
         return self._angle
 
     def set_zoom(self, zoom: float) -> None:
-        """Half of what is seen at `lookat`, as a share of the longest side of what is shown."""
+        """Set half of the visible height at `lookat` over the longest side of the scene."""
         self._zoom = check_number("zoom", zoom)
         self._changed()
 
     def set_front(self, front: ArrayLike) -> None:
-        """From `lookat` to the camera."""
+        """Set the direction from `lookat` to the camera."""
         self._front = check_direction("front", check_shape("front", front, (3,)).tolist())
         self._changed()
 
     def set_up(self, up: ArrayLike) -> None:
-        """What is up."""
         self._up = check_direction("up", check_shape("up", up, (3,)).tolist())
         self._changed()
 
     def set_lookat(self, lookat: ArrayLike) -> None:
-        """What is in the middle."""
+        """Set the point in the center."""
         self._lookat = check_shape("lookat", lookat, (3,)).copy()
         self._changed()
 
     def set_constant_z_near(self, z_near: float) -> None:
-        """No effect: nothing is cut off near the camera."""
+        """No effect: there is no near clipping."""
 
     def set_constant_z_far(self, z_far: float) -> None:
-        """No effect: nothing is cut off far away."""
+        """No effect: there is no far clipping."""
 
     unset_constant_z_near = unset_constant_z_far = lambda self: None
 
     def convert_to_pinhole_camera_parameters(self) -> PinholeCameraParameters:
-        """The camera and its extrinsic, world to camera."""
+        """Camera and extrinsic (world to camera)."""
         view, found = self._view(), PinholeCameraParameters()
         found.intrinsic = PinholeCameraIntrinsic._of(view.intrinsic)
         found.extrinsic = np.linalg.inv(view.T_world_camera)
         return found
 
     def convert_from_pinhole_camera_parameters(self, parameter: Any, allow_arbitrary: bool = False) -> bool:
-        """Look from there; False where the window cannot: its size, square pixels, the principal point in the middle.
+        """Set the camera. False if unsupported: other size, pixels not square, principal point not centered.
 
-        With `allow_arbitrary` it can.
+        `allow_arbitrary` accepts all cameras.
         """
         view = View(ours(parameter.intrinsic), np.linalg.inv(parameter.extrinsic))
         if not allow_arbitrary and (view.intrinsic.width, view.intrinsic.height) != self._size:
@@ -151,11 +149,7 @@ class ViewControl(ToldNames):
         return True
 
     def _look_from(self, view: View) -> None:
-        """Look from there.
-
-        Raises:
-            ValueError: Pixels that are not square, or a principal point that is not in the middle.
-        """
+        """Set a view; raises ValueError unless pixels are square and the principal point is centered."""
         found = view.to_open3d(self._bounds)
         self._zoom, self._angle = found["zoom"], found["field_of_view"]
         self._front, self._lookat, self._up = (np.array(found[name]) for name in ("front", "lookat", "up"))

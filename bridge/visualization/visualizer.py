@@ -1,4 +1,4 @@
-"""Visualizer: Open3D's window as a page of the browser, or, where none is to be opened, as pictures alone."""
+"""Visualizer: Open3D's window as a browser page, or as images only."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ from .view_control import NOWHERE, ViewControl
 FilePath = str | os.PathLike[str]
 Callback = Callable[["Visualizer"], Any]
 
-FRAMES = 60  # a second of a screen: what an unattended window lives for
-TURN = 1 / 30  # [s] between two calls of an animation
+FRAMES = 60  # one second of a screen: lifetime of an unattended window
+TURN = 1 / 30  # [s] between two animation callbacks
 FRAME = "coordinate frame"
 KEYS = {
     32: "space", 256: "escape", 257: "enter", 258: "tab", 259: "backspace", 260: "insert", 261: "delete",
@@ -45,9 +45,9 @@ KEYS = {
 class Visualizer(KnownNames):
     """A window: `create_window`, `add_geometry`, then `run`, or `poll_events` and `update_renderer` in a loop.
 
-    It is a page of the browser (`loom.Viewer`), whose address stderr tells. With `visible=False`, and where the
-    environment variable POINTLOOM_DRAW is "picture", no page is opened and no display needed: captures draw what it
-    would show, and `run` and `poll_events` go on for 60 frames, as if the window were closed then.
+    It is a browser page (`loom.Viewer`) whose address is printed on stderr. With `visible=False`, or if the environment
+    variable POINTLOOM_DRAW is "picture", no page is opened: captures are rendered, and `run` and `poll_events` end
+    after 60 frames.
     """
 
     def __init__(self):
@@ -60,8 +60,6 @@ class Visualizer(KnownNames):
         self._pressed: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._option_shown: Any = None
 
-    # -- the window ---------------------------------------------------------------------------------------------------
-
     def create_window(
         self,
         window_name: str = "Open3D",
@@ -71,7 +69,7 @@ class Visualizer(KnownNames):
         top: int = 50,
         visible: bool = True,
     ) -> bool:
-        """Open it; browsers choose their place and size, `width` and `height` are those of pictures."""
+        """Open the window; `width` and `height` apply to images only."""
         self.destroy_window()
         self._name, self._frames, self._closed = str(window_name), 0, False
         self._control._size = check_count("width", width), check_count("height", height)
@@ -85,7 +83,7 @@ class Visualizer(KnownNames):
         return True
 
     def destroy_window(self) -> None:
-        """Close it, and forget what it showed."""
+        """Close the window and remove its geometries."""
         self._closed = True
         self._geometries.clear()
         if self._viewer is not None:
@@ -93,24 +91,19 @@ class Visualizer(KnownNames):
             self._viewer = None
 
     def close(self) -> None:
-        """Have `run` end."""
         self._closed = True
 
     def get_window_name(self) -> str:
-        """What it is called."""
         return self._name
 
     def is_full_screen(self) -> bool:
-        """No: that is the browser's."""
         return False
 
     def __repr__(self) -> str:
         return f"{type(self).__name__} with name {self._name}"
 
-    # -- what it shows ------------------------------------------------------------------------------------------------
-
     def add_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
-        """Show a geometry; the view begins anew unless `reset_bounding_box` is False."""
+        """Show a geometry; the view is reset unless `reset_bounding_box` is False."""
         shape, name = drawn(geometry), self._name_of(geometry)
         if name is not None:
             return self.update_geometry(geometry)
@@ -126,7 +119,7 @@ class Visualizer(KnownNames):
         return True
 
     def update_geometry(self, geometry: Any = None) -> bool:
-        """Show a geometry as it is now; without one, all. False where it was never added."""
+        """Show the current state of a geometry, or of all. False for an unknown geometry."""
         if geometry is None:
             return all([self.update_geometry(one) for one in list(self._geometries.values())])
         name = self._name_of(geometry)
@@ -135,7 +128,7 @@ class Visualizer(KnownNames):
         return name is not None
 
     def remove_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
-        """Show it no more. False where it was never added."""
+        """Remove a geometry. False if unknown."""
         name = self._name_of(geometry)
         if name is None:
             return False
@@ -147,7 +140,6 @@ class Visualizer(KnownNames):
         return True
 
     def clear_geometries(self) -> bool:
-        """Show nothing."""
         for geometry in list(self._geometries.values()):
             self.remove_geometry(geometry)
         return True
@@ -155,31 +147,28 @@ class Visualizer(KnownNames):
     def _name_of(self, geometry: Any) -> str | None:
         return next((name for name, shown in self._geometries.items() if shown is geometry), None)
 
-    # -- how it shows it ----------------------------------------------------------------------------------------------
-
     def get_render_option(self) -> RenderOption:
-        """How it draws; assign to its numbers."""
+        """Render options, assignable fields."""
         return self._option
 
     def get_view_control(self) -> ViewControl:
-        """Where it looks from."""
         return self._control
 
     def reset_view_point(self, reset_bounding_box: bool = False) -> None:
-        """Look at all of it, or of what it held when it was last looked at anew."""
+        """Show everything, or the bounds of the last reset."""
         bounds = self._control._bounds
         if reset_bounding_box:
             bounds = bounds_of(list(self._geometries.values())) or NOWHERE
         self._control._reset(bounds)
 
     def get_view_status(self) -> str:
-        """The view as JSON, as Ctrl+C copies it in Open3D."""
+        """The view as JSON, as copied by Ctrl+C in Open3D."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             write_view(Path(folder) / "view.json", self._control._view(), self._control._bounds)
             return (Path(folder) / "view.json").read_text()
 
     def set_view_status(self, view_status_str: str) -> None:
-        """Look from where `get_view_status` said."""
+        """Set the view from `get_view_status`."""
         width, height = self._control._size
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             (Path(folder) / "view.json").write_text(view_status_str)
@@ -208,10 +197,8 @@ class Visualizer(KnownNames):
         low, high = self._control._bounds
         return TriangleMesh.create_coordinate_frame(0.2 * (float(np.max(high - low)) or 1.0), low)
 
-    # -- its life -----------------------------------------------------------------------------------------------------
-
     def poll_events(self) -> bool:
-        """Let keys call; False once the window is closed."""
+        """Run key callbacks. False once the window is closed."""
         if self._viewer is None:
             self._frames += 1
             return not self._closed and self._frames < FRAMES
@@ -220,7 +207,7 @@ class Visualizer(KnownNames):
         return not self._closed and not self._viewer.wait(0)
 
     def update_renderer(self) -> None:
-        """Show the view and the options as they are now."""
+        """Apply the current view and options."""
         if self._viewer is None:
             return
         self._show_options()
@@ -229,7 +216,7 @@ class Visualizer(KnownNames):
             self._viewer.set_view(self._control._told())
 
     def run(self) -> None:
-        """Wait until the window is closed; animations and keys call meanwhile."""
+        """Wait until the window is closed, running animation and key callbacks."""
         while not self._closed and (self._viewer is not None or self._animation is not None):
             if self._animation is not None and self._animation(self):
                 self.update_geometry()
@@ -237,7 +224,7 @@ class Visualizer(KnownNames):
                 return
 
     def register_animation_callback(self, callback_func: Callback | None) -> None:
-        """Have `run` call a function of the window again and again; where it returns True, all is updated."""
+        """Let `run` call a function of the window repeatedly; if it returns True, everything is updated."""
         self._animation = check_callback("callback_func", callback_func)
 
     def _call_keys(self) -> None:
@@ -264,30 +251,28 @@ class Visualizer(KnownNames):
             for entry in self._entries():
                 viewer.add(entry.pop("name"), entry.pop("geometry"), **entry)
 
-    # -- its pictures -------------------------------------------------------------------------------------------------
-
     def capture_screen_image(self, filename: FilePath, do_render: bool = False) -> None:
-        """Write a picture of what it shows, .png or .jpg; drawn here, by `loom.render`."""
+        """Render the window by `loom.render` to a .png or .jpg file."""
         write_image(filename, Image(self._drawn()))
 
     def capture_screen_float_buffer(self, do_render: bool = False) -> Image:
-        """A picture of what it shows, 0 to 1."""
+        """Render the window to an image with values from 0 to 1."""
         return Image(self._drawn().astype(np.float32) / np.float32(255))
 
     def capture_depth_float_buffer(self, do_render: bool = False) -> Image:
-        """How far away what it shows is, 0 where there is nothing."""
+        """Depth image, 0 for the background."""
         depth = np.asarray(self._drawn(depth=True)[1], np.float32)
         return Image(np.where(np.isfinite(depth), depth, np.float32(0)))
 
     def capture_depth_image(self, filename: FilePath, do_render: bool = False, depth_scale: float = 1000.0) -> None:
-        """Write the depth as a .png of 16 bits."""
+        """Write the depth image as a 16-bit .png."""
         depth = np.asarray(self.capture_depth_float_buffer()) * check_positive("depth_scale", depth_scale)
         write_image(filename, Image(np.clip(np.round(depth), 0, 65535).astype(np.uint16)))
 
     def capture_depth_point_cloud(
         self, filename: FilePath, do_render: bool = False, convert_to_world_coordinate: bool = False
     ) -> None:
-        """Write the points of the depth, seen by the camera or in the world."""
+        """Write the points of the depth image in the camera or world frame."""
         camera = self._control.convert_to_pinhole_camera_parameters()
         extrinsic = camera.extrinsic if convert_to_world_coordinate else np.eye(4)
         depth = self.capture_depth_float_buffer()
@@ -310,17 +295,13 @@ class Visualizer(KnownNames):
 
 
 class VisualizerWithKeyCallback(Visualizer):
-    """A window whose keys call functions; they are those of the page, and call while `run` or `poll_events` runs."""
+    """A window with key callbacks, called during `run` or `poll_events`."""
 
     def register_key_callback(self, key: int, callback_func: Callback) -> None:
-        """Have a key call a function of the window; where it returns True, all is updated.
+        """Register a key callback; if it returns True, everything is updated. None removes it.
 
-        Args:
-            key: GLFW's number: ord("K"), 32 for space, 256 for escape, 262 to 265 for arrows, ...
-            callback_func: What is called; None for nothing.
-
-        Raises:
-            ValueError: A key that pages do not tell.
+        `key` is GLFW's number: ord("K"), 32 for space, 256 for escape, 262 to 265 for arrows, ... Raises ValueError for
+        keys that pages do not report.
         """
         if key not in KEYS:
             raise ValueError(
@@ -330,14 +311,12 @@ class VisualizerWithKeyCallback(Visualizer):
         self._listen(KEYS[key])
 
     def register_key_action_callback(self, key: int, callback_func: Callable[[Any, int, int], Any]) -> None:
-        """As `register_key_callback`, called with (window, 1, 0): a key was pressed; pages do not tell of more."""
+        """Like `register_key_callback`, called with (window, 1, 0): pages report key presses only."""
         check_callback("callback_func", callback_func)
         self.register_key_callback(key, lambda window: callback_func(window, 1, 0))
 
 
 class PointColorOption(enum.Enum):
-    """What points are coloured by."""
-
     Default = 0
     Color = 1
     XCoordinate = 2
@@ -347,7 +326,7 @@ class PointColorOption(enum.Enum):
 
 
 class MeshColorOption(enum.Enum):
-    """What meshes are coloured by; by coordinates and normals they are drawn in their own colours."""
+    """Coloring of meshes; coordinates and normals are not supported and show the original colors."""
 
     Default = 0
     Color = 1
@@ -358,13 +337,13 @@ class MeshColorOption(enum.Enum):
 
 
 class MeshShadeOption(enum.Enum):
-    """Whether light falls on faces (Default) or on vertices (Color)."""
+    """Face lighting (Default) or vertex lighting (Color)."""
 
     Default = 0
     Color = 1
 
 
-COLOR_BY = {  # what `color_by` of ours is
+COLOR_BY = {  # corresponding values of `color_by`
     PointColorOption.Color: "rgb",
     PointColorOption.XCoordinate: "x",
     PointColorOption.YCoordinate: "y",
@@ -377,7 +356,7 @@ ENUMS = {
     "mesh_shade_option": MeshShadeOption,
 }
 POWERS = {"diffuse_power": 0.66, "specular_power": 0.2, "specular_shininess": 100.0}
-OTHERS = {  # what Open3D keeps besides, as it begins: it reads a file up to the first key that is missing
+OTHERS = {  # other keys of Open3D with defaults: it reads a file up to the first missing key
     **{f"light{i}_color": [1.0, 1.0, 1.0] for i in range(4)},
     **{f"light{i}_position": [0.0, 0.0, 2.0 if i < 2 else -2.0] for i in range(4)},
     **{f"light{i}_{name}": value for i in range(4) for name, value in POWERS.items()},
@@ -389,8 +368,6 @@ VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
 
 @dataclass(eq=False, repr=False)
 class RenderOption(KnownNames):
-    """How a window draws: colours, sizes, what is shown."""
-
     background_color: Any = field(default_factory=lambda: np.ones(3))
     point_size: float = 5.0
     line_width: float = 1.0
@@ -411,11 +388,7 @@ class RenderOption(KnownNames):
         super().__setattr__(name, value)
 
     def load_from_json(self, filename: str | os.PathLike[str]) -> None:
-        """Take what a file of `save_to_json`, or of Open3D's, says; its lights are not looked at.
-
-        Raises:
-            FileError: Unreadable, or no RenderOption.
-        """
+        """Read a file of `save_to_json` or Open3D; lights are ignored. Raises FileError."""
         content = read_json_object(filename)
         if content.get("class_name") != VERSION["class_name"]:
             raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")
@@ -427,7 +400,6 @@ class RenderOption(KnownNames):
                 raise FileError(filename, str(error), where=f"key {name}") from error
 
     def save_to_json(self, filename: str | os.PathLike[str]) -> None:
-        """Write what `load_from_json`, and Open3D's, read."""
         content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
         content |= {name: content[name].value for name in ENUMS}
         content |= {"background_color": content["background_color"].tolist(), **OTHERS, **VERSION}
@@ -438,5 +410,4 @@ class RenderOption(KnownNames):
         return "RenderOption"
 
     def _state(self) -> tuple[Any, ...]:
-        """All of it, to see whether it changed."""
         return tuple(map(str, (getattr(self, one.name) for one in fields(self))))

@@ -1,4 +1,4 @@
-"""Functions that open a window and wait until it is closed; POINTLOOM_DRAW=picture has them wait for nobody."""
+"""Functions that open a window and wait until it is closed; with POINTLOOM_DRAW=picture they do not wait."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def draw_geometries(
     front: Any = None,
     zoom: float | None = None,
 ) -> None:
-    """Show geometries, as `loom.draw` does; the browser ignores `window_name`, `left` and `top`."""
+    """Show geometries like `loom.draw`; `window_name`, `left` and `top` are ignored by the browser."""
     draw_page(
         [drawn(geometry) for geometry in checked(geometry_list)],
         width,
@@ -55,7 +55,7 @@ def draw_geometries_with_animation_callback(
     left: int = 50,
     top: int = 50,
 ) -> None:
-    """Show geometries, and call a function of the window again and again."""
+    """Show geometries and call a function of the window repeatedly."""
     window = Visualizer()
     window.register_animation_callback(callback_function)
     _show(window, geometry_list, window_name, width, height)
@@ -70,7 +70,6 @@ def draw_geometries_with_key_callbacks(
     left: int = 50,
     top: int = 50,
 ) -> None:
-    """Show geometries, with keys that call functions of the window."""
     window = VisualizerWithKeyCallback()
     for key, callback in key_to_callback.items():
         window.register_key_callback(key, callback)
@@ -101,9 +100,9 @@ def draw(
     show_axes: bool | None = None,
     **others: Any,
 ) -> None:
-    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name"; materials are not looked at.
+    """Show a geometry, a list of them, or of dictionaries with "geometry" and "name"; materials are ignored.
 
-    Functions of `actions` and of animations are called in a thread of the page, and may add and change geometries.
+    Callbacks of `actions` and animations run in a thread of the page and may add and change geometries.
     """
     asked = [name for name, value in others.items() if value is not None and value is not False]
     if asked:
@@ -126,13 +125,13 @@ def draw(
         window._play_times()
         window._window.run()
     except KeyboardInterrupt:
-        pass  # as closing the window
+        pass  # like closing the window
     finally:
         window._window.destroy_window()
 
 
 def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
-    """Give a window its buttons and its geometries."""
+    """Add buttons and geometries to a window."""
     for name, callback in actions:
         window.add_action(name, callback)
     alone = isinstance(geometry, Geometry | Image | Mapping)
@@ -143,7 +142,6 @@ def _fill(window: O3DVisualizer, geometry: Any, actions: Any) -> None:
 
 
 def _show(window: Visualizer, geometries: Any, name: str, width: int, height: int) -> None:
-    """Show geometries until the window is closed."""
     window.create_window(name, width, height)
     try:
         for geometry in checked(geometries):
@@ -151,6 +149,6 @@ def _show(window: Visualizer, geometries: Any, name: str, width: int, height: in
         window.update_renderer()
         window.run()
     except KeyboardInterrupt:
-        pass  # as closing the window
+        pass  # like closing the window
     finally:
         window.destroy_window()

@@ -1,7 +1,7 @@
-"""Change between two epochs of a surface, and pictures of it.
+"""Change detection between two epochs of a surface, and its images.
 
-`m3c2` compares two clouds along the surface's normal, `cloud_to_mesh` a cloud with a mesh; `paint` and `draw` show what
-has changed, and leave grey what is noise. Each public name is loaded when it is first used, as in `pointloom` itself.
+`m3c2` compares two clouds along the surface normal, `cloud_to_mesh` a cloud with a mesh; `paint` and `draw` show
+significant changes and draw noise in gray. Names are loaded on first use.
 
 Example:
     >>> import numpy as np, pointloom as loom

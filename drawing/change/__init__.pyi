@@ -1,4 +1,4 @@
-"""The public names of pointloom.change: the one list of them, for type checkers and for `public_names`."""
+"""Public names of pointloom.change, for type checkers and for `public_names`."""
 
 from ...meshing.scene.cloud_change import cloud_to_mesh as cloud_to_mesh
 from ...pcd.change import m3c2 as m3c2

@@ -1,4 +1,4 @@
-"""Pictures of change: `loom.change.draw`."""
+"""Images of change detection: `loom.change.draw`."""
 
 from __future__ import annotations
 
@@ -22,29 +22,27 @@ from ..render.picture import Picture
 from ..render.picture_files import save_picture
 from ..render.render import render
 
-COLORMAP = "coolwarm"  # blue below, red above, neutral between
-LARGEST = 1e100  # of what colours tell apart
-SHOWN = 0.98  # of what has changed lies within the colours: a few far ones leave colours to the rest
+COLORMAP = "coolwarm"  # blue below, red above, neutral at zero
+LARGEST = 1e100  # maximum distance for colors
+SHOWN = 0.98  # quantile of the changes at the last color: outliers must not compress the colors
 ABOVE = {"front": [0.0, 0.0, 1.0], "up": [0.0, 1.0, 0.0], "zoom": 0.58, "field_of_view": 20.0}  # as on a map, y up
 UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
 @told_arguments
 def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> PointCloud:
-    """Colour the points of a cloud by how far they have moved: red up, blue down, grey where that is noise.
+    """Color the points of a cloud by signed distance: red positive, blue negative, gray not significant.
 
     Args:
-        cloud: The points that were measured at: the core points.
-        change: Of `m3c2` or `cloud_to_mesh`; or distances [m], shape [n], which all count.
-        limit: The distance of the darkest red [m]; that of the darkest blue is its negative. None takes what 98 % of
-            the changes lie below.
+        cloud: Core points of the measurement.
+        change: Result of `m3c2` or `cloud_to_mesh`, or distances (n,) [m], all taken as significant.
+        limit: Distance of the darkest red [m]; blue is its negative. If None, the 98th percentile of the changes.
 
     Returns:
-        The cloud with these colours. Grey: what is not significant, and what has no distance.
+        The colored cloud. Points without significant change or without a distance are gray.
 
     Raises:
-        ValueError: Not as many distances as points, or a limit that is not above 0.
-        TypeError: No cloud, or no such result.
+        ValueError, TypeError: Wrong number of distances, `limit` not positive, or unsupported types.
 
     Example:
         >>> import pointloom as loom
@@ -69,23 +67,23 @@ def draw(
     point_size: float | None = None,
     overwrite: bool = True,
 ) -> Picture:
-    """Draw what has changed, with a colour bar in the cloud's unit, a scale bar, and what grey means.
+    """Render changes with a color bar in the cloud's unit, a scale bar and a legend for gray.
 
     Args:
-        cloud, change, limit: As of `paint`.
-        path: Where to write the picture, .png or .webp; None writes none.
-        title: Above the colour bar; the unit comes behind it.
-        camera: As of `render`; None looks from above, y up, as on a map.
-        size: Columns and rows [px].
-        point_size: Diameter of points [px]; None takes one that closes most gaps between neighbours.
-        overwrite: Whether an existing file may be replaced.
+        cloud, change, limit: See `paint`.
+        path: A .png or .webp file to write, or None.
+        title: Title of the color bar; the unit is appended.
+        camera: See `render`. If None, a view from above with y up, as on a map.
+        size: Width and height [px].
+        point_size: Diameter of points [px]. If None, large enough to close most gaps.
+        overwrite: Replace an existing file.
 
     Returns:
-        A Picture, uint8 RGB; the same bits on every device.
+        A Picture, uint8 RGB; bitwise identical on every device.
 
     Raises:
-        ValueError, TypeError: As of `paint` and `render`.
-        FileError: The picture cannot be written.
+        ValueError, TypeError: See `paint` and `render`.
+        FileError: The image cannot be written.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -111,7 +109,7 @@ def draw(
 
 
 def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring, list[tuple[str, Any]]]:
-    """A coloured cloud, what its colours mean, and what grey means."""
+    """The colored cloud, its coloring, and the legend entries for gray."""
     check_cloud("cloud", cloud)
     distances, changed = _distances_of(change)
     if distances.shape != (len(cloud),):
@@ -133,7 +131,7 @@ def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
 
 
 def _limit_of(shown: NDArray[np.float64]) -> float:
-    """What nearly all changes lie below, to two digits upwards; 1 where there are none."""
+    """98th percentile of the changes, rounded up to 2 digits; 1 if there are none."""
     sizes = np.abs(shown[np.isfinite(shown)])
     most = float(np.quantile(sizes, SHOWN)) if len(sizes) else 0.0
     if most <= 0:

@@ -1,1 +1,1 @@
-"""What recordings and live pages show in a browser: plain scripts, styles and pages, joined without a build step."""
+"""Scripts, styles and pages of recordings and live pages, joined without a build step."""

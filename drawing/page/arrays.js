@@ -1,6 +1,6 @@
 /**
- * Reads the arrays that the page carries: base64 of deflated bytes, the bytes of each block of rows parted by their
- * place in the row. They are read when first needed, and the text stays, so that what was freed can be read again.
+ * Decodes the arrays embedded in the page: base64 of deflated byte planes per block of rows. Decoded on first use; the
+ * text is kept to decode freed arrays again.
  */
 const ARRAY_TYPES = { f4: Float32Array, f8: Float64Array, i2: Int16Array, i4: Int32Array, u1: Uint8Array };
 
@@ -14,7 +14,7 @@ class Arrays {
     }
   }
 
-  /** One array, its rows one after the other. */
+  /** One array, row by row. */
   async read(number) {
     const { kind, rows, width } = this.table[number];
     const type = ARRAY_TYPES[kind];
@@ -61,7 +61,7 @@ function bytesOfBase64(text) {
   return bytes;
 }
 
-/** Puts the bytes of `count` rows back beside each other. */
+/** Reassembles byte planes of `count` rows. */
 function joinBytes(parted, count, stride, bytes, start) {
   for (let k = 0; k < stride; k++) {
     const plane = k * count;

@@ -1,4 +1,4 @@
-/** What lives on the graphics card: programs, the buffers of nodes, and the picture that is drawn into. */
+/** GPU resources: programs, buffers of nodes, and the render target. */
 const SMALL = 2 ** 16; // bytes
 
 class Program {
@@ -22,13 +22,13 @@ class Program {
     this.values = new Map();
   }
 
-  /** The place of a uniform; null, which is ignored, where the program has none of this name. */
+  /** Location of a uniform, or null (ignored). */
   at(name) {
     if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
     return this.places.get(name);
   }
 
-  /** Sets a number, or a whole one, unless it has this value: most of them are the same for most nodes. */
+  /** Sets a float or integer uniform if changed: most are equal for most nodes. */
   number(name, value) {
     if (this.values.get(name) === value) return;
     this.values.set(name, value);
@@ -42,20 +42,19 @@ class Program {
   }
 }
 
-/** Where the arrays of each kind go: the attribute and numbers a row. */
+/** Attribute and components per row of each array kind. */
 const VERTICES = { positions: [0, 3], normals: [1, 3], colors: [2, 3], uvs: [3, 2] };
 const SEGMENTS = { positions: [0, 6], colors: [2, 3] };
 const LAYOUTS = { points: VERTICES, triangles: VERTICES, lines: SEGMENTS };
 
-/** The arrays of a node on the card; nodes that show the same share it. */
+/** GPU arrays of a node, shared by nodes with equal content. */
 class Geometry {
-  /** `keep`: whether arrays are remembered, to be sent again to a card that forgot them. `changed`: a picture has come. */
+  /** `keep`: keep arrays to restore a lost context. `changed`: called when a texture is ready. */
   constructor(gl, kind, keep, changed) {
     Object.assign(this, { gl, kind, keep, changed, users: 1, arrays: {}, texture: null });
     this.start(gl);
   }
 
-  /** Remembers no arrays any more. */
   letGo() {
     [this.keep, this.arrays] = [false, {}];
   }
@@ -74,7 +73,7 @@ class Geometry {
     return Object.values(this.arrays).reduce((sum, { byteLength }) => sum + byteLength, 0);
   }
 
-  /** Sends arrays, in place of those of the same names. */
+  /** Uploads arrays, replacing those of the same names. */
   send(arrays) {
     const { gl } = this;
     gl.bindVertexArray(this.vertices);
@@ -93,7 +92,6 @@ class Geometry {
     if (arrays.indices || arrays.positions) this.dropEdges();
   }
 
-  /** Takes an array away. */
   remove(name) {
     delete this.arrays[name];
     if (!this.buffers[name]) return;
@@ -125,7 +123,7 @@ class Geometry {
     return this.buffers[name] ? Math.floor(this.buffers[name].numbers / width) : 0;
   }
 
-  /** Says where in the buffers each attribute lies; arrays that are shorter than they should be are left out. */
+  /** Binds attributes; arrays that are too short are skipped. */
   layout() {
     const { gl, kind, buffers, every } = this;
     const count = this.rows("positions", kind === "lines" ? 6 : 3);
@@ -150,20 +148,20 @@ class Geometry {
     this.count = kind === "triangles" && !buffers.indices ? count - (count % 3) : this.elements || count;
   }
 
-  /** Both ends of a segment, or what holds for the whole of it. */
+  /** Both ends of a segment, or values per segment. */
   pointEnds(place, held, numbers) {
     const stride = numbers * held.bytesEach;
     for (const end of [0, 1]) this.point(place + end, 3, held, { stride, offset: numbers === 6 ? (end * stride) / 2 : 0, divisor: 1 });
   }
 
-  /** Of points one in `every`, at most 16: the rows between are stepped over, and a step has less than 256 bytes. */
+  /** One in `every` points, at most 16, by the stride, which must be below 256 bytes. */
   thin(every) {
     if (every === this.every) return;
     this.every = every;
     this.layout();
   }
 
-  /** The sides of the triangles, from the card's own indices: nothing else has to remember them. */
+  /** Edges of the triangles, from the GPU's indices, so that no copy is needed. */
   makeEdges() {
     const { gl } = this;
     const { positions, indices } = this.buffers;
@@ -191,7 +189,7 @@ class Geometry {
     this.edges = null;
   }
 
-  /** The card has forgotten all of it. */
+  /** The context was lost. */
   forget() {
     Object.assign(this, { buffers: {}, edges: null, vertices: null, texture: null, count: 0 });
   }
@@ -207,18 +205,18 @@ class Geometry {
   }
 }
 
-/** A small array of a large message by itself, so that remembering it does not hold the rest. */
+/** Copies a small array, so that keeping it does not keep its large message. */
 function alone(values) {
   return values.byteLength < SMALL && values.buffer.byteLength > 4 * values.byteLength ? values.slice() : values;
 }
 
-/** How the card reads an array: 16-bit numbers without a sign are half floats, whole numbers shares of their largest. */
+/** Type of an array: unsigned 16-bit words are half floats, integers are normalized. */
 function kindOf(gl, values) {
   const types = { Float32Array: gl.FLOAT, Float16Array: gl.HALF_FLOAT, Uint16Array: gl.HALF_FLOAT, Int16Array: gl.SHORT };
   return { type: types[values.constructor.name] ?? gl.UNSIGNED_BYTE, bytesEach: values.BYTES_PER_ELEMENT };
 }
 
-/** The sides of triangles; `corners` null: three vertices each in their order. */
+/** Edges of triangles; `corners` null: three consecutive vertices each. */
 function sidesOf(corners, count) {
   const sides = new Uint32Array(2 * count);
   for (let i = 0; i < count; i++) {
@@ -229,7 +227,7 @@ function sidesOf(corners, count) {
   return sides;
 }
 
-/** Colours and depths of a picture as textures; with samples they are drawn beside and averaged into these. */
+/** Color and depth textures of a render target; multisampled ones are resolved into them. */
 class Target {
   constructor(gl, width, height, samples) {
     Object.assign(this, { gl, width, height });
@@ -273,7 +271,7 @@ class Target {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   }
 
-  /** Averages the samples of colours; of depths the card takes one. */
+  /** Resolves color samples; for depth the GPU takes one sample. */
   resolve() {
     const { gl, width, height } = this;
     if (!this.sampled) return;

@@ -1,15 +1,14 @@
 /**
- * The camera of one view: where it is, which way it looks, what it turns about, all in float64. `rotation` takes the
- * camera's frame (x right, y down, z forward) to the scene's. Its lens is an angle over the view's height, or that of a
- * `View` (whole numbers are the middles of pixels), scaled so that the View's whole picture fits into the middle.
- * Pixels are those of the canvas; `box` is the part of it that the view has.
+ * Camera of one view in float64: position, rotation, pivot. `rotation` is camera (x right, y down, z forward) to scene.
+ * The lens is a vertical angle, or that of a `View` (integers are pixel centers), scaled so that the View's image fits
+ * into the center. Pixels are those of the canvas; `box` is the view's part of it.
  */
-const NEAREST_TO_POLE = 0.01; // radians between the view and "up"
+const NEAREST_TO_POLE = 0.01; // [rad] minimum angle between the view and "up"
 const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
 class Camera {
   constructor(margin = 0.5) {
-    this.margin = margin; // of the scene's size, by which it is thought to be larger: things move before that is told
+    this.margin = margin; // relative margin of the scene's size: geometries move before new bounds arrive
     this.rotation = [1, 0, 0, 0, 0, -1, 0, 1, 0]; // along y, z up
     [this.eye, this.pivot, this.up] = [[0, -3, 0], [0, 0, 0], [0, 0, 1]];
     this.fov = 0.7;
@@ -21,7 +20,6 @@ class Camera {
     this.bounded = false;
   }
 
-  /** The box around the scene. */
   setBounds(low, high) {
     if (![...low, ...high].every(Number.isFinite)) return;
     this.bounded = true;
@@ -31,12 +29,12 @@ class Camera {
     this.radius = length(subtract(high, low)) / 2;
   }
 
-  /** The scene's size: what is drawn is measured in it, so that scenes of any size suit float32. */
+  /** Size of the scene: positions are drawn in this unit, so that scenes of any size suit float32. */
   get unit() {
     return this.radius || this.pivotDepth() || 1;
   }
 
-  /** Any of position, rotation, fov, lens, pivot, up, orthographic, near, far, closest, farthest. */
+  /** Sets any of position, rotation, fov, lens, pivot, up, orthographic, near, far, closest, farthest. */
   set({ position, rotation, fov, lens, pivot, up, orthographic, near, far, closest, farthest }) {
     const moved = position || rotation;
     const depth = this.pivotDepth();
@@ -52,13 +50,13 @@ class Camera {
     else if (moved) this.pivot = this.onAxis(depth);
   }
 
-  /** The place to turn about: `wanted` where it lies before the camera, else one on its axis. */
+  /** Pivot: `wanted` if it is in front of the camera, else a point on its axis. */
   onAxis(depth, wanted = null) {
     if (wanted && depth > 0) return Array.from(wanted);
     return add(this.eye, scale(column(this.rotation, 2), Math.max(depth, 1e-6 * (this.radius || 1))));
   }
 
-  /** Turns about what lies on the axis at the depth of the scene's middle. */
+  /** Sets the pivot to the point on the axis at the depth of the scene's center. */
   aimAtMiddle() {
     const from = subtract(this.middle, this.eye);
     const distance = length(from) || 1;
@@ -66,7 +64,6 @@ class Camera {
     this.up = this.findUp();
   }
 
-  /** All that a view has of its own. */
   state() {
     const { rotation, eye, pivot, up, fov, lensOfView, orthographic } = this;
     return { rotation: [...rotation], eye: [...eye], pivot: [...pivot], up: [...up], fov, lensOfView, orthographic };
@@ -79,7 +76,7 @@ class Camera {
     return { position: [...eye], rotation: [...rotation], fov, pivot: [...pivot], up: [...up], orthographic, size };
   }
 
-  /** The axis of the world that is upright in the picture; without one, the picture's own. */
+  /** The upright world axis; if none, that of the image. */
   findUp() {
     const right = column(this.rotation, 0);
     const upward = scale(column(this.rotation, 1), -1);
@@ -95,7 +92,7 @@ class Camera {
     return dot(subtract(this.pivot, this.eye), column(this.rotation, 2));
   }
 
-  /** The focal lengths and the middle in pixels of the canvas. */
+  /** Focal lengths and principal point [px] of the canvas. */
   pixels() {
     const { x, y, width: w, height: h } = this.box;
     if (this.lensOfView === null) {
@@ -107,7 +104,7 @@ class Camera {
     return { fx: fx * s, fy: fy * s, x: x + w / 2 + (cx + 0.5 - width / 2) * s, y: y + h / 2 + (cy + 0.5 - height / 2) * s };
   }
 
-  /** What takes x, y (down) and z of the camera's frame, in units of the scene, to clip space. */
+  /** Projection from camera coordinates in units of the scene to clip space. */
   lens() {
     const { fx, fy, x, y } = this.pixels();
     const { box } = this;
@@ -116,32 +113,32 @@ class Camera {
     return [(2 * fx * s) / box.width, (-2 * fy * s) / box.height, (2 * across) / box.width - 1, 1 - (2 * down) / box.height];
   }
 
-  /** Depths between which everything lies, or what of it the depth buffer can tell apart. */
+  /** Depth range of the scene, limited to what the depth buffer can resolve. */
   depthRange() {
     if (!this.bounded) return this.guessedRange();
     const forward = column(this.rotation, 2);
     const depths = this.corners.map((corner) => dot(subtract(corner, this.eye), forward));
     const slack = Math.max(this.margin, 1e-3) * this.unit;
     if (this.orthographic) return [Math.min(...depths) - slack, Math.max(...depths) + slack];
-    const far = Math.max(...depths) + 4 * slack; // of what is far, room costs next to no precision
+    const far = Math.max(...depths) + 4 * slack; // far margin costs little precision
     const least = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
     const near = Math.max(Math.min(...depths) - slack, least);
     return [near, Math.max(far, 2 * near)];
   }
 
-  /** The depths where nobody said how large the scene is. */
+  /** Depth range for an unknown scene size. */
   guessedRange() {
     const { near = 1e-2 * this.pivotDepth(), far = 1e3 * this.pivotDepth() } = this.limits;
     return this.orthographic ? [-far, far] : [near, Math.max(far, 2 * near)];
   }
 
-  /** What the depth buffer makes of depths in units of the scene: two factors. */
+  /** Two factors from depth in units of the scene to the depth buffer. */
   depthFactors([near, far]) {
     if (this.orthographic) return [(2 * this.unit) / (far - near), -(far + near) / (far - near)];
     return [(far + near) / (far - near), (-2 * far * near) / (far - near) / this.unit];
   }
 
-  /** Where a place of the scene is on the canvas: pixels from the left and top, and depth. */
+  /** Canvas position [px] and depth of a scene point. */
   project(point) {
     const { fx, fy, x, y } = this.pixels();
     const from = subtract(point, this.eye);
@@ -150,14 +147,14 @@ class Camera {
     return [(fx * a) / by + x, (fy * b) / by + y, z];
   }
 
-  /** The place of the scene at a pixel and a depth. */
+  /** Scene point of a pixel and a depth. */
   unproject(px, py, depth) {
     const { fx, fy, x, y } = this.pixels();
     const by = this.orthographic ? this.pivotDepth() : depth;
     return add(this.eye, turn(this.rotation, [((px - x) / fx) * by, ((py - y) / fy) * by, depth]));
   }
 
-  /** Turns about the pivot by angles to the right and down; "up" stays up. */
+  /** Rotates about the pivot by angles to the right and down; "up" stays upright. */
   orbit(right, down) {
     const forward = column(this.rotation, 2);
     const angle = Math.acos(clamp(dot(forward, this.up), -1, 1));
@@ -172,7 +169,6 @@ class Camera {
     this.rotation = orthonormal(multiply(rotation, this.rotation));
   }
 
-  /** Moves the picture by pixels, at the depth of the pivot. */
   pan(dx, dy) {
     const { x, y } = this.pixels();
     const from = this.unproject(x, y, this.pivotDepth());
@@ -184,7 +180,7 @@ class Camera {
     this.pivot = add(this.pivot, by);
   }
 
-  /** Nearer (a factor below 1) or farther; what is at the pixel stays there. */
+  /** Zooms by a factor (below 1: closer); the point at the pixel is fixed. */
   zoom(factor, px = this.pixels().x, py = this.pixels().y) {
     const depth = this.pivotDepth();
     const { closest = 1e-6 * this.unit, farthest = 1e4 * this.unit } = this.limits;
@@ -194,7 +190,6 @@ class Camera {
     this.pivot = add(place, scale(subtract(this.pivot, place), kept));
   }
 
-  /** Turns about another place from now on, which comes to the middle. */
   lookAt(place) {
     const depth = Math.max(dot(subtract(place, this.eye), column(this.rotation, 2)), 1e-6 * this.unit);
     const { x, y } = this.pixels();
@@ -202,12 +197,12 @@ class Camera {
     this.pivot = place;
   }
 
-  /** Looks along an axis, "+x" to "-z", from as far as before. */
+  /** Looks along an axis, "+x" to "-z", from the same distance. */
   lookAlong(axis) {
     this.face(scale(AXES[axis[1]], axis[0] === "-" ? -1 : 1));
   }
 
-  /** Looks along a unit vector with "up" upright; along "up" itself, with another axis upright. */
+  /** Looks along a unit vector with "up" upright; along "up" itself, another axis is upright. */
   face(forward) {
     let upward = this.up;
     if (Math.abs(dot(forward, upward)) > 0.9999) {
@@ -227,18 +222,16 @@ class Camera {
     this.face(scale(subtract(this.pivot, this.eye), 1 / length(subtract(this.pivot, this.eye))));
   }
 
-  /** The tangent of half the smaller angle that the view has. */
+  /** Tangent of half the smaller view angle. */
   reach() {
     const { fx, fy } = this.pixels();
     return Math.min(this.box.width / fx, this.box.height / fy) / 2;
   }
 
-  /** Another distance from the pivot. */
   recede(factor) {
     this.eye = add(this.pivot, scale(subtract(this.eye, this.pivot), factor));
   }
 
-  /** All of the scene's bounds from the present direction. */
   fit() {
     const half = this.reach();
     const distance = ((this.radius || this.unit) * 1.05) / (this.orthographic ? half : Math.sin(Math.atan(half)));
@@ -247,7 +240,7 @@ class Camera {
   }
 }
 
-/** A rotation without what rounding put into it. */
+/** Removes rounding errors from a rotation. */
 function orthonormal(m) {
   const x = scale(column(m, 0), 1 / length(column(m, 0)));
   const z0 = cross(x, column(m, 1));

@@ -1,7 +1,7 @@
-/** What keys do with the camera and the look, for whoever binds keys and fills a palette. */
+/** Key commands for camera and appearance. */
 const STEP_OF_SIZE = 1.25;
 const LARGEST_FACTOR = 32;
-const KEY_TURN = 0.1; // radians
+const KEY_TURN = 0.1; // [rad]
 
 function commandsOf(engine) {
   const { looks } = engine;

@@ -1,13 +1,13 @@
-/** Mouse, pen, fingers and wheel move the camera; a press without motion is a click. */
-const TURN = 0.006; // radians a pixel
-const ZOOM = 0.0015; // of the logarithm of the distance, a pixel of the wheel
-const STILL = { mouse: 3, pen: 6, touch: 9 }; // CSS px within which a press is no drag
+/** Mouse, pen, touch and wheel control of the camera; a press without motion is a click. */
+const TURN = 0.006; // [rad] per pixel
+const ZOOM = 0.0015; // of the logarithm of the distance, per pixel of the wheel
+const STILL = { mouse: 3, pen: 6, touch: 9 }; // [CSS px] within which a press is no drag
 
 class Controls {
-  /** `move(name, ...values)` moves the view in use, `use(x, y)` says which that is, `click` and `doubleClick` what is pressed. */
+  /** `move(name, ...values)` moves the active view, `use(x, y)` activates one; `click` and `doubleClick` are callbacks. */
   constructor(element, { move, use, click, doubleClick }) {
     Object.assign(this, { element, moveView: move, use, click, doubleClick });
-    element.style.touchAction = "none"; // fingers move the camera, not the page
+    element.style.touchAction = "none"; // touch moves the camera, not the page
     this.pointers = new Map();
     const listen = (kind, run) => element.addEventListener(kind, run, { passive: false });
     listen("pointerdown", (event) => this.down(event));
@@ -29,7 +29,7 @@ class Controls {
     try {
       this.element.setPointerCapture(event.pointerId);
     } catch {
-      // a pointer that a script made up, or that has gone already, cannot be captured: it moves the camera all the same
+      // synthetic or ended pointers cannot be captured: they still move the camera
     }
     const place = this.place(event);
     if (this.pointers.size === 0) this.use(...place);
@@ -59,7 +59,7 @@ class Controls {
     if (pointer && !pointer.drags && event.button === 0) this.click(...pointer.start);
   }
 
-  /** Two fingers: their middle moves the picture, their distance scales it. */
+  /** Two fingers: their center translates, their distance zooms. */
   pinch(pointer, before) {
     const [other] = [...this.pointers.values()].filter((one) => one !== pointer).map((one) => one.place);
     const apart = (place) => Math.max(Math.hypot(place[0] - other[0], place[1] - other[1]), 1);

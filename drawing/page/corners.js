@@ -1,4 +1,4 @@
-/** What lies in the corners of each view: the axes, and how long things are. The view in use has a frame where it is one of several. */
+/** Content of the corners of each view: axes and scale bar. The active one of several views has a frame. */
 class Corners {
   /** `look(axis, view)` looks along "+x" ... "-z" in a view. */
   constructor(overlay, { gizmo, scaleBar, look }) {
@@ -28,7 +28,6 @@ class Corners {
     });
   }
 
-  /** The scale bars in a picture of the canvas. */
   paint(context, canvas, density) {
     for (const { scaleBar } of this.views) scaleBar?.paint(context, canvas, density);
   }

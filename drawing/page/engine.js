@@ -1,48 +1,45 @@
 /**
- * The engine: a tree of nodes drawn by WebGL 2 on one canvas, with its camera, for recordings and for live pages.
+ * The engine: a tree of nodes drawn by WebGL 2 on one canvas, with its camera, for recordings and live pages.
  *
  * new Engine(canvas, overlay, { onCamera, onClick, onLost, onDrawn, onAxes, gizmo, scaleBar, margin })
- *   canvas    fills its parent, whose size it follows; overlay: an element over it, for labels, gizmo and scale bar
- *             (pointer events pass through it but at the gizmo).
- *   onCamera(camera)               the camera of the view in use has changed; at most once a picture. As camera() gives it.
- *   onClick(shareX, shareY)        a press without motion, as shares 0..1 of the view's width and height. Where it
- *                                  fell into another view, onCamera was called with that one's camera before.
- *   onLost(ids)                    the card forgot everything; all came back but these nodes, whose arrays were not kept
- *                                  (`keep: false`, or past the budget): they are dropped, the host adds them again.
- *   onDrawn()                      a picture is done.
- *   gizmo, scaleBar                whether there are any (true).
- *   margin                         by how much of the scene's size it may reach beyond its bounds, for near and far (0.5).
- *   Throws NoWebGL where there is no WebGL 2.
+ *   canvas    fills its parent; overlay: an element over it for labels, gizmo and scale bar (only the gizmo takes events).
+ *   onCamera(camera)               the active camera has changed; at most once per frame. As camera() returns it.
+ *   onClick(shareX, shareY)        a press without motion, as fractions of the view's size; preceded by onCamera if it
+ *                                  activated another view.
+ *   onLost(ids)                    nodes dropped with a lost context, as their arrays were not kept (`keep: false`, or
+ *                                  over budget): the host adds them again.
+ *   onDrawn()                      an image is complete.
+ *   gizmo, scaleBar                whether they are displayed (true).
+ *   margin                         margin of the bounds for near and far, over the scene's size (0.5).
+ *   Throws NoWebGL without WebGL 2.
  *
- * Nodes (ids are any keys but 0, which is the scene; poses are 12 numbers, rows of 3x4, from the node to its parent)
- *   add(id, parent, kind, props, arrays)   kind: group, points, triangles, lines, label; takes the place of id.
+ * Nodes (ids are any keys except 0, the scene; poses are 12 numbers, rows of 3x4, node to parent)
+ *   add(id, parent, kind, props, arrays)   kind: group, points, triangles, lines, label; replaces id.
  *     props: pose, visible, keep and those of the kind: plain [r,g,b 0..255], size, metric, relief, opacity, lit, cull,
- *     wireframe, width, text, anchor. `of: id` shares the other node's arrays on the card.
+ *     wireframe, width, text, anchor. `of: id` shares the other node's arrays.
  *     arrays: positions (Float32Array, or Uint16Array of half floats), colors (Uint8Array), normals (Int16Array),
- *     indices (Uint32Array), uvs (Float32Array), texture (Uint8Array: a PNG or JPEG).
- *     They go to the card as they are, without a copy; what is kept for a lost context is the same memory.
- *   set(id, props, arrays), drop(id) with all below it, clear(), has(id). A parent that is not there is the scene.
+ *     indices (Uint32Array), uvs (Float32Array), texture (Uint8Array: a PNG or JPEG). Uploaded and kept without a copy.
+ *   set(id, props, arrays), drop(id) with its children, clear(), has(id). The parent defaults to the scene.
  *
  * Camera (rotation: rows of R_world_camera, x right, y down, z forward; see camera.js)
  *   setCamera({ position, rotation, fov, pivot, up, near, far, closest, farthest, orthographic }), any of them; the first
- *   call is what home() comes back to. camera() -> { position, rotation, fov, pivot, up, orthographic, size [w, h] }
+ *   call defines home(). camera() -> { position, rotation, fov, pivot, up, orthographic, size [w, h] }
  *   setHome(), home(), fit(), lookAlong("+x" ... "-z"), setUp("y" | "z" | [x, y, z]), setOrthographic(on), orbit(right, down)
- *   setViews(1 | 2 | 4, linked): beside each other; linked ones turn, move and zoom together.
- *   setBounds(low, high): near and far follow from it; until it is known, near and far of setCamera hold.
+ *   setViews(1 | 2 | 4, linked): side by side; linked ones move together.
+ *   setBounds(low, high): defines near and far; before it, those of setCamera are used.
  *   setBackground([r, g, b 0..1], own): own false follows prefers-color-scheme. setUnit("m" | any text | null: no scale bar)
- *   commands(): [{ key, label, group, run }], for the host to bind to keys ("O", "Shift+X", "Shift+ArrowUp") and its palette.
+ *   commands(): [{ key, label, group, run }] for the host's keys ("O", "Shift+X", "Shift+ArrowUp") and palette.
  *
- * Pictures
- *   looks: { pointFactor, wireframe, normals, light 0..2 }; after a change redraw(). redraw() draws soon, when something
- *   has changed; settled() resolves when the picture with all changes so far is drawn whole; ready() when textures are
- *   decoded too and the page has its layout.
- *   pickDepth(x, y) -> depth [m] at a place of the canvas [CSS px], or null; pick(x, y) -> place or null;
- *   project(point) -> [x, y, depth]; unproject(x, y, depth); screenshot() -> Promise of a Blob (PNG), labels included;
+ * Images
+ *   looks: { pointFactor, wireframe, normals, light 0..2 }; call redraw() after a change. settled() resolves when an image
+ *   of all changes is complete, ready() when textures and layout are, too.
+ *   pickDepth(x, y) -> depth [m] at a canvas position [CSS px], or null; pick(x, y) -> point or null;
+ *   project(point) -> [x, y, depth]; unproject(x, y, depth); screenshot() -> Promise of a Blob (PNG) with labels;
  *   statistics() -> { draws, calls, uploads, bytes, kept, nodes, points, triangles, every, labels }
  */
-const KEPT_MEMORY = 2 ** 28; // bytes of arrays that are remembered for a card that forgets
+const KEPT_MEMORY = 2 ** 28; // bytes of arrays kept for a lost context
 const DARK_BACKGROUND = [0.106, 0.118, 0.137];
-const MOST_PIXELS = 2; // of the canvas for one of CSS: more is not seen
+const MOST_PIXELS = 2; // maximum device pixel ratio: more is not visible
 const KINDS = ["points", "triangles", "lines"];
 
 class Engine {
@@ -108,7 +105,7 @@ class Engine {
     this.redraw();
   }
 
-  /** What is new of a node's arrays; a plain colour takes the place of colours. */
+  /** Changed arrays of a node; a plain color replaces colors. */
   send(geometry, { plain }, arrays) {
     const bytes = bytesOf(arrays);
     if (bytes > 0) this.uploads += 1;
@@ -140,7 +137,7 @@ class Engine {
     for (const node of [...this.tree.root.children]) this.drop(node.id);
   }
 
-  /** Fills a card that forgot everything; what was not remembered is dropped, and the host is told. */
+  /** Restores a lost context; nodes without kept arrays are dropped and reported. */
   restore() {
     this.painter.start();
     for (const geometry of this.geometries) {
@@ -167,7 +164,7 @@ class Engine {
     this.changed();
   }
 
-  /** What `home` comes back to from now on. */
+  /** Stores the view for `home`. */
   setHome() {
     this.first = this.views.camera.state();
   }
@@ -184,7 +181,6 @@ class Engine {
     return this.views.camera.describe();
   }
 
-  /** One move of the view in use, and of those that are linked to it. */
   move(name, ...values) {
     this.views.move(name, ...values);
     this.changed();
@@ -229,7 +225,7 @@ class Engine {
     this.redraw();
   }
 
-  /** Makes the view at a place of the canvas the one in use. */
+  /** Activates the view at a canvas position. */
   use(x, y) {
     const view = this.views.at(x, y);
     if (view === this.views.active) return;
@@ -294,10 +290,10 @@ class Engine {
     return this.pace.atRest();
   }
 
-  /** Resolves when the layout is done, all arrays and textures are on the card and a picture with them is drawn whole. */
+  /** Resolves when the layout, all uploads and a complete image with them are done. */
   async ready() {
     await nextFrame();
-    await nextFrame(); // sizes of elements are observed behind the first
+    await nextFrame(); // element sizes are observed after the first
     await Promise.all([...this.geometries].map(({ texture }) => texture?.ready));
     await this.settled();
   }
@@ -330,14 +326,14 @@ class Engine {
     return this.views.camera.unproject(x, y, depth);
   }
 
-  /** What is shown as a PNG, with labels and the scale bar, without the gizmo. */
+  /** The current image as a PNG, with labels and scale bar, without gizmo. */
   screenshot() {
     const { canvas, painter } = this;
     this.draw(1);
     const copy = document.createElement("canvas");
     Object.assign(copy, { width: canvas.width, height: canvas.height });
     const context = copy.getContext("2d");
-    context.drawImage(canvas, 0, 0); // at once: the browser may empty it after this turn
+    context.drawImage(canvas, 0, 0); // at once: the browser may clear it after this task
     context.drawImage(this.labels.canvas, 0, 0);
     this.corners.paint(context, canvas, painter.density);
     return new Promise((resolve, reject) =>

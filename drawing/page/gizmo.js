@@ -1,6 +1,6 @@
-/** The axes in a corner: x red, y green, z blue, as the view in use sees them; a press on an end looks along it. */
-const GIZMO_REACH = 30; // units of its box from the middle to the ends
-const SVG = new DOMParser().parseFromString("<svg></svg>", "text/html").body.firstChild.namespaceURI; // no address here
+/** Axes in a corner (x red, y green, z blue) of the active view; a press on an end looks along it. */
+const GIZMO_REACH = 30; // from the center to the ends, in units of its box
+const SVG = new DOMParser().parseFromString("<svg></svg>", "text/html").body.firstChild.namespaceURI; // a namespace, not a request
 
 class Gizmo {
   /** `look(axis)` looks along "+x" ... "-z". */
@@ -14,7 +14,7 @@ class Gizmo {
     overlay.append(this.element);
   }
 
-  /** The end of +x is pressed to look at it, which is along -x. */
+  /** A press on +x looks at it, along -x. */
   makeEnd(name, sign, look) {
     const make = (kind, parent) => parent.appendChild(document.createElementNS(SVG, kind));
     const group = make("g", this.element);
@@ -39,7 +39,7 @@ class Gizmo {
       if (line) for (const [name, value] of [["x2", x], ["y2", y]]) line.setAttribute(name, value.toFixed(2));
       if (text) for (const [name, value] of [["x", x], ["y", y]]) text.setAttribute(name, value.toFixed(2));
     }
-    const order = placed.map(({ group }) => group); // nearer ones last, over the others
+    const order = placed.map(({ group }) => group); // nearer ones last, on top
     if (order.some((group, k) => this.element.children[k] !== group)) this.element.append(...order);
   }
 }

@@ -1,6 +1,6 @@
-/** Words at places of the scene, over all else, on a canvas of their own: they are drawn, never read as HTML. */
+/** Text labels on their own canvas over the scene: drawn, never parsed as HTML. */
 const LABEL_FONT = "500 12px system-ui, sans-serif";
-const LABEL_ROOM = [5, 3]; // CSS px beside and above the words
+const LABEL_ROOM = [5, 3]; // [CSS px] padding
 const LABEL_HEIGHT = 15;
 const SHARES = { "bottom-left": [0, 1], "bottom-center": [0.5, 1], center: [0.5, 0.5] };
 const LABEL_COLORS = {
@@ -23,7 +23,7 @@ class Labels {
     this.count = -1;
   }
 
-  /** The nodes' words in each view; nearer ones lie over farther ones. */
+  /** Draws the labels of each view; nearer ones cover farther ones. */
   draw(nodes, views, dark) {
     const labels = nodes.filter((node) => node.label);
     if (labels.length === 0 && this.count === 0) return;

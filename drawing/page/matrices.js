@@ -1,6 +1,6 @@
 /**
- * Vectors are arrays of 3, rotations 9 numbers and poses 12 (3 x 4), row by row; all in float64. What goes to the
- * graphics card is cast last, so that a scene far from its origin does not tremble.
+ * Vectors are arrays of 3, rotations 9 and poses 12 numbers (3 x 4), row by row, in float64; cast for the GPU last, so
+ * that scenes far from the origin stay precise.
  */
 const add = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 const subtract = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -11,10 +11,8 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const column = (m, k) => [m[k], m[3 + k], m[6 + k]];
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-/** `m` by a vector. */
 const turn = (m, v) => [0, 3, 6].map((k) => m[k] * v[0] + m[k + 1] * v[1] + m[k + 2] * v[2]);
 
-/** Two rotations, the right one first. */
 function multiply(a, b) {
   const product = [];
   for (const row of [0, 3, 6]) {
@@ -23,7 +21,7 @@ function multiply(a, b) {
   return product;
 }
 
-/** The rotation by an angle about a unit axis (Rodrigues). */
+/** Rotation by an angle about a unit axis (Rodrigues). */
 function rotationAbout([x, y, z], angle) {
   const c = Math.cos(angle);
   const s = Math.sin(angle);
@@ -35,7 +33,7 @@ function rotationAbout([x, y, z], angle) {
   ];
 }
 
-/** From a shape's own frame to the camera's, in units of the scene's size: 12 numbers, column by column. */
+/** Shape to camera in units of the scene's size: 12 numbers, column by column. */
 function modelToCamera(r, eye, pose, unit) {
   const columns = new Float32Array(12);
   for (let k = 0; k < 4; k++) {
@@ -48,7 +46,7 @@ function modelToCamera(r, eye, pose, unit) {
   return columns;
 }
 
-/** What turns normals where `modelToCamera` turns places: its cofactors, which serve scaled poses too. */
+/** Normal matrix of `modelToCamera`: its cofactors, valid for scaled poses, too. */
 function normalMatrix(m) {
   const columns = [m.slice(0, 3), m.slice(3, 6), m.slice(6, 9)];
   const cofactors = [cross(columns[1], columns[2]), cross(columns[2], columns[0]), cross(columns[0], columns[1])].flat();
@@ -58,7 +56,6 @@ function normalMatrix(m) {
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
-/** Two poses, the right one first. */
 function compose(a, b) {
   const product = new Float64Array(12);
   for (const row of [0, 4, 8]) {
@@ -68,7 +65,7 @@ function compose(a, b) {
   return product;
 }
 
-/** By how much a pose scales, as the cube root of what it does to volumes. */
+/** Scale of a pose: cube root of its determinant. */
 function scaleOf(m) {
   const [a, b, c] = [0, 1, 2].map((k) => [m[k], m[4 + k], m[8 + k]]);
   return Math.cbrt(Math.abs(dot(a, cross(b, c))));

@@ -1,6 +1,6 @@
 /**
- * The tree of nodes: poses are composed in float64, and what is hidden hides all below it. A change of one node costs
- * what lies below it; the list of what is drawn is made anew only when nodes come, go, or change whether they are seen.
+ * Tree of nodes: poses are composed in float64, hidden nodes hide their children. A change of a node costs its subtree;
+ * the draw list is rebuilt only when nodes are added, removed, shown or hidden.
  */
 class SceneNode {
   constructor(id, parent, kind) {
@@ -12,7 +12,6 @@ class SceneNode {
     parent?.children.add(this);
   }
 
-  /** From this node to the scene. */
   get world() {
     this.composed ??= this.parent ? compose(this.parent.world, this.pose) : Float64Array.from(IDENTITY);
     return this.composed;
@@ -25,7 +24,7 @@ class SceneNode {
   }
 
   forget() {
-    if (this.composed === null) return; // then none below has one either
+    if (this.composed === null) return; // then no child has one
     this.composed = null;
     for (const child of this.children) child.forget();
   }
@@ -55,7 +54,7 @@ class Tree {
     this.list = null;
   }
 
-  /** Takes a node and all below it out, and gives them. */
+  /** Removes a node with its children and returns them. */
   drop(id) {
     const top = this.nodes.get(id);
     if (!top || top === this.root) return [];
@@ -69,7 +68,7 @@ class Tree {
     return gone;
   }
 
-  /** The nodes that are seen, each after its parent, in the order in which they came. */
+  /** Visible nodes, parents first, in order of addition. */
   seen() {
     if (this.list === null) {
       this.list = [];

@@ -1,13 +1,13 @@
 /**
- * When to draw, and how much. Where the card does not keep up, every second, fourth, ... point is drawn while
- * something moves, and all of them once it rests; a picture is begun after the one before is done.
+ * Frame scheduling: if the GPU is too slow, every second, fourth, ... point is drawn during motion, and all of them at
+ * rest. A frame starts after the previous one is finished.
  */
-const SLOW = 40; // milliseconds a picture may take while something moves
-const REST = 150; // milliseconds without a change after which all is drawn
-const MOST_LEFT_OUT = 16; // as `Geometry.thin` allows
+const SLOW = 40; // [ms] per frame during motion
+const REST = 150; // [ms] without a change after which everything is drawn
+const MOST_LEFT_OUT = 16; // limit of `Geometry.thin`
 
 class Pace {
-  /** `draw(every)` draws one in `every` points; `finished()` resolves once the card is done. */
+  /** `draw(every)` draws one in `every` points; `finished()` resolves once the GPU is done. */
   constructor(draw, finished) {
     Object.assign(this, { draw, finished, settled: false, resting: [] });
     this.every = 1;
@@ -17,9 +17,9 @@ class Pace {
     this.count = 0;
   }
 
-  /** Draws soon: thinned where it must be, and whole when nothing more is asked for a moment. */
+  /** Draws soon: thinned if needed, and complete after a rest. */
   ask() {
-    if (this.asked && this.waiting) return; // a picture is to come, and it shows this too
+    if (this.asked && this.waiting) return; // the pending frame shows this, too
     this.tell(false);
     this.asked = true;
     clearTimeout(this.timer);
@@ -29,7 +29,7 @@ class Pace {
     }
   }
 
-  /** Draws now and whole: a canvas that was resized is empty. */
+  /** Draws completely at once: a resized canvas is empty. */
   now() {
     this.tell(false);
     this.next(1);
@@ -43,25 +43,25 @@ class Pace {
     try {
       this.draw(every);
     } catch (error) {
-      console.error(error); // the next picture may be well, and has to be asked for
+      console.error(error); // the next frame may be fast enough and must be requested
     }
     await this.finished();
     this.count += 1;
-    if (this.count > 2) this.note(performance.now() - start, every); // the first compile programs and take buffers in
+    if (this.count > 2) this.note(performance.now() - start, every); // the first frames compile programs and upload buffers
     this.waiting = false;
     if (this.asked) this.ask();
     else if (every > 1) this.timer = setTimeout(() => this.next(1), REST);
     else this.tell(true);
   }
 
-  /** Learns how many points to leave out from how long it took to draw one in `every`. */
+  /** Adapts the thinning to the duration of a frame. */
   note(milliseconds, every) {
     const fitting = every * 2 ** Math.ceil(Math.log2(milliseconds / SLOW));
     if (fitting > this.every) this.every = Math.min(fitting, MOST_LEFT_OUT);
     else if (every === this.every && milliseconds < SLOW / 4) this.every = Math.max(1, every / 2);
   }
 
-  /** Resolves once the picture with all that was asked for is drawn whole. */
+  /** Resolves once a complete image of all requests is drawn. */
   atRest() {
     return this.settled ? Promise.resolve() : new Promise((resolve) => this.resting.push(resolve));
   }

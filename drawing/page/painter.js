@@ -1,10 +1,10 @@
-/** Draws nodes: all views into one picture beside the canvas, then with the relief onto the canvas. */
-const FEW = 15_000; // points: fewer take no time worth saving
-const EDGE_SHADE = 0.12; // of a surface's own colour, as in our pictures
-const PROBE = 9; // pixels a side of the square in which a place is looked for
-const GREY = [204, 199, 189]; // of surfaces without a colour: light and warm, and darker than a white background
-const BLUE = [89, 128, 158]; // of points and lines without a colour
-const LARGEST_POINT = 256; // px
+/** Draws nodes: all views into an offscreen image, then with eye-dome lighting onto the canvas. */
+const FEW = 15_000; // points: thinning fewer saves no time
+const EDGE_SHADE = 0.12; // of the color of a surface, as in rendered images
+const PROBE = 9; // [px] side of the square that is searched for a depth
+const GREY = [204, 199, 189]; // of surfaces without a color: light and warm, darker than a white background
+const BLUE = [89, 128, 158]; // of points and lines without a color
+const LARGEST_POINT = 256; // [px]
 
 const PROGRAMS = {
   points: [SOLID_VERTEX, POINT_FRAGMENT],
@@ -25,7 +25,7 @@ class Painter {
     this.start();
   }
 
-  /** What a new or restored context needs. */
+  /** Sets up a new or restored context. */
   start() {
     const { gl } = this;
     this.programs = {};
@@ -35,7 +35,6 @@ class Painter {
     this.largest = Math.min(LARGEST_POINT, gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE)[1]);
   }
 
-  /** A program, made when it is first needed: to compile one takes a while. */
   program(name) {
     this.programs[name] ??= new Program(this.gl, ...PROGRAMS[name]);
     return this.programs[name];
@@ -47,7 +46,7 @@ class Painter {
     this.canvas.height = Math.max(1, Math.round(height * density));
   }
 
-  /** Draws the nodes in each view, of clouds one in `every` points. */
+  /** Draws the nodes in each view, one in `every` points of clouds. */
   draw(views, nodes, looks, background, every = 1) {
     const { gl, canvas } = this;
     Object.assign(this, { looks, every, calls: 0, points: 0, triangles: 0 });
@@ -61,13 +60,13 @@ class Painter {
     for (const frame of this.frames) this.drawView(frame, nodes);
     this.target.resolve();
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.clearColor(...background.map((value) => 0.75 * value + 0.125), 1); // what parts the views
+    gl.clearColor(...background.map((value) => 0.75 * value + 0.125), 1); // separates the views
     gl.clear(gl.COLOR_BUFFER_BIT);
     for (const frame of this.frames) this.showRelief(frame);
     gl.viewport(0, 0, canvas.width, canvas.height);
   }
 
-  /** What a view's camera says to the programs, and the view's pixels of the canvas: left, bottom, width, height. */
+  /** Uniforms of a view's camera, and its canvas rectangle: left, bottom, width, height. */
   frameOf(camera) {
     const { density, canvas } = this;
     const { x, y, width, height } = camera.box;
@@ -77,7 +76,7 @@ class Painter {
     const range = camera.depthRange();
     const { unit, orthographic: parallel } = camera;
     const pivot = camera.pivotDepth() / unit;
-    const focal = (camera.pixels().fy * density) / (parallel ? pivot : 1); // px of what is as large as its depth
+    const focal = (camera.pixels().fy * density) / (parallel ? pivot : 1); // [px] of an object as large as its depth
     return { camera, box, unit, parallel, pivot, focal, near: range[0] / unit, lens: camera.lens(), depthOf: camera.depthFactors(range) };
   }
 
@@ -97,7 +96,7 @@ class Painter {
     gl.disable(gl.DEPTH_TEST);
   }
 
-  /** What one sees through: the farthest first, without leaving depths, and of a surface its back before its front. */
+  /** Transparent nodes: farthest first, without writing depths, back faces before front faces. */
   drawOver(nodes) {
     const { gl } = this;
     const { camera } = this.frame;
@@ -105,7 +104,7 @@ class Painter {
     const depth = ({ world }) => dot(subtract([world[3], world[7], world[11]], camera.eye), forward);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    gl.colorMask(true, true, true, false); // the alpha that is there says where the relief falls
+    gl.colorMask(true, true, true, false); // alpha controls eye-dome lighting
     gl.depthMask(false);
     for (const node of nodes.sort((a, b) => depth(b) - depth(a))) {
       if (node.kind !== "triangles" || node.props.cull) this.drawNode(node);
@@ -116,7 +115,7 @@ class Painter {
     gl.disable(gl.BLEND);
   }
 
-  /** The program of a node, with what all nodes of a view share. */
+  /** Program of a node with the shared uniforms of a view. */
   use(name) {
     const program = this.program(name);
     const { gl, frame } = this;
@@ -134,7 +133,7 @@ class Painter {
     gl.uniform2f(program.at("window"), frame.box[2], frame.box[3]);
     gl.uniform2f(program.at("sizes"), 1, this.largest);
     program.whole("paint_normals", this.looks.normals ? 1 : 0);
-    program.whole("image", 2); // not those that the picture is drawn into
+    program.whole("image", 2); // not those that are rendered to
     return program;
   }
 
@@ -198,12 +197,12 @@ class Painter {
       gl.activeTexture(gl.TEXTURE2);
       gl.bindTexture(gl.TEXTURE_2D, texture.texture);
     }
-    // Faces lie a little back, so that points and edges on them are seen. By their slope only where edges are drawn: at an
-    // outline the face behind would come through.
+    // Faces are offset backward, so that points and edges on them are visible. Slope-dependent only if edges are drawn:
+    // otherwise the face behind would show through at silhouettes.
     const edged = props.wireframe || this.looks.wireframe;
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(edged ? 1 : 0, edged ? 1 : 4);
-    if (props.cull || hiddenSide) gl.enable(gl.CULL_FACE); // corners run counterclockwise where a face is seen from its front
+    if (props.cull || hiddenSide) gl.enable(gl.CULL_FACE); // front faces are counterclockwise
     gl.cullFace(hiddenSide ?? gl.BACK);
     if (geometry.elements) gl.drawElements(gl.TRIANGLES, geometry.count, gl.UNSIGNED_INT, 0);
     else gl.drawArrays(gl.TRIANGLES, 0, geometry.count);
@@ -226,7 +225,7 @@ class Painter {
     this.calls += 1;
   }
 
-  /** The first and last column and row of a view in the picture. */
+  /** First and last column and row of a view in the image. */
   corners([left, bottom, width, height]) {
     return [left, bottom, left + width - 1, bottom + height - 1];
   }
@@ -246,7 +245,7 @@ class Painter {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** Resolves when the card has drawn what it was told to. */
+  /** Resolves when the GPU has finished. */
   async finished() {
     const { gl } = this;
     const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -257,7 +256,7 @@ class Painter {
     gl.deleteSync(fence);
   }
 
-  /** The depth [m] of what a view showed last at or beside a place of the canvas [CSS px], or null. */
+  /** Depth [m] last drawn at or near a canvas position [CSS px], or null. */
   depthAt(x, y, view) {
     const { gl } = this;
     const probe = this.program("probe");
@@ -290,7 +289,7 @@ class Painter {
   }
 }
 
-/** Of the depths in a square the one nearest to its middle at which there is anything. */
+/** Nearest valid depth to the center of a square. */
 function nearestToMiddle(bytes) {
   let best = null;
   let least = Infinity;
@@ -302,13 +301,13 @@ function nearestToMiddle(bytes) {
   return best;
 }
 
-/** Of how many points one is drawn, where one in `every` is to be; small clouds are spared. */
+/** Thinning factor of a cloud for `every`; small clouds are drawn completely. */
 function thinned(count, every) {
   while (every > 1 && count / every < FEW) every /= 2;
   return every;
 }
 
-/** Whether the processor draws: then smoothed edges cost more than they give. */
+/** True for software rendering: antialiasing is then too slow. */
 function isSoftware(gl) {
   let name = gl.getParameter(gl.RENDERER);
   const info = name.startsWith("WebKit") ? gl.getExtension("WEBGL_debug_renderer_info") : null;

@@ -1,4 +1,4 @@
-/** Joins the parts: the page's elements, keys, messages, and when to draw. */
+/** Connects the parts of the player: elements, keys, messages, drawing. */
 const NO_WEBGL =
   "This page draws with WebGL 2, which this browser does not offer here. Open it in a current Chromium, Firefox or " +
   "Safari, and switch hardware acceleration on where it is off.";
@@ -92,7 +92,7 @@ class Player {
     at("help-button").setAttribute("aria-expanded", String(!at("help").hidden));
   }
 
-  /** Keys that an element of the page has a use for stay its own. */
+  /** Keys that a focused element uses are left to it. */
   onKey(event) {
     const kind = event.target.type ?? event.target.tagName;
     if (event.ctrlKey || event.metaKey || event.altKey || /text|search|select/i.test(kind)) return;
@@ -142,7 +142,7 @@ class Player {
     this.scene.show(this.shownPlacements());
   }
 
-  /** How many points are shown; of how many, where some were left out, the frame's label says. */
+  /** Number of displayed points; the frame's label has the total if some were omitted. */
   tellCount() {
     let count = 0;
     for (const { item, shapes } of this.shownPlacements().map((number) => this.scene.placements[number])) {
@@ -154,7 +154,7 @@ class Player {
     at("count").textContent = `${count.toLocaleString("en")} point${count === 1 ? "" : "s"} drawn`;
   }
 
-  /** The card forgot everything. */
+  /** The context was lost. */
   async fill() {
     await this.scene.send(this.shownPlacements());
     this.scene.show(this.shownPlacements());
@@ -170,7 +170,7 @@ try {
   if (!window.DecompressionStream) throw new Error(TOO_OLD);
   const player = new Player();
   const started = player.start().catch((error) => say(error.message));
-  // for whoever embeds the page, and for its tests
+  // for embedding pages and tests
   window.pointloom = { ready: () => started.then(() => player.timeline.going).then(() => player.engine.ready()) };
   window.recording = {
     project: (point) => player.engine.project(point),

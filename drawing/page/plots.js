@@ -1,4 +1,4 @@
-/** A curve for each number of the frames, the frame that is shown marked; a click goes to the frame there. */
+/** A curve for each plotted value with the current frame marked; a click selects a frame. */
 const INSET = { left: 6, right: 6, top: 16, bottom: 16 };
 
 class Plots {
@@ -59,7 +59,7 @@ class Plots {
     }
     pen.strokeStyle = mark;
     pen.beginPath();
-    const middle = (Math.floor(x(frame) * density) + 0.5) / density; // of a column of pixels, else it is blurred
+    const middle = (Math.floor(x(frame) * density) + 0.5) / density; // centered on a pixel column, otherwise blurred
     pen.moveTo(middle, INSET.top - 3);
     pen.lineTo(middle, height - INSET.bottom + 3);
     pen.stroke();
@@ -72,7 +72,7 @@ class Plots {
     }
   }
 
-  /** A line with gaps where there is no number; one that stands alone is a dot. */
+  /** A line with gaps for missing values; single values are dots. */
   drawCurve(pen, values, x, y, color) {
     pen.strokeStyle = pen.fillStyle = color;
     pen.lineWidth = 1.5;

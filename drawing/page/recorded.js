@@ -1,16 +1,16 @@
 /**
- * A recording as nodes of the engine. A shape is sent when a frame first shows it and stays, unseen; what a frame shows
- * are nodes that share the shapes' arrays. Past a budget those that were not shown for longest are freed, and sent again
- * when needed; the budget is no limit for what two frames in a row need.
+ * A recording as nodes of the engine. A shape is uploaded when a frame first shows it; frames are nodes that share
+ * arrays. Beyond a budget, the least recently shown shapes are freed and uploaded again when needed; two consecutive
+ * frames may exceed it.
  */
-const MEMORY_BUDGET = 2 ** 30; // bytes on the graphics card
+const MEMORY_BUDGET = 2 ** 30; // bytes on the GPU
 
 class Recorded {
   constructor(engine, description, arrays) {
     Object.assign(this, { engine, description, arrays });
     this.placements = description.placements.map(([item, shapes, pose]) => ({ item, shapes, pose }));
-    this.hidden = new Set(); // items that are not to be drawn
-    this.used = new Map(); // of each shape on the card, when it was last needed
+    this.hidden = new Set(); // hidden items
+    this.used = new Map(); // time of last use of each uploaded shape
     this.clock = 0;
     this.sending = Promise.resolve();
     this.shown = [];
@@ -20,7 +20,7 @@ class Recorded {
     this.poses = await this.arrays.read(this.description.poses);
   }
 
-  /** Sends what these placements show and the card does not hold; resolves once all of it is there. */
+  /** Uploads missing shapes of these placements; resolves when done. */
   send(placements) {
     this.sending = this.sending.catch(() => {}).then(() => this.sendAll(placements)); // one after the other
     return this.sending;
@@ -41,10 +41,10 @@ class Recorded {
     const [places, directions, paints, corners] = await Promise.all([positions, normals, colors, indices].map(read));
     const shape = { positions: places, normals: directions, colors: paints, indices: corners };
     const sent = kind === "lines" ? { positions: segments(places, corners), colors: paints } : shape;
-    this.engine.add(nameOf(number), 0, kind, { visible: false, keep: false }, sent); // the page itself remembers them
+    this.engine.add(nameOf(number), 0, kind, { visible: false, keep: false }, sent); // the page itself keeps them
   }
 
-  /** Frees what neither this nor the last call needed, longest unused first, until the rest is within the budget. */
+  /** Frees shapes that neither this nor the last call needed, least recently used first, down to the budget. */
   free() {
     const unused = [...this.used].filter(([, when]) => when < this.clock - 1).sort((a, b) => a[1] - b[1]);
     for (const [number] of unused) {
@@ -54,7 +54,6 @@ class Recorded {
     }
   }
 
-  /** Shows a frame; what has not been sent yet is left out. */
   show(placements) {
     const { engine } = this;
     for (const { id } of this.shown) engine.drop(id);

@@ -1,5 +1,5 @@
-/** A bar as long as a round length: exact where rays are parallel, else at the depth of what the camera turns about. */
-const SHORTEST_BAR = 90; // CSS px; the next round length is at most 2.5 times as long
+/** A bar of a round length: exact in orthographic views, else at the depth of the pivot. */
+const SHORTEST_BAR = 90; // [CSS px]; the next round length is at most 2.5 times as long
 const METRES = [[1000, "km"], [1, "m"], [0.01, "cm"], [0.001, "mm"], [1e-6, "\u00b5m"]];
 
 class ScaleBar {
@@ -14,7 +14,7 @@ class ScaleBar {
     this.unit = null;
   }
 
-  /** With the unit of the scene's numbers; null for no bar. */
+  /** `unit` null hides the bar. */
   draw(camera, unit) {
     this.unit = unit;
     this.element.hidden = unit === null;
@@ -27,7 +27,6 @@ class ScaleBar {
     this.element.title = camera.orthographic ? "" : "At the depth of the place that the view turns about";
   }
 
-  /** The same bar in a picture, at its place over the canvas. */
   paint(context, canvas, density) {
     if (this.unit === null) return;
     const [own, other] = [this.element.getBoundingClientRect(), canvas.getBoundingClientRect()];
@@ -42,13 +41,13 @@ class ScaleBar {
   }
 }
 
-/** The least of 1, 2 and 5 times a power of ten that is not below a value. */
+/** The smallest of 1, 2 and 5 times a power of 10 that is at least a value. */
 function roundUp(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   return [1, 2, 5, 10].map((digit) => digit * power).find((one) => one >= value * (1 - 1e-9)) ?? 10 * power;
 }
 
-/** "20 cm" of metres, "20 ft" of any other unit. */
+/** "20 cm" for meters, "20 ft" for other units. */
 function lengthInWords(length, unit) {
   const [by, name] = unit === "m" ? METRES.find(([size]) => length >= size * (1 - 1e-9)) ?? METRES.at(-1) : [1, unit];
   const number = Number((length / by).toPrecision(6));

@@ -1,8 +1,8 @@
 /**
- * The programs of the graphics card. The camera's frame has x right, y down, z forward, as View has it, and so has the
- * light: a lamp at the camera, one above left of it, and a share from everywhere, as in our pictures. The alpha of what
- * is drawn says whether eye-dome lighting (Boucheny, thesis, Grenoble 2009, chapter 4) falls on it, as it does on
- * points that are not lit; of what lies over the rest, drawn last, it is the opacity.
+ * GPU programs. Camera coordinates: x right, y down, z forward, also for the lights: one at the camera, one above left,
+ * and ambient light, as in rendered images.
+ * Alpha of drawn elements selects eye-dome lighting (Boucheny, thesis, Grenoble 2009, chapter 4), used for unlit
+ * points; for transparent elements, drawn last, it is the opacity.
  */
 const TO_CLIP = `
 uniform mat4x3 to_camera;
@@ -100,8 +100,8 @@ void main() {
 }
 `;
 
-// A segment is a strip of two triangles, as wide as asked on the screen. What lies behind the camera is cut off here: a
-// strip with corners there would fan out.
+// A segment is a strip of two triangles of the requested screen width, clipped behind the camera:
+// a strip with corners there would fan out.
 const LINE_VERTEX = `
 precision highp float;
 layout(location = 0) in vec3 a;
@@ -152,8 +152,8 @@ void main() {
 }
 `;
 
-// The strength, the limit and the reach of the relief are those of our pictures (kernels/drawing/shading.py). Of parallel
-// rays depths are compared as shares of the depth of what the camera turns about.
+// Strength, limit and radius of eye-dome lighting as in rendered images (kernels/drawing/shading.py).
+// For parallel rays, depths are compared relative to the depth of the pivot.
 const RELIEF_FRAGMENT = `
 precision highp float;
 precision highp sampler2D;
@@ -190,7 +190,7 @@ void main() {
 }
 `;
 
-// The depths around a pixel as three bytes each, since depths themselves cannot be read back.
+// Depths around a pixel as three bytes each, as depths cannot be read back.
 const PROBE_FRAGMENT = `
 precision highp float;
 precision highp int;

@@ -1,7 +1,7 @@
-"""The scripts and styles of our pages, joined: `player_script`, `player_style`, `live_page`, `join_scripts`, `hash_of`.
+"""Scripts and styles of the pages, joined.
 
-`ENGINE` draws, in recordings and live; what a page has beside it comes after it. A script is one function, so that
-nothing of it is a name of the page.
+`ENGINE` draws in recordings and live pages, and the specific modules follow it. A script is one function, so that it
+defines no global names.
 """
 
 from __future__ import annotations
@@ -32,39 +32,29 @@ LIVE = (
 
 
 def player_script() -> str:
-    """What every recording plays by."""
     return join_scripts(PLAYER)
 
 
 def player_style() -> str:
-    """How every recording looks."""
     return read_source("engine.css") + read_source("player.css")
 
 
 def join_scripts(names: Iterable[str]) -> str:
-    """Modules of this folder as one script, in their order."""
+    """Join modules of this folder, in order, into one script."""
     return '"use strict";\n(() => {\n' + "\n".join(read_source(f"{name}.js") for name in names) + "\n})();\n"
 
 
 def read_source(name: str) -> str:
-    """A file of this folder."""
     return (FOLDER / name).read_text(encoding="utf-8")
 
 
 def hash_of(text: str) -> str:
-    """A text as a page's policy names it."""
+    """Hash of a text for a content security policy."""
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
 def live_page(title: str) -> bytes:
-    """The page that a program's scene is shown by, whole, in UTF-8.
-
-    Args:
-        title: What it is called until the program says otherwise; shown as text, whatever is in it.
-
-    Returns:
-        HTML that asks nobody for anything but its own websocket.
-    """
+    """The complete live page in UTF-8, with an initial title (escaped); it connects to its own websocket only."""
     script, style = _live_parts()
     texts = {"script": script, "style": style, "title": html.escape(escaped(title))}
     return re.sub(r"\{\{(\w+)\}\}", lambda gap: texts[gap[1]], read_source("live/live.html")).encode("utf-8", "replace")

@@ -1,9 +1,9 @@
-/** Pictures on triangles: PNG or JPEG, decoded beside the drawing; until then the surface has its plain colour. */
+/** Images on triangles: PNG or JPEG, decoded asynchronously; until then the surface has its plain color. */
 class Texture {
-  /** `changed` is called once the picture is there. */
+  /** `changed` is called when the image is ready. */
   constructor(gl, bytes, changed) {
     Object.assign(this, { gl, texture: null, bytes: 0, gone: false });
-    this.ready = this.read(bytes).then(changed, () => changed()); // what is no picture leaves the plain colour
+    this.ready = this.read(bytes).then(changed, () => changed()); // invalid images leave the plain color
   }
 
   async read(bytes) {
@@ -22,7 +22,7 @@ class Texture {
     bitmap.close();
   }
 
-  /** The first row of the picture is at v = 0. */
+  /** The first image row is at v = 0. */
   send(bitmap) {
     const { gl } = this;
     this.texture = gl.createTexture();

@@ -1,7 +1,7 @@
 /**
- * Which frame is shown, and playing. A frame is shown once all of it is on the card; the one asked for last wins.
- * `prepare` sends what a frame needs, `shown` is told which frame it is or that playing began or ended, `drawn` says
- * whether the picture is done.
+ * Displayed frame and playback. A frame is shown once all of it is on the GPU; the newest request wins.
+ * `prepare` sends the data of a frame, `shown` is called for each frame and at start and end of playback, `drawn` tells
+ * whether the image is complete.
  */
 class Timeline {
   constructor({ frames, fps }, { prepare, shown, drawn, failed }) {
@@ -18,7 +18,7 @@ class Timeline {
     return this.frames.length - 1;
   }
 
-  /** Resolves once the frame asked for last is shown. */
+  /** Resolves once the last requested frame is shown. */
   go(frame) {
     this.wanted = clamp(frame, 0, this.last);
     if (!this.busy) this.going = this.move();
@@ -33,7 +33,7 @@ class Timeline {
         await this.prepare(this.frames[next].shown);
         this.frame = next;
         this.onShown(next);
-        if (this.playing && next < this.last) await this.prepare(this.frames[next + 1].shown); // while this one is seen
+        if (this.playing && next < this.last) await this.prepare(this.frames[next + 1].shown); // while this one is displayed
       }
     } catch (error) {
       this.pause();
@@ -67,7 +67,7 @@ class Timeline {
     if (this.frame >= 0) this.onShown(this.frame);
   }
 
-  /** Every frame is shown, however slow the machine: an algorithm's steps are not to be missed. */
+  /** Shows every frame on slow machines, too: no step of an algorithm is skipped. */
   tick() {
     if (!this.playing) return;
     const now = performance.now();

@@ -1,8 +1,8 @@
 /**
- * One, two or four views of the scene on one canvas. Linked ones share what they turn about: what moves one moves all,
- * each from its own side.
+ * One, two or four views of the scene on one canvas. Linked views share the pivot: a move applies to all, each from its
+ * own side.
  */
-const GAP = 2; // CSS px between views
+const GAP = 2; // [CSS px] between views
 
 class Views {
   constructor(margin) {
@@ -17,7 +17,7 @@ class Views {
     return this.cameras[this.active];
   }
 
-  /** Another number of views: the first stays, the others look from its sides and from above. Each shows as much as before. */
+  /** Sets the number of views: the first is kept, the others look from its sides and above at the same scale. */
   set(count, linked) {
     const first = this.camera;
     const reach = first.reach();
@@ -53,7 +53,6 @@ class Views {
     });
   }
 
-  /** The view at a place of the canvas. */
   at(x, y) {
     const inside = ({ box }) => x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
     const found = this.cameras.findIndex(inside);
@@ -64,7 +63,7 @@ class Views {
     this.cameras.forEach(change);
   }
 
-  /** One move of the view in use: a method of `Camera`; the others follow where they are linked. */
+  /** Moves the active view by a method of `Camera`; linked views follow. */
   move(name, ...values) {
     const { camera } = this;
     const [pivot, distance] = [camera.pivot, camera.pivotDepth()];

@@ -1,1 +1,1 @@
-"""What an algorithm did, as a page that plays, an animation or a video."""
+"""Recordings of algorithms as a page with a player, an animation or a video."""

@@ -1,4 +1,4 @@
-"""A recording below the cell of a notebook that ends with it: `recorder_output`."""
+"""Notebook output of a recording: `recorder_output`."""
 
 from __future__ import annotations
 
@@ -14,16 +14,11 @@ if TYPE_CHECKING:
     from .recorder import Recorder
 
 MEDIA = {".gif": "image/gif", ".mp4": "video/mp4"}
-BESIDE = 120  # [px] of a page's height for what stands around the picture
+BESIDE = 120  # [px] of a page's height around the image
 
 
 def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
-    """What was written, where it has at most 4 MB, else its last frame and where the file is; by kinds of content.
-
-    Args:
-        recorder: Of a recording that was written.
-        view: That its frames are seen from.
-    """
+    """MIME bundle of a written recording of at most 4 MB, else of its last frame and the path."""
     path, text = recorder.path, repr(recorder)
     width = min(recorder._size[0], MOST_WIDTH)
     height = max(1, round(recorder._size[1] * width / recorder._size[0]))

@@ -1,4 +1,4 @@
-"""The frames of a recording as pictures: one view for all of them, labels above, plotted values beneath."""
+"""Frames of a recording as images: one view for all, labels above, plots below."""
 
 from __future__ import annotations
 
@@ -27,25 +27,17 @@ from .timeline import Frame, Shape, Timeline
 
 Picture = NDArray[np.uint8]
 
-LOOKED_AT = 1_000  # positions of each shape that a view is fitted to
-# Points farther from the middle than this many times the distance within which most of them lie may be outside: what
-# only the farthest rays of a scanner reached.
+LOOKED_AT = 1_000  # positions of each shape for fitting the view
+# Points beyond FAR times the distance within which most are located may be outside the view: far hits of a scanner.
 FAR, MOST, FEWEST = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
-PANELS = 4  # plots side by side; further values are left out
-LEAST_STRIP, LEAST_PANEL = 40, 80  # [px] below which nothing could be read
+PANELS = 4  # plots side by side; more values are omitted
+LEAST_STRIP, LEAST_PANEL = 40, 80  # [px] minimum readable size
 PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
 
 def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) -> View:
-    """The closest view that shows all frames of a timeline whole, in world coordinates.
-
-    Args:
-        timeline: The recording.
-        look: A direction and what is up; None for the usual one.
-        width: Columns [px].
-        height: Rows [px].
-    """
+    """The closest view in world coordinates that shows all frames; `look` is a direction and up, None the default."""
     points = _seen_points(timeline, _core)
     options: dict[str, Any] = {} if look is None else {"direction": look[0], "up": look[1]}
     view = fit_view(points, **options, width=width, height=_picture_height(timeline, width, height))
@@ -55,14 +47,14 @@ def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) 
 
 
 def find_view(view: View | dict[str, Any] | None, timeline: Timeline, look: Any, width: int, height: int) -> View:
-    """The view of a recording: the one given, that of Open3D's parameters, or the one that shows all frames whole."""
+    """The view of a recording: as given, from Open3D's parameters, or showing all frames."""
     if view is None:
         return view_frames(timeline, look, width, height)
     return view if isinstance(view, View) else _view_by_parameters(timeline, view, width, height)
 
 
 def check_look(view: Any) -> View | dict[str, Any] | None:
-    """A view, or Open3D's parameters of one, tried on a box: the one of the recording is known at its end."""
+    """Validate a view, or Open3D's parameters of one on a test box."""
     if view is None or isinstance(view, View):
         return view
     if not isinstance(view, Mapping):
@@ -75,7 +67,7 @@ def check_look(view: Any) -> View | dict[str, Any] | None:
 
 
 def _view_by_parameters(timeline: Timeline, given: dict[str, Any], width: int, height: int) -> View:
-    """The view with Open3D's parameters, about all that is seen in any frame; sizes as of `view_frames`."""
+    """The view with Open3D's parameters for the bounds of all frames."""
     points = _seen_points(timeline, lambda shape: shape.positions.astype(np.float64))
     bounds = (points.min(axis=0), points.max(axis=0)) if len(points) else (np.zeros(3), np.zeros(3))
     low, high = (end + timeline.origin for end in bounds)
@@ -83,7 +75,7 @@ def _view_by_parameters(timeline: Timeline, given: dict[str, Any], width: int, h
 
 
 def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Points of the shapes of all frames, from the timeline's origin."""
+    """Sample of the points of all frames relative to the timeline's origin."""
     samples: dict[int, NDArray[np.float64]] = {}
     seen: dict[tuple[int, bytes], NDArray[np.float64]] = {}
     for frame in timeline.frames:
@@ -100,15 +92,7 @@ def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.flo
 
 
 class Film:
-    """Draws the frames of a timeline.
-
-    Args:
-        timeline: The recording.
-        view: Where from, in world coordinates; its size is not taken.
-        width, height: Of the pictures [px].
-        background: Red, green and blue, 0 to 1.
-        device: Where to draw.
-    """
+    """Renders the frames of a timeline from a view in world coordinates (its size is ignored)."""
 
     def __init__(self, timeline: Timeline, view: View, width: int, height: int, background: Triple, device: Any = None):
         self.timeline, self.width, self.height, self.background = timeline, width, height, background
@@ -121,7 +105,7 @@ class Film:
         return len(self.timeline.frames)
 
     def draw(self, number: int) -> Picture:
-        """A frame, shape [height, width, 3], uint8."""
+        """Render a frame, shape (height, width, 3), uint8."""
         frame = self.timeline.frames[number]
         canvas = self._stills.draw(frame)
         size = letter_size(canvas)
@@ -134,7 +118,6 @@ class Film:
         return np.vstack([picture, self._plots.draw(number)]) if self._names else picture
 
     def frames(self, say: ReportProgress = say_nothing) -> Iterator[Picture]:
-        """All frames in order; each that is drawn is told."""
         for number in range(len(self)):
             say("drawing", number, len(self))
             yield self.draw(number)
@@ -142,14 +125,7 @@ class Film:
 
 
 class _Plots:
-    """The strip of plots: what is the same in all frames is drawn once.
-
-    Args:
-        timeline: The recording.
-        names: Of the values.
-        width, height: Of the strip [px].
-        device: Where to draw.
-    """
+    """The strip of plots; the static part is drawn once."""
 
     def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: Any):
         self._names, self._count = names, len(timeline.frames)
@@ -167,7 +143,6 @@ class _Plots:
                 self._ground.polyline(run, color=WHOLE, width=1.5)
 
     def draw(self, number: int) -> Picture:
-        """The strip at a frame."""
         canvas = self._ground.copy()
         for k, (name, values) in enumerate(zip(self._names, self._values, strict=True)):
             places = self._places(k, values)
@@ -187,7 +162,7 @@ class _Plots:
         return k * self._panel + size, 1.6 * size, (k + 1) * self._panel - size, self._height - 0.6 * size
 
     def _places(self, k: int, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Where values lie in the strip [px]; NaN where there are none."""
+        """Positions of values in the strip [px]; NaN for missing values."""
         left, top, right, bottom = self._box(k)
         low, high = self._limits[k]
         across = left + 4 + (right - left - 8) * np.arange(self._count) / max(self._count - 1, 1)
@@ -196,7 +171,7 @@ class _Plots:
 
 
 def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
-    """The names of values that are plotted in pictures of a size, in the order in which they came."""
+    """Names of plotted values in the order of their first appearance."""
     if round(STRIP * height / 2) * 2 < LEAST_STRIP:
         return []
     names = dict.fromkeys(name for frame in timeline.frames for name in frame.values)
@@ -204,7 +179,7 @@ def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
 
 
 def _picture_height(timeline: Timeline, width: int, height: int) -> int:
-    """The rows that plots leave, an even number of an even one."""
+    """Number of rows above the plots; even if `height` is even."""
     return height - round(STRIP * height / 2) * 2 if _plotted(timeline, width, height) else height
 
 
@@ -217,14 +192,13 @@ def _limits(values: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def _runs(places: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """The parts of a curve between gaps."""
     known = np.isfinite(places).all(axis=1)
     ends = np.flatnonzero(np.diff(np.concatenate([[0], known.astype(int), [0]])))
     return [places[a:b] for a, b in ends.reshape(-1, 2).tolist() if b - a > 1]
 
 
 def _core(shape: Shape) -> NDArray[np.float64]:
-    """Some positions of a shape, of points without the farthest ones."""
+    """Sample of positions of a shape; for points without the farthest ones."""
     points = shape.positions[spread_rows(len(shape.positions), LOOKED_AT)].astype(np.float64)
     if shape.kind != "points" or len(points) < FEWEST:
         return points
@@ -233,7 +207,7 @@ def _core(shape: Shape) -> NDArray[np.float64]:
 
 
 def _sized(view: View, width: int, height: int) -> View:
-    """The view with pictures of another size that show as much of the scene's height and width as fits."""
+    """The view for another image size, with at least the same visible width and height."""
     camera = view.intrinsic
     scale = min(width / camera.width, height / camera.height)
     changed = dataclasses.replace(
@@ -249,24 +223,17 @@ def _sized(view: View, width: int, height: int) -> View:
 
 
 class Stills:
-    """Draws the frames of a timeline; what stays from one to the next stays on the device.
-
-    Args:
-        timeline: The recording.
-        view: Where from, in world coordinates.
-        background: Red, green and blue, 0 to 1.
-        device: Where to draw; None for the CPU.
-    """
+    """Renders the frames of a timeline; unchanged shapes stay on the device (None: CPU)."""
 
     def __init__(self, timeline: Timeline, view: View, background: Triple, device: Any):
         self._timeline, self._background, self._device = timeline, background, resolve_device(device)
         T = view.T_world_camera.copy()
-        T[:3, 3] -= timeline.origin  # about which shapes lie: so nothing large is left to round
+        T[:3, 3] -= timeline.origin  # origin of the shapes, so that no large numbers are rounded
         self._view = dataclasses.replace(view, T_world_camera=T)
         self._parts: dict[int, Part] = {}
 
     def draw(self, frame: Frame) -> Canvas:
-        """The picture of a frame, to be drawn on."""
+        """Image of a frame, as a Canvas."""
         placed = [(number, placed.pose) for placed in frame.shown.values() for number in placed.shapes]
         wanted = {number for number, _ in placed}
         self._parts = {number: part for number, part in self._parts.items() if number in wanted}

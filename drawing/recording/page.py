@@ -1,8 +1,7 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file holds the player (drawing/page/), a description of the timeline in JSON, and the arrays: the bytes of each
-block of rows parted by their place in the row, deflated, in base64. Positions, colours and indices are exact; normals
-have 16 bits.
+The file contains the player (drawing/page/), the timeline as JSON and the arrays: byte planes of blocks of rows,
+deflated, in base64. Positions, colors and indices are exact; normals have 16 bits.
 """
 
 from __future__ import annotations
@@ -27,12 +26,12 @@ from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
 from .timeline import Placed, Shape, Timeline
 
-BLOCK = 65_536  # rows whose bytes are parted together: some MB, so that a large array is never held twice
-PIECE = 3 * 2**20  # bytes of an element of the page: divisible by 3, as base64 of a piece must end where it ends
-SNORM = 32767  # normals as 16-bit integers: 0.002 degrees
-SAMPLE = 20_000  # positions of a shape from which the camera's place is found ...
-DIRECTIONS = 64  # ... namely the outermost along so many directions
-SIDES = {"points": 0, "lines": 2, "triangles": 3}  # indices of each kind a row
+BLOCK = 65_536  # rows per block of byte planes: some MB, so that a large array is never stored twice
+PIECE = 3 * 2**20  # bytes per script element: divisible by 3, so that base64 needs no padding
+SNORM = 32767  # int16 normals: 0.002 degrees
+SAMPLE = 20_000  # positions of a shape that the camera is fitted to ...
+DIRECTIONS = 64  # ... namely the outermost along this many directions
+SIDES = {"points": 0, "lines": 2, "triangles": 3}  # indices per row
 
 
 def write_page(
@@ -44,26 +43,11 @@ def write_page(
     point_size: float | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write a recording as one HTML file that needs nothing else: no network, no server, no other file.
+    """Write a recording as one HTML file without external resources; raises TypeError, ValueError or FileError.
 
-    Args:
-        path: The file, in a folder that exists.
-        timeline: What to show; without frames the page says so.
-        view: Where from, in the coordinates that the timeline's origin belongs to [m]; None shows all frames whole.
-        background: Red, green and blue, 0 to 1.
-        point_size: Diameter of all points [px]; None takes each shape's own.
-        overwrite: Whether a file that exists is replaced.
-
-    Raises:
-        TypeError: No timeline, or no View.
-        ValueError: A shape, frame, background or size that cannot be drawn; the message says which.
-        FileError: A file that cannot be written, or exists and may not be replaced.
-
-    Notes:
-        The file appears whole or not at all, and is the same bytes each time. Besides the timeline some MB of memory
-        are used. A page runs in browsers with WebGL 2 (Chromium, Firefox, Safari of 2023 and later); its policy forbids
-        every connection and every script but its own. Surfaces have colours at their vertices; textures are not drawn.
-        Where back faces are left out, edges of those are drawn all the same.
+    `view` is relative to the timeline's origin [m]; None shows all frames. `point_size` [px] overrides that of the
+    shapes. Written atomically and reproducibly. Requires WebGL 2 (Chromium, Firefox, Safari since 2023). The page's
+    policy forbids connections and other scripts. Surfaces have vertex colors; textures are not drawn.
 
     Example:
         >>> import tempfile, numpy as np
@@ -89,7 +73,7 @@ def write_page(
 
 
 def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[Any]], name: str) -> None:
-    """Fill the gaps of player.html, for a tab of that name; what is put into one is never searched for others."""
+    """Fill the placeholders of player.html; inserted text is not searched for placeholders."""
     script, style = player_script(), player_style()
     texts = {
         "script": script,
@@ -112,13 +96,13 @@ def _write(file: IO[bytes], description: dict[str, Any], arrays: list[NDArray[An
 
 
 def _json_in_html(value: Any) -> str:
-    """JSON in which no character can end the element that it stands in."""
+    """JSON that cannot end its HTML element."""
     text = json.dumps(value, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
 def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
-    """The array's bytes, all first ones of a block of rows first: so floats and indices deflate better."""
+    """Byte planes of blocks of rows, which deflate better for floats and indices."""
     packer = zlib.compressobj(6, zlib.DEFLATED, -15)
     packed = bytearray()
     for start in range(0, len(values), BLOCK):
@@ -135,7 +119,7 @@ def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
 def _describe(
     timeline: Timeline, arrays: list[NDArray[Any]], view: View | None, background: list[float], size: float | None
 ) -> dict[str, Any]:
-    """What the player reads first; the arrays that it names by number are appended to `arrays`."""
+    """Description of the timeline for the player; arrays referenced by number are appended to `arrays`."""
     names = list(dict.fromkeys(name for frame in timeline.frames for name in frame.shown))
     series = list(dict.fromkeys(name for frame in timeline.frames for name in frame.values))
     poses, placements = _Table(), _Table()
@@ -176,7 +160,7 @@ def _describe(
 
 
 class _Table:
-    """Rows that are stored once however often they are added; `add` gives the row's number."""
+    """Unique rows; `add` returns the row number."""
 
     def __init__(self):
         self.rows: list[Any] = []
@@ -218,8 +202,8 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
 
 
 def _pack_normals(normals: NDArray[np.float32]) -> NDArray[np.int16]:
-    """Unit normals in 16-bit integers; one of length 0, or not finite, is (0, 0, 0)."""
-    values = np.asarray(normals, np.float64)  # squares of float32 may be 0 or infinite in float32
+    """Unit normals as int16; zero or non-finite ones become (0, 0, 0)."""
+    values = np.asarray(normals, np.float64)  # squares of float32 may underflow or overflow in float32
     with np.errstate(invalid="ignore", divide="ignore"):
         units = values / np.linalg.norm(values, axis=1, keepdims=True)
     return np.rint(np.nan_to_num(units, nan=0.0, posinf=0.0, neginf=0.0) * SNORM).astype("<i2")
@@ -243,7 +227,7 @@ def _describe_camera(
 def _bounds(
     shapes: list[Shape], poses: NDArray[np.float64], used: list[tuple[int, int]]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """The box of all that is shown in any frame, and positions among which the outermost are."""
+    """Bounds of all frames, and positions that include the outermost ones."""
     outermost = {shape: _outermost(shapes[shape]) for shape in {shape for shape, _ in used}}
     placed = [outermost[shape] @ poses[pose, :3, :3].T + poses[pose, :3, 3] for shape, pose in used]
     everything = np.concatenate([np.empty((0, 3)), *placed])
@@ -253,7 +237,7 @@ def _bounds(
 
 
 def _outermost(shape: Shape) -> NDArray[np.float64]:
-    """The positions that reach farthest along the axes, and, of a sample, along directions all around."""
+    """The outermost positions along the axes, and of a sample along directions on the sphere."""
     positions = np.asarray(shape.positions, np.float32)
     if shape.kind != "points" and shape.indices is not None:
         drawn = np.zeros(len(positions), bool)
@@ -262,7 +246,7 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
     if len(positions) == 0:
         return np.empty((0, 3))
     sample = positions[:: -(-len(positions) // SAMPLE)]
-    step = np.arange(DIRECTIONS) + 0.5  # a spiral over the sphere (Vogel): even, and the same each time
+    step = np.arange(DIRECTIONS) + 0.5  # Vogel spiral on the sphere: even and reproducible
     z, angle = 1 - 2 * step / DIRECTIONS, step * math.pi * (3 - math.sqrt(5))
     ring = np.sqrt(1 - z * z)
     reach = sample.astype(np.float64) @ np.stack([ring * np.cos(angle), ring * np.sin(angle), z])

@@ -1,4 +1,4 @@
-"""What an algorithm does, recorded: `record`."""
+"""Recording of the steps of algorithms: `record`."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
 
 MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
-MOST_BYTES = 2**29  # of shapes; beyond, every second frame goes
+MOST_BYTES = 2**29  # of shapes; beyond it every second frame is dropped
 NOTHING = (
     "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called. Those that do "
     "are listed in docs/recordings.md; add(name, geometry) and step() make frames of anything"
 )
-WORTH = 0.9  # of the bytes that stay where frames go: more, and what fills them is no matter of frames
+WORTH = 0.9  # of the bytes stay after dropping frames: then the memory is not due to the number of frames
 
 
 def record(
@@ -51,39 +51,38 @@ def record(
     overwrite: bool = True,
     progress: ReportProgress | None = None,
 ) -> Recorder:
-    """Record what algorithms do inside a `with` block, as a page that plays, an animation or a video.
+    """Record the steps of algorithms inside a `with` block as a web page with a player, an animation or a video.
 
-    Steps of ICP, fused and tracked frames, scans of LiDAR odometry, clusters, planes, registered fragments become
-    frames by themselves; others are made by hand: `add`, `update`, `set_pose`, `plot`, `step`.
+    Recorded automatically: iterations of ICP, fused and tracked frames, scans of LiDAR odometry, clusters, planes and
+    registered fragments. Other frames are made with `add`, `update`, `set_pose`, `plot` and `step`.
 
     Args:
-        path: .html (one file that plays from disk, with plots), .gif, or .mp4 (by an ffmpeg program).
-        fps: Frames a second; a .gif holds up to 50.
-        size: Width and height of an animation [px]; a video's are made even.
-        max_points: Clouds of more points are sampled, meshes of more vertices simplified; the title says so.
-        max_frames: With more, every second frame is dropped, and every second one from then on.
-        title: Stands above the frames.
-        view: Where from: a View, or a mapping with Open3D's front, lookat, up, zoom, field_of_view, as `render` takes
-            it; None shows all frames whole.
+        path: .html (one file that plays from disk, with plots), .gif, or .mp4 (requires ffmpeg).
+        fps: Frames per second, at most 50 for .gif.
+        size: Width and height of an animation [px]; rounded to even numbers for a video.
+        max_points: Clouds with more points are sampled and meshes with more vertices simplified, which the title
+            reports.
+        max_frames: If exceeded, every second frame is dropped, also of the following ones.
+        title: Title above the frames.
+        view: A View, or a mapping with Open3D's front, lookat, up, zoom, field_of_view as in `render`. If None,
+            everything is visible in all frames.
         background: Red, green and blue, 0 to 1.
-        automatic: Whether algorithms called inside are recorded.
-        overwrite: Replace a file that exists.
-        progress: Called with "drawing", how many frames are done, and how many there are, while an animation is
-            written.
+        automatic: Record algorithms that run inside the block.
+        overwrite: Replace an existing file.
+        progress: Called with "drawing", the number of finished frames and their total while an animation is written.
 
     Returns:
-        A Recorder, to be used in a `with` block; the file is written at its end.
+        A Recorder for a `with` block; the file is written at the end of the block.
 
     Raises:
-        FileError: A suffix that is not known, a place that cannot be written, or no ffmpeg: before any work.
-        TypeError, ValueError: An argument out of range.
+        FileError: Unknown suffix, a path that cannot be written, or missing ffmpeg; raised before any work.
+        TypeError, ValueError: An argument is out of range.
 
     Notes:
-        Results are the same bits with and without a recording; ICP waits for the device once an iteration meanwhile.
-        An error or Ctrl-C ends the block as ever; what was recorded until then is written, and the title says so.
-        Where nothing was recorded, a warning says so, and no file is written. Other threads are not recorded. A shape
-        that does not change is stored once; the memory is that of the shapes, up to 512 MB, beyond which frames are
-        dropped as beyond `max_frames`.
+        Results are bitwise identical with and without a recording, but ICP waits for the device once per iteration. If
+        the block ends with an error or Ctrl-C, the frames until then are written and the title says so. Without any
+        frame, a warning is issued and no file is written. Other threads are not recorded. Unchanged shapes are stored
+        once, up to 512 MB in total; beyond it frames are dropped as for `max_frames`.
 
     Example:
         >>> import os, tempfile, numpy as np, pointloom as loom
@@ -111,18 +110,13 @@ def record(
 
 
 class NothingRecordedError(ValueError):
-    """There is no frame to write."""
+    """Raised if there is no frame to write."""
 
 
 class Recorder:
-    """A recording in the making; see `record`.
+    """An active recording to the file `path`, with the `max_points` of `record`."""
 
-    Attributes:
-        path: The file.
-        max_points: As of `record`.
-    """
-
-    _up: Triple | None = None  # in the first geometry that says so
+    _up: Triple | None = None  # up axis of the first geometry that defines one
 
     def __init__(
         self,
@@ -154,19 +148,19 @@ class Recorder:
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
         self._frames: list[Frame] = []
-        self._last: Frame | None = None  # where it was left out
+        self._last: Frame | None = None  # the last frame, if it was dropped
         self._seen, self._stride, self._is_dirty, self._is_discarded = 0, 1, False, False
         self._scripts = Scripts(self) if automatic else None
         self._owner: Stage | None = None
         self._owners: dict[str, Stage] = {}
         self._watching = contextlib.ExitStack()
-        self._seen_from: View | None = None  # the view of what was written
+        self._seen_from: View | None = None  # view of the written file
 
     def __repr__(self) -> str:
         return f"Recorder({os.fspath(self.path)}, {len(self._frames)} frames, {len(self._store.shapes)} shapes)"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The recording itself, for notebooks, once it is written."""
+        """For notebooks: the recording, once it is written."""
         from .cell_output import recorder_output
 
         return {"text/plain": repr(self)} if self._seen_from is None else recorder_output(self, self._seen_from)
@@ -190,22 +184,19 @@ class Recorder:
         elif self._frames:
             try:
                 self.save(note=f"ended by {type(error).__name__}")
-            except Exception as second:  # the first error is the one to be heard
+            except Exception as second:  # the first error is the one to report
                 error.add_note(f"and the recording could not be written: {second}")
 
-    # ------------------------------------------------------------------------------------------ by hand
-
     def add(self, name: str, geometry: Any, **style: Any) -> None:
-        """Show a geometry under a name from the next step on, in place of what has that name.
+        """Show a geometry from the next step on, replacing one of the same name.
 
         Args:
-            name: What it is called.
-            geometry: Whatever `loom.render` draws.
+            name: Unique name.
+            geometry: Any type that `loom.render` draws.
             **style: color, point_size, color_by, ... as in dictionaries of `loom.render`.
 
         Raises:
-            TypeError: No geometry, or another kind of argument.
-            ValueError: A style that does not exist, or out of range.
+            TypeError, ValueError: Unsupported geometry, unknown style key, or a value out of range.
         """
         name, chosen = check_name("name", name), style_of(style)
         pose = self._held[name].pose if name in self._held and chosen.pose is None else None
@@ -213,50 +204,35 @@ class Recorder:
         self._up = self._up or told_up(geometry, chosen.pose)
 
     def update(self, name: str, geometry: Any, **style: Any) -> None:
-        """Show another geometry under a name that is there, with its style and pose unless others are given.
-
-        Raises:
-            KeyError: Nothing has that name.
-            TypeError, ValueError: As `add`.
-        """
+        """Replace a geometry; style and pose are kept unless given. Raises `KeyError` or as `add`."""
         held = self._known(name)
         chosen = dataclasses.replace(held.style, **fields_of(style))
         pose = held.pose if chosen.pose is None else None
         self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
     def set_pose(self, name: str, pose: Any) -> None:
-        """Move what has a name: 4x4, from its own coordinates to the world; costs no copy of it.
+        """Set the pose (4x4, geometry to world) of a geometry without a copy of it.
 
-        Raises:
-            KeyError: Nothing has that name.
-            ValueError: No transformation.
+        Raises `KeyError` for an unknown name and `ValueError` if `pose` is not a transformation.
         """
         held, T = self._known(name), np.array(check_transformation("pose", pose))
         self._held[name] = dataclasses.replace(held, pose=T)
         self._is_dirty = True
 
     def remove(self, name: str) -> None:
-        """Show it no longer.
-
-        Raises:
-            KeyError: Nothing has that name.
-        """
+        """Remove a geometry from the next frame on. Raises `KeyError` for an unknown name."""
         self._known(name)
         del self._held[name]
         self._is_dirty = True
 
     def plot(self, name: str, value: float) -> None:
-        """Plot a number beside the next frame; a NaN leaves a gap.
-
-        Raises:
-            TypeError: No number, or no name.
-        """
+        """Add a number to the plot of the next frame; NaN leaves a gap. Raises `TypeError` for other types."""
         number = check_number("value", value, allow_nan=True, allow_infinite=True)
         self._values[check_name("name", name)] = number
         self._is_dirty = True
 
     def step(self, label: str = "") -> None:
-        """Make a frame of what is shown now, and of the numbers plotted since the last one."""
+        """Add a frame of the current geometries and of the numbers plotted since the last frame."""
         shown = {name: held.placed(self.origin) for name, held in self._held.items()}
         frame = Frame(shown, check_name("label", label), self._values)
         self._values, self._is_dirty, self._last = {}, False, None
@@ -275,38 +251,30 @@ class Recorder:
             if self._store.size > WORTH * before:
                 self._most_bytes = 2 * self._store.size
 
-    # ------------------------------------------------------------------------------------------ the file
-
     @property
     def names(self) -> list[str]:
-        """What is shown now."""
         return list(self._held)
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where positions count from [m]: that of the first geometry."""
+        """Origin of the positions [m], taken from the first geometry."""
         return np.zeros(3) if self._origin is None else self._origin
 
     @property
     def timeline(self) -> Timeline:
-        """The recording so far."""
         frames = [*self._frames, *([] if self._last is None else [self._last])]
         name = self._title or self.path.stem
         return Timeline(self.origin, self._store.shapes, frames, self._title_of(frames), self._fps, name)
 
     def discard(self) -> None:
-        """Write nothing at the end of the block."""
+        """Do not write a file at the end of the block."""
         self._is_discarded = True
 
     def save(self, *, note: str = "") -> None:
-        """Write the file, whole or not at all; the end of the `with` block does so.
-
-        Args:
-            note: Said in the title.
+        """Write the file atomically, with `note` appended to the title. Called at the end of the `with` block.
 
         Raises:
-            ValueError: Nothing was recorded; at the end of the `with` block that is a warning.
-            FileError: The place cannot be written, or ffmpeg failed.
+            ValueError, FileError: No frames (a warning at the end of the `with` block), or the file cannot be written.
         """
         if self._scripts is not None:
             self._scripts.finish()
@@ -325,8 +293,6 @@ class Recorder:
         write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
         self._seen_from = view
 
-    # ------------------------------------------------------------------------------------------ internals
-
     def _hold(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
         if self._origin is None and drawn.shapes:
             self._origin, self._device = drawn.origin.copy(), drawn.device
@@ -343,13 +309,13 @@ class Recorder:
         owner: Stage,
         total: int | None = None,
     ) -> None:
-        """Show geometries of one frame of reference under one name, for an algorithm; what others showed goes."""
+        """Show geometries of an algorithm under one name and drop those of other owners."""
         if self._owner is not owner:
             for earlier in [name for name, by in self._owners.items() if by is not owner and name in self._held]:
                 del self._held[earlier]
             self._owner, self._owners = owner, {}
         self._owners[name] = owner
-        if len(drawn) > 1:  # points of one cloud are of one size, in however many parts they are
+        if len(drawn) > 1:  # all parts of one cloud have one point size
             whole = sum(len(geometry) for geometry, _ in drawn)
             drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
         styles = [style_of(style) for _, style in drawn]
@@ -365,12 +331,12 @@ class Recorder:
         return self._held[name]
 
     def _thin(self) -> None:
-        """Drop every second frame, and every second one from now on."""
+        """Drop every second frame, also of the following ones."""
         self._frames, self._stride = self._frames[::2], 2 * self._stride
         self._forget()
 
     def _forget(self) -> None:
-        """Drop the shapes of frames that were dropped."""
+        """Free the shapes that only dropped frames used."""
         now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
         last = [] if self._last is None else [self._last]
         *kept, now = self._store.keep_used([*self._frames, *last, now])
@@ -389,7 +355,6 @@ class Recorder:
 
 
 def check_picture_size(size: Any) -> tuple[int, int]:
-    """Width and height of pictures [px], whole numbers from 16 to 8192."""
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
     limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}
@@ -399,7 +364,7 @@ def check_picture_size(size: Any) -> tuple[int, int]:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Held:
-    """What is shown under a name: the numbers of its shapes, where they count from, and how it is drawn and lies."""
+    """A displayed geometry: numbers of its shapes, their origin, style and pose."""
 
     shapes: tuple[int, ...]
     origin: NDArray[np.float64]
@@ -407,25 +372,17 @@ class Held:
     pose: Matrix | None
 
     def placed(self, origin: NDArray[np.float64]) -> Placed:
-        """Where it lies, about another origin."""
+        """Its shapes and pose relative to another origin."""
         return Placed(self.shapes, pose_about(self.pose, self.origin, origin))
 
 
 def style_of(style: dict[str, Any]) -> Style:
-    """A style by its keys.
-
-    Raises:
-        ValueError: A key that there is not, or a value out of range.
-    """
+    """Style from keys; raises ValueError for unknown keys and values out of range."""
     return Style(**fields_of(style))
 
 
 def fields_of(style: dict[str, Any]) -> dict[str, Any]:
-    """The keys of a style, all known.
-
-    Raises:
-        ValueError: One is not.
-    """
+    """Fields of a style; raises ValueError for unknown keys."""
     unknown = [key for key in style if key not in STYLE_KEYS]
     if unknown:
         raise ValueError(f"style: expected {', '.join(STYLE_KEYS)}, got {unknown[0]!r}")

@@ -1,4 +1,4 @@
-"""What a recording shows of each algorithm: from the events that they report to frames."""
+"""Recording of each algorithm: from reported events to frames."""
 
 from __future__ import annotations
 
@@ -25,12 +25,7 @@ if TYPE_CHECKING:
 
 
 class Scripts:
-    """Turns events into steps of a recorder.
-
-    Args:
-        recorder: The Recorder.
-
-    """
+    """Converts events into steps of a recorder."""
 
     def __init__(self, recorder: Recorder):
         self._stage = ""
@@ -40,7 +35,7 @@ class Scripts:
         self._active: Script | None = None
 
     def take(self, event: str, data: dict[str, Any]) -> None:
-        """Show an event; one that nothing is known of is nothing."""
+        """Show an event; unknown ones are ignored."""
         if event == "stage":
             self._stage = data["name"]
             return
@@ -57,17 +52,16 @@ class Scripts:
 
     @property
     def look(self) -> Look | None:
-        """A direction to look along, and what is up, by the first algorithm that was seen; None before."""
+        """View direction and up from the first algorithm; None before."""
         return None if self._first is None else self._first.look
 
     def finish(self) -> None:
-        """Let the algorithm that was shown last come to its end."""
         if self._active is not None:
             self._active.finish()
 
 
 class Registration(Script):
-    """Two clouds: the target blue, the source orange under each pose."""
+    """Two clouds: target blue, source orange under each pose."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -75,15 +69,12 @@ class Registration(Script):
         self._pose: Matrix | None = None
 
     def begin(self) -> None:
-        """As of Script."""
         self._pair = self._pose = None
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"icp": self.icp, "registration": self.registration}
 
     def icp(self, source: PointCloud, target: PointCloud, iteration_index: int, **data: Any) -> None:
-        """A turn of ICP."""
         if iteration_index == 0 or self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
             self._take(source, target)
         m = symbol_of(source.unit)
@@ -92,7 +83,7 @@ class Registration(Script):
         self._at(data["transformation"], f"ICP{voxels}, iteration {iteration_index}", fit)
 
     def registration(self, source: PointCloud, target: PointCloud, result: Any, **data: Any) -> None:
-        """The result of any registration; that of ICP was its last turn's already."""
+        """Result of a registration, unless ICP's last iteration showed it already."""
         if self._pose is not None and np.array_equal(self._pose, result.transformation):
             return
         if self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
@@ -114,23 +105,21 @@ class Registration(Script):
 
 
 RED = (0.86, 0.1, 0.1)
-MOST_TURNS = 100  # frames in which clusters appear
+MOST_TURNS = 100  # maximum number of frames in which clusters appear
 
 
 class Clusters(Script):
-    """Clusters that take their colours one after another, by their numbers; an algorithm has no such steps."""
+    """Clusters that are colored one after another by number, although the algorithm has no such steps."""
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"clusters": self.clusters}
 
     def clusters(self, cloud: PointCloud, labels: Any, **_: Any) -> None:
-        """The labels of a cloud."""
         rows = spread_rows(len(cloud), self.stage.max_points)
         chosen, found = cloud.select_by_index(rows), download(labels)[rows]
         self.look = self.look or look_at(chosen)
         count = int(found.max(initial=-1)) + 1
-        turn = -(-max(count, 1) // MOST_TURNS)  # clusters that appear in one frame
+        turn = -(-max(count, 1) // MOST_TURNS)  # number of clusters that appear in one frame
         groups = [(chosen.select_by_mask(found < 0), {"color": label_color(-1)})]
         painted: list[tuple[Any, Data]] = []
         for first in range(0, count, turn):
@@ -149,7 +138,7 @@ class Clusters(Script):
 
 
 class Planes(Script):
-    """Planes that take their colours as they are found."""
+    """Planes that are colored when found."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -157,11 +146,10 @@ class Planes(Script):
         self._found: list[NDArray[np.int32]] = []
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"plane": self.plane}
 
     def plane(self, cloud: PointCloud, inliers: Any, model: Any, number: int | None = None, **_: Any) -> None:
-        """The points of a plane; without a number it is the only one that is looked for."""
+        """Points of a plane; without a number it is the only plane."""
         if cloud is not self._cloud or not number:
             self._cloud, self._found = cloud, []
             self.look = self.look or look_at(cloud)
@@ -183,14 +171,12 @@ class Planes(Script):
 
 
 class Fragments(Script):
-    """Clouds of one scene, brought into one frame."""
+    """Clouds of one scene, merged into one frame one after another."""
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"fragments": self.fragments}
 
     def fragments(self, clouds: Sequence[PointCloud], poses: Matrix, placed: NDArray[np.bool_], **_: Any) -> None:
-        """Where they lie; they come one after another."""
         share, count = max(len(clouds), 1), int(placed.sum())
         for k, number in enumerate(np.flatnonzero(placed).tolist()):
             look = look_at(clouds[number])
@@ -207,27 +193,25 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
 
 
 PATH = (0.1, 0.35, 0.75)
-SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces; after so many of these, twice as many frames
-SURFACE_SHARE, SCAN_SHARE = 8, 4  # of max_points: that part of it for each surface on the way, for each scan
+SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces; after SURFACES of them the interval doubles
+SURFACE_SHARE, SCAN_SHARE = 8, 4  # divisors of max_points for each intermediate surface and each scan
 MOST_CORNERS = 2_000  # of a path
-ASTRAY = 0.3  # of the cameras' number: a shorter sum of their directions tells nothing
-TILT = (0.35, 0.55)  # of a view over the shoulder of a camera: to the right, down
+ASTRAY = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
+TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
 
 
 class Travel(Script):
-    """Something that moves on a path."""
+    """A sensor moving along a path."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
         self.path: list[NDArray[np.float64]] = []
 
     def go(self, pose: Matrix) -> None:
-        """Draw the path up to a pose."""
         self.path.append(pose[:3, 3].copy())
         self.draw_path()
 
     def draw_path(self) -> None:
-        """Draw the path so far."""
         if len(self.path) < 2:
             return
         corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MOST_CORNERS)), self.path[-1]])
@@ -237,28 +221,25 @@ class Travel(Script):
 
 
 class Fusion(Travel):
-    """A depth camera and the surface that grows from its frames, with or without tracking."""
+    """A depth camera and the surface fused from its frames, with or without tracking."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
         self._volume: Any = None
         self._slam: Any = None
         self._camera: Any = None
-        self._axes = np.zeros((3, 3))  # the sum of all cameras'
-        self._image: Any = None  # the last one that odometry moved, and where
+        self._axes = np.zeros((3, 3))  # sum over all cameras
+        self._image: Any = None  # the last image that odometry moved, and its pose
         self._pose, self._images = np.eye(4), 0
         self._count, self._shown, self._surfaces, self._every = 0, (0, 0), 0, SURFACE_EVERY
 
     def begin(self) -> None:
-        """As of Script."""
         self._camera, self._shown = None, (0, 0)
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"integrate": self.integrate, "track": self.track, "loops": self.loops, "rgbd_odometry": self.odometry}
 
     def integrate(self, volume: Any, intrinsic: Any, T_world_camera: Matrix, **_: Any) -> None:
-        """A frame went into a volume."""
         if volume is not self._volume:
             self._begin(volume)
         self._count += 1
@@ -273,7 +254,7 @@ class Fusion(Travel):
             self.stage.step(f"frame {self._count}", {"blocks": volume.block_count})
 
     def track(self, slam: Any, result: Any, **_: Any) -> None:
-        """A frame was tracked, or lost."""
+        """A frame was tracked or lost."""
         if slam is not self._slam:
             self._slam = slam
             self._begin(slam.model.volume)
@@ -283,7 +264,7 @@ class Fusion(Travel):
         self.stage.step(f"frame {result.index}: {result.verdict}", values)
 
     def loops(self, slam: Any, closure: Any, **_: Any) -> None:
-        """The path and the model were corrected, where there was a loop."""
+        """A loop closure corrected path and model."""
         if not closure.loops:
             return
         if slam is not self._slam:
@@ -297,10 +278,10 @@ class Fusion(Travel):
         self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
     def odometry(self, source: Any, target: Any, intrinsic: Any, result: Any, **_: Any) -> None:
-        """A frame was aligned with another one; where that was the last one's, the path goes on."""
+        """A frame was aligned with another; the path continues if that was the last one."""
         if target is not self._image:
             self._pose = np.eye(4)
-            if self._volume is None:  # else it is the volume that tells the path
+            if self._volume is None:  # otherwise the volume defines the path
                 self.path = []
                 self._move(intrinsic, self._pose)
         if result.reliable:
@@ -314,7 +295,7 @@ class Fusion(Travel):
         self.stage.step(f"frame {self._images}: {'; '.join(result.warnings) or 'aligned'}")
 
     def finish(self) -> None:
-        """The surface of all frames, at last in full."""
+        """Show the final surface in full resolution."""
         if self._count and self._shown != (self._count, 1):
             self._draw_surface()
             self.stage.step(f"the surface of {self._count} frames")
@@ -341,7 +322,7 @@ class Fusion(Travel):
 
 
 class Drive(Travel):
-    """LiDAR odometry: the scan orange on the grey map."""
+    """LiDAR odometry: the scan orange on the gray map."""
 
     def __init__(self, stage: Stage):
         super().__init__(stage)
@@ -349,11 +330,9 @@ class Drive(Travel):
         self._every, self._scans, self._shown = SURFACE_EVERY, 0, 0
 
     def events(self) -> dict[str, Callable[..., None]]:
-        """As of Script."""
         return {"scan": self.scan}
 
     def scan(self, odometry: Any, scan: PointCloud, step: Any, **_: Any) -> None:
-        """A scan was registered."""
         if odometry is not self._odometry:
             self._odometry, self.path, self._every = odometry, [], SURFACE_EVERY
         self._scans = step.index + 1
@@ -367,7 +346,7 @@ class Drive(Travel):
         self.stage.step(f"scan {step.index}: {step.reason}", values)
 
     def finish(self) -> None:
-        """The map at last in full."""
+        """Show the final map in full resolution."""
         if self._odometry is not None and self._scans != self._shown:
             self._shown = self._scans
             self._draw_map(share=1)
@@ -380,7 +359,7 @@ class Drive(Travel):
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:
-    """A view over the shoulder of cameras, from the sum of their axes; of those that look all around, of the last."""
+    """View over the shoulder of cameras, from the sum of their axes; from the last one if they look all around."""
     (_, down, forward), count = axes.T, np.linalg.norm(axes, axis=0).max()
     if np.linalg.norm(forward) < ASTRAY * count or np.linalg.norm(np.cross(forward, down)) < ASTRAY * count**2:
         _, down, forward = last.T

@@ -1,7 +1,6 @@
-"""From geometries to what a recording holds of them: `sketch`, and `ShapeStore`, which keeps each shape once.
+"""Conversion of geometries to recorded shapes (`sketch`), and unique storage of shapes (`ShapeStore`).
 
-Positions stay about an origin of their own and the pose carries it to the timeline's: a cloud whose own frame lies far
-from the others' loses nothing in float32.
+Positions are relative to their own origin and the pose maps it to the timeline's, so no precision is lost in float32.
 """
 
 from __future__ import annotations
@@ -24,22 +23,16 @@ from ..render.styles import Style
 from .timeline import Frame, Placed, Shape
 
 GOLDEN = 0.6180339887498949
-SIZES = ((5_000, 5.0), (30_000, 3.0))  # (points up to which, diameter [px])
-COARSER = 1.25  # from one try to thin a mesh to the next
+SIZES = ((5_000, 5.0), (30_000, 3.0))  # (maximum number of points, diameter [px])
+COARSER = 1.25  # factor of the voxel size between two attempts
 TRIES = 24
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Sketch:
-    """What is kept of a geometry.
+    """Recorded form of a geometry: shapes relative to `origin` [m], and its pose (geometry to world, 4x4, or None).
 
-    Args:
-        shapes: About `origin`.
-        origin: Shape [3], float64 [m].
-        pose: The geometry's own, 4x4 in the world; None where it lies as it is.
-        drawn: Points or vertices that were kept.
-        total: All of them.
-        device: Where the geometry lies.
+    `drawn` of `total` points or vertices were kept.
     """
 
     shapes: list[Shape]
@@ -51,16 +44,7 @@ class Sketch:
 
 
 def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
-    """What a recording keeps of a geometry.
-
-    Args:
-        geometry: What `parts_of` takes.
-        style: How it is drawn.
-        max_points: Clouds of more points are sampled, meshes of more vertices simplified.
-
-    Raises:
-        TypeError, ValueError: As `parts_of`.
-    """
+    """Convert a geometry; larger clouds are sampled and larger meshes simplified to `max_points`."""
     parts = parts_of(geometry, style)
     origin = parts[0].origin if parts else np.zeros(3)
     shapes = [_shape(part, part.origin - origin, max_points) for part in parts]
@@ -71,19 +55,16 @@ def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
 
 
 def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: NDArray[np.float64]) -> Matrix | None:
-    """The pose that takes positions about `shape_origin` to such about `origin`; None where that is no motion.
-
-    x + shape_origin is where a position lies in the geometry's own frame, T of it where it lies in the world.
-    """
+    """Pose for positions relative to `shape_origin` in a frame relative to `origin`; None if it is the identity."""
     T = np.eye(4) if pose is None else np.array(pose, np.float64)
     T[:3, 3] += T[:3, :3] @ shape_origin - origin
     return None if np.array_equal(T, np.eye(4)) else T
 
 
 def spread_rows(count: int, most: int) -> NDArray[np.int32]:
-    """At most `most` of `count` rows, ascending, one in each of as many equal runs.
+    """Up to `most` of `count` rows, ascending, one in each of equal runs.
 
-    The place in a run follows the golden ratio: a fixed stride would draw stripes of scans whose rows it divides.
+    Offsets follow the golden ratio: a fixed stride would cause stripes in organized scans.
     """
     if count <= most:
         return np.arange(count, dtype=np.int32)
@@ -92,7 +73,6 @@ def spread_rows(count: int, most: int) -> NDArray[np.int32]:
 
 
 def usual_size(count: int) -> float:
-    """The diameter [px] of so many points."""
     return next((diameter for most, diameter in SIZES if count <= most), 2.0)
 
 
@@ -115,7 +95,7 @@ def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
 def _splats(part: Points, shift: NDArray[np.float64], max_points: int, plain: Any) -> Shape:
     rows = spread_rows(part.positions.size, max_points)
     arrays = [part.positions, part.colors, part.normals]
-    if len(rows) < part.positions.size:  # of millions of points only those that are kept leave the device
+    if len(rows) < part.positions.size:  # only the kept points leave the device
         chosen = upload(rows, int32, part.positions.device)
         arrays = [gather_rows(values, chosen) if values.size else values for values in arrays]
     positions, colors, normals = (download(values) for values in arrays)
@@ -159,7 +139,7 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
 def _simplified(
     positions: NDArray[Any], triangles: NDArray[Any], colors: NDArray[Any], most: int
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """A mesh of at most so many vertices, by voxels that grow until it has."""
+    """A mesh with at most `most` vertices, by increasing voxel sizes."""
     some = positions[triangles[spread_rows(len(triangles), 10_000)]]
     lengths = np.linalg.norm(some[:, 0] - some[:, 1], axis=1)
     lengths = lengths[np.isfinite(lengths) & (lengths > 0)]
@@ -175,7 +155,7 @@ def _simplified(
 
 
 def _baked(texture: NDArray[np.uint8], uvs: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[np.float32]:
-    """The texture's colour at each vertex, by one of its corners."""
+    """Texture color at each vertex, from one of its corners."""
     height, width = texture.shape[:2]
     columns = np.clip(np.nan_to_num(uvs[:, 0]) * width, 0, width - 1).astype(np.int64)
     rows = np.clip((1 - np.nan_to_num(uvs[:, 1])) * height, 0, height - 1).astype(np.int64)
@@ -194,17 +174,12 @@ def _finite(values: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _bytes(colors: NDArray[Any]) -> NDArray[np.uint8]:
-    """Colours of 0 to 1 as bytes; NaN is black."""
+    """Colors from 0 to 1 as uint8; NaN is black."""
     return np.rint(255 * np.clip(np.nan_to_num(colors), 0, 1)).astype(np.uint8)
 
 
 class ShapeStore:
-    """The shapes of a timeline, each different one once.
-
-    Attributes:
-        shapes: By number.
-        size: Bytes of their arrays.
-    """
+    """Unique shapes of a timeline by number, and the size of their arrays [bytes]."""
 
     def __init__(self):
         self.shapes: list[Shape] = []
@@ -212,7 +187,7 @@ class ShapeStore:
         self._numbers: dict[bytes, int] = {}
 
     def add(self, shape: Shape) -> int:
-        """The number of a shape: that of an equal one, else a new one."""
+        """Number of an equal shape, or of a new one."""
         key = _fingerprint(shape)
         number = self._numbers.setdefault(key, len(self.shapes))
         if number == len(self.shapes):
@@ -221,7 +196,7 @@ class ShapeStore:
         return number
 
     def keep_used(self, frames: Iterable[Frame]) -> list[Frame]:
-        """The frames with numbers of shapes that are left once those that nobody shows are gone."""
+        """Drop unused shapes. Returns the frames with new numbers."""
         frames = list(frames)
         used = sorted({number for frame in frames for placed in frame.shown.values() for number in placed.shapes})
         new = {number: place for place, number in enumerate(used)}

@@ -1,4 +1,4 @@
-"""Recordings whose player lies beside them, once for all pages of a site: `write_player`, `share_player`."""
+"""Recordings with a shared player file for all pages of a site: `write_player`, `share_player`."""
 
 from __future__ import annotations
 
@@ -13,26 +13,17 @@ PLAYER = "pointloom-player"  # .js and .css
 
 
 def write_player(folder: str | os.PathLike[str]) -> None:
-    """Write the player of all pages that `share_player` makes: two files.
-
-    Raises:
-        FileError: A place that cannot be written.
-    """
+    """Write the two files of the shared player; raises FileError."""
     for suffix, text in ((".js", player_script()), (".css", player_style())):
         with atomic_write(Path(folder) / f"{PLAYER}{suffix}", overwrite=True) as file:
             file.write(text.encode())
 
 
 def share_player(page: str | os.PathLike[str], output: str | os.PathLike[str], folder: str = "") -> None:
-    """Write a page of `record` again without its player, which it takes from a folder beside it.
+    """Rewrite a page of `record` to use a shared player in a folder (relative URL such as "../").
 
-    Args:
-        page: What `record` wrote, with the player inside.
-        output: The page without it. It plays from disk too: scripts of `file:` are allowed there.
-        folder: Of the two files of `write_player`, as seen from the page: "../".
-
-    Raises:
-        FileError: A page that cannot be read or written, or that another version of the player is in.
+    Works from disk, too, as `file:` scripts are allowed there. Raises FileError, also if the page contains another
+    version of the player.
     """
     text = Path(page).read_text(encoding="utf-8")
     script, style = player_script(), player_style()

@@ -1,4 +1,4 @@
-"""What is seen when: shapes that are made once, and frames that show some of them somewhere."""
+"""Data of a recording: shapes, and frames that show some of them at poses."""
 
 from __future__ import annotations
 
@@ -11,19 +11,16 @@ from numpy.typing import NDArray
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Shape:
-    """Something to draw, on the host.
+    """A drawable shape on the host.
 
     Args:
-        kind: What `indices` join.
-        positions: Shape [n, 3], float32, about the timeline's origin [m]; finite.
-        colors: Shape [n, 3], uint8 (of lines: [m, 3], one a segment), or None: then all are `plain`.
-        normals: Shape [n, 3], float32, or None.
-        indices: Shape [m, 2] or [m, 3], int32; None for points.
-        size: Diameter of points, width of lines [px].
-        plain: Red, green and blue, uint8.
-        wireframe: Edges over the faces.
-        cull: Leave out faces that look away, so that one sees into a closed room through its near walls.
-        unlit: Faces stay as bright as their colours: photographs have their own light.
+        positions: float32 (n, 3) relative to the timeline's origin [m]; finite.
+        colors: uint8 (n, 3) (lines: (m, 3) per segment), or None: all `plain`.
+        normals: float32 (n, 3), or None.
+        indices: int32 (m, 2) or (m, 3); None for points.
+        size: Diameter of points or width of lines [px].
+        cull: Hide back faces, to see into a closed room.
+        unlit: Draw faces without lighting, for photographed colors.
     """
 
     kind: Literal["points", "lines", "triangles"]
@@ -40,7 +37,7 @@ class Shape:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Placed:
-    """Shapes in a frame: their numbers in `Timeline.shapes`, and where they lie (4x4, about the timeline's origin)."""
+    """Shapes in a frame: numbers in `Timeline.shapes`, and pose (4x4, relative to the timeline's origin)."""
 
     shapes: tuple[int, ...]
     pose: NDArray[np.float64] | None = None
@@ -48,7 +45,7 @@ class Placed:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Frame:
-    """One moment: what is shown by name, what it is called, and the numbers that are plotted beside it."""
+    """One time step: displayed shapes by name, label, and plotted numbers."""
 
     shown: dict[str, Placed]
     label: str = ""
@@ -57,7 +54,7 @@ class Frame:
 
 @dataclasses.dataclass(eq=False)
 class Timeline:
-    """A recording: shapes, frames, and where positions count from; a browser's tab has its name, else its title."""
+    """A recording: shapes, frames, and origin of positions; `name` (else `title`) is the title of the browser tab."""
 
     origin: NDArray[np.float64]
     shapes: list[Shape] = dataclasses.field(default_factory=list)

@@ -1,9 +1,7 @@
-"""Recordings as files: `check_recording` before the work, `write_recording` after it.
+"""Write recordings as files: `check_recording` before the recording, `write_recording` after it.
 
-Animated GIF, one frame at a time: one palette for all frames, and as many frames as were given.
-
-Pillow packs each picture; the file around the pictures is written here. Pillow's own animations merge frames that are
-equal and round each delay for itself, so that a recording would lose steps and play at another pace.
+Animated GIFs are assembled here frame by frame, with one palette; Pillow only compresses images. Pillow's own
+animations merge equal frames and round each delay separately, which would drop steps and change the speed.
 """
 
 from __future__ import annotations
@@ -33,17 +31,12 @@ from .page import write_page
 from .shapes import spread_rows
 from .timeline import Timeline
 
-FASTEST_GIF = 50.0  # [frames a second]: viewers slow down shorter delays than 2 hundredths
-PALETTE_FRAMES = 12  # that a GIF's colours come from
+FASTEST_GIF = 50.0  # [1/s] viewers slow down delays below 2/100 s
+PALETTE_FRAMES = 12  # frames that define the colors of a GIF
 
 
 def check_recording(path: str | Path, *, fps: float, background: Any, overwrite: bool) -> None:
-    """Hold that a recording can be written, before any work.
-
-    Raises:
-        FileError: A suffix that is not known, a place that cannot be written, or no ffmpeg for a video.
-        ValueError: A pace that the format does not hold, or no colour.
-    """
+    """Check format, path and ffmpeg before any work; raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
         remedy = f"Give a name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
@@ -67,11 +60,7 @@ def write_recording(
     say: ReportProgress,
     device: Any = None,
 ) -> None:
-    """Write a recording in the format that the suffix names, whole or not at all; pictures are drawn on a device.
-
-    Raises:
-        FileError: The place cannot be written, or ffmpeg failed.
-    """
+    """Write a recording atomically in the format of the suffix; raises FileError."""
     suffix = Path(path).suffix.lower()
     if suffix == ".html":
         write_page(path, timeline, view=view, background=background, overwrite=overwrite)
@@ -93,15 +82,15 @@ def _palette_of(film: Film, background: Any) -> Any:
 
 Picture = NDArray[np.uint8]
 
-TICKS = 100  # a second: GIF's unit of time
+TICKS = 100  # per second, GIF's time unit
 COLORS = 256
-_FIXED = 2  # entries: the background, black for letters
-_SAMPLED = 160  # [px] of the longer side of the pictures that the palette is made of
-_HEADER, _TABLE = 13, 3 * COLORS  # bytes before the colour table, and in it
+_FIXED = 2  # entries: background and black
+_SAMPLED = 160  # [px] longer side of the images that define the palette
+_HEADER, _TABLE = 13, 3 * COLORS  # bytes before the color table, and of the table
 
 
 def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) -> NDArray[np.uint8]:
-    """Colours for all frames, from some of them: the background first, black second, shape [256, 3]."""
+    """Palette for all frames from a sample of them: background first, black second, shape (256, 3)."""
     from PIL import Image
 
     step = max(1, max(pictures[0].shape[:2]) // _SAMPLED)
@@ -118,17 +107,9 @@ def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) 
 
 
 def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.uint8], fps: float) -> int:
-    """Write pictures as an animation that repeats.
+    """Write images (h, w, 3), uint8, as a looping animation. Returns the number of frames.
 
-    Args:
-        file: Open for writing.
-        pictures: Each [h, w, 3], uint8, of one size.
-        palette: As `make_palette` makes it.
-        fps: Pictures a second, at most 50: delays are whole hundredths of a second, such that the time of all
-            is right.
-
-    Returns:
-        The number of frames.
+    At most 50 `fps`; delays are multiples of 1/100 s, chosen so that the total time is correct.
     """
     from PIL import Image
 
@@ -153,7 +134,7 @@ def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.
 
 
 def changed_box(picture: NDArray[Any], before: NDArray[Any] | None) -> tuple[int, int, int, int]:
-    """Left, top, right and bottom of what differs from the picture before; one pixel where nothing does."""
+    """Left, top, right and bottom of the difference to the previous image; one pixel if equal."""
     if before is None:
         return 0, 0, picture.shape[1], picture.shape[0]
     differs = picture != before
@@ -166,7 +147,7 @@ def changed_box(picture: NDArray[Any], before: NDArray[Any] | None) -> tuple[int
 
 
 def _indices(picture: Picture, palette: NDArray[np.uint8], holder: Any) -> NDArray[np.uint8]:
-    """The entry of the palette nearest to each pixel; the background's own is exact."""
+    """Nearest palette entry of each pixel; exact for the background."""
     from PIL import Image
 
     image = Image.fromarray(picture).quantize(palette=holder, dither=Image.Dither.NONE)
@@ -176,7 +157,7 @@ def _indices(picture: Picture, palette: NDArray[np.uint8], holder: Any) -> NDArr
 
 
 def _packed(marks: NDArray[np.uint8], palette: NDArray[np.uint8]) -> bytes:
-    """The compressed pixels of a picture, as they stand behind its descriptor."""
+    """Compressed pixels in the format after an image descriptor."""
     from PIL import Image
 
     image = Image.frombytes("P", (marks.shape[1], marks.shape[0]), marks.tobytes())
@@ -185,7 +166,7 @@ def _packed(marks: NDArray[np.uint8], palette: NDArray[np.uint8]) -> bytes:
     image.save(held, "GIF", optimize=False, interlace=0)
     data = held.getvalue()
     place = _HEADER + _TABLE
-    while data[place] == 0x21:  # extensions: a label, then blocks, each after its length
+    while data[place] == 0x21:  # extensions: a label, then blocks preceded by their length
         place += 2
         while data[place]:
             place += data[place] + 1
@@ -195,19 +176,15 @@ def _packed(marks: NDArray[np.uint8], palette: NDArray[np.uint8]) -> bytes:
     return data[place + 10 : -1]
 
 
-# The encoders of H.264 and MPEG-4 that builds of ffmpeg have, the best first, and how good they are to be.
+# Encoders of H.264 and MPEG-4 in builds of ffmpeg, best first, with quality options.
 _ENCODERS = (("libx264", ("-crf", "18", "-preset", "medium")), ("libopenh264", ()), ("mpeg4", ("-q:v", "3")))
-_LAST_LINES = 3  # of what ffmpeg says when it fails
+_LAST_LINES = 3  # of ffmpeg's error message
 _AT_ONCE = 2**20  # bytes
-_PATIENCE = 2.0  # seconds that a program without input is given to end
+_PATIENCE = 2.0  # [s] time for ffmpeg to end after its input
 
 
 def find_ffmpeg(path: str | Path) -> str:
-    """Where ffmpeg is.
-
-    Raises:
-        FileError: Nowhere on the path.
-    """
+    """Path of ffmpeg; raises FileError."""
     found = shutil.which("ffmpeg")
     if found is None:
         remedy = "Install ffmpeg, or give a name that ends in .html or .gif"
@@ -216,22 +193,9 @@ def find_ffmpeg(path: str | Path) -> str:
 
 
 def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: str | Path) -> int:
-    """Write pictures as a video.
-
-    Args:
-        file: Open for writing.
-        pictures: Each [h, w, 3], uint8, of one size with even sides.
-        fps: Pictures a second.
-        path: What errors call the file.
-
-    Returns:
-        The number of frames.
-
-    Raises:
-        FileError: No ffmpeg, or it failed; says what it said.
-    """
+    """Write images of one even size as a video. Returns the number of frames; raises FileError with ffmpeg's output."""
     program, count = find_ffmpeg(path), 0
-    with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:  # MP4 is not written from front to back
+    with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:  # writing MP4 requires a seekable file
         made = Path(folder) / "video.mp4"
         with (Path(folder) / "said.txt").open("w+b") as said:
             process: subprocess.Popen[bytes] | None = None
@@ -245,7 +209,7 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
                     process.stdin.write(np.ascontiguousarray(picture).data)
                 if process is not None:
                     process.communicate()
-            except BrokenPipeError:  # it ended before: what it said tells why
+            except BrokenPipeError:  # ffmpeg ended early: its message gives the reason
                 pass
             finally:
                 if process is not None:
@@ -260,7 +224,7 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
-    """See a process out, by force where it still runs."""
+    """Wait for a process and kill it if it does not end."""
     if process.stdin is not None:
         with contextlib.suppress(OSError):
             process.stdin.close()
@@ -279,7 +243,7 @@ def _command(program: str, width: int, height: int, fps: float, output: Path) ->
 
 
 def _encoder(program: str) -> tuple[str, tuple[str, ...]]:
-    """The first encoder that this ffmpeg has, and its options."""
+    """Name and options of the best encoder of this ffmpeg."""
     said = subprocess.run([program, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False).stdout
     names = {line.split()[1] for line in said.splitlines() if len(line.split()) > 1}
     return next((entry for entry in _ENCODERS if entry[0] in names), _ENCODERS[-1])

@@ -1,1 +1,1 @@
-"""Pictures of clouds, meshes, lines and figures, by our own kernels: no window, no graphics library."""
+"""Images of clouds, meshes, lines and plots by pointloom's kernels, without a window or a graphics library."""

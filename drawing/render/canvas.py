@@ -1,7 +1,7 @@
-"""Text, lines and shapes on a picture: `Canvas`.
+"""Text, lines and shapes on an image: `Canvas`.
 
-Places are in pixels: column 0, row 0 is the centre of the first pixel. Colours are red, green and blue, 0 to 1. What
-lies outside the picture is not drawn, places that are not finite neither.
+Positions are in pixels; (0, 0) is the center of the first pixel. Colors are red, green and blue, 0 to 1. Drawing is
+clipped to the image, and non-finite positions are ignored.
 """
 
 from __future__ import annotations
@@ -26,21 +26,16 @@ Color = Sequence[float]
 
 BLACK = (0.1, 0.1, 0.1)
 WHITE = (1.0, 1.0, 1.0)
-HALO = 2  # [px] of light around letters on a picture
+HALO = 2  # [px] outline of letters
 
 _ACROSS = {"left": 0.0, "center": 0.5, "right": 1.0}
 _DOWN = ("upper", "middle", "lower")
 
 
 class Canvas:
-    """A picture to draw on, on a device; what is drawn later lies above.
+    """An image to draw on: a uint8 device array (3 * width * height), modified in place.
 
-    Args:
-        picture: uint8 device array [3 * width * height], row by row; it is drawn into, not copied.
-        width, height: Pixels.
-
-    Notes:
-        Same bits on every device and with both compilers. 4 B of memory a pixel besides the picture's 3.
+    Bitwise identical on every device and with both compilers. Needs 4 B per pixel besides the image.
 
     Example:
         >>> canvas = Canvas.blank(160, 40)
@@ -57,27 +52,23 @@ class Canvas:
 
     @classmethod
     def blank(cls, width: int, height: int, background: Color = WHITE, device: Any = None) -> Self:
-        """A picture of one colour."""
         width, height = check_count("width", width), check_count("height", height)
         pixels = np.tile(np.array(_color_bytes("background", background), np.uint8), width * height)
         return cls(upload(pixels, uint8, resolve_device(device)), width, height)
 
     @classmethod
     def of_image(cls, image: NDArray[np.uint8], device: Any = None) -> Self:
-        """A copy of a picture, shape [h, w, 3]."""
         values = _check_image(image)
         return cls(upload(values.ravel(), uint8, resolve_device(device)), values.shape[1], values.shape[0])
 
     def to_numpy(self) -> Picture:
-        """The picture, shape [h, w, 3], which notebooks show (one sync)."""
+        """The image, shape (h, w, 3), one sync."""
         return Picture(download(self.sheet.picture).reshape(self.height, self.width, 3).copy())
 
     def copy(self) -> Self:
-        """A picture of its own with the same content."""
         return type(self)(clone(self.sheet.picture), self.width, self.height)
 
     def text_width(self, text: str, size: float = 14) -> int:
-        """How wide a text is [px]."""
         return lettering().width(str(text), size)
 
     def text(
@@ -91,16 +82,11 @@ class Canvas:
         anchor: str = "left",
         halo: Color | None = None,
     ) -> None:
-        """Write one line of text.
+        """Write one line of text at a position [px], rounded to integers for crisp letters.
 
-        Args:
-            text: Letters of ASCII and some signs; a box stands for others.
-            x, y: Where [px]; rounded to whole pixels, so that letters stay crisp.
-            size: Of the letters [px]: 12, 14, 16, 20, 24 or 32; others take the nearest.
-            color: Of the letters.
-            anchor: What of the text lies there: "left", "center" or "right", alone for the middle of its height, or
-                behind "upper" or "lower" (for capital letters), as "upper left".
-            halo: The colour of a seam around the letters, so that they read on any ground.
+        ASCII letters and some symbols; others are drawn as a box. `size` is rounded to 12, 14, 16, 20, 24 or 32 px.
+        `anchor` is the part of the text at the position: "left", "center" or "right", optionally after "upper" or
+        "lower" (for capital letters), for example "upper left". `halo` is the color of an outline for contrast.
         """
         self.texts([(text, x, y)], size=size, color=color, anchor=anchor, halo=halo)
 
@@ -113,7 +99,7 @@ class Canvas:
         anchor: str = "left",
         halo: Color | None = None,
     ) -> None:
-        """Write several texts (text, x, y) at once, as `text`."""
+        """Write several texts (text, x, y) at once, see `text`."""
         paint = self._paint(color, 1.0)
         seam = None if halo is None else self._paint(halo, 0.85, name="halo")
         down, across = _split_anchor(anchor)
@@ -143,16 +129,15 @@ class Canvas:
         width: float = 1.0,
         opacity: float = 1.0,
     ) -> None:
-        """Draw a straight line with round ends."""
         self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
 
     def polyline(self, points: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
-        """Draw lines from each point to the next, shape [n, 2]; a point that is not finite is a gap."""
+        """Draw a polyline through points (n, 2); a non-finite point is a gap."""
         path = check_rows("points", points, 2, dtype=np.float64)
         self.segments(np.hstack([path[:-1], path[1:]]), color=color, width=width, opacity=opacity)
 
     def segments(self, segments: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
-        """Draw lines (x, y, x, y), shape [n, 4], with round ends."""
+        """Draw segments (x, y, x, y), shape (n, 4), with round ends."""
         ends = check_rows("segments", segments, 4, dtype=np.float64)
         width = check_positive("width", width)
         reach = width / 2 + 2
@@ -166,7 +151,7 @@ class Canvas:
             strokes.blend(self.sheet, box, paint)
 
     def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = BLACK, opacity: float = 1.0) -> None:
-        """Draw filled circles about points [n, 2]."""
+        """Draw filled circles at points (n, 2)."""
         places = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
         self.segments(np.hstack([places, places]), color=color, width=diameter, opacity=opacity)
@@ -183,10 +168,7 @@ class Canvas:
         line_width: float = 1.0,
         opacity: float = 1.0,
     ) -> None:
-        """Draw a rectangle, filled, with an outline that lies inside, or both.
-
-        Its first column is x and its first row y: whole numbers fill whole pixels.
-        """
+        """Draw a rectangle, filled, with an outline inside, or both; integers cover whole pixels."""
         x, y = check_number("x", x), check_number("y", y)
         width = check_positive("width", width, allow_zero=True)
         height = check_positive("height", height, allow_zero=True)
@@ -199,7 +181,7 @@ class Canvas:
             strokes.blend(self.sheet, box, self._paint(color, opacity))
 
     def image(self, image: NDArray[np.uint8], x: int, y: int) -> None:
-        """Copy a picture, shape [h, w, 3], with its first pixel at column x, row y."""
+        """Copy an image of shape (h, w, 3) with its first pixel at column x, row y."""
         values = _check_image(image)
         x, y = check_count("x", x, minimum=-(2**20)), check_count("y", y, minimum=-(2**20))
         box = clip_box(self.sheet, x, y, x + values.shape[1] - 1, y + values.shape[0] - 1)
@@ -208,7 +190,7 @@ class Canvas:
             strokes.copy_image(self.sheet, box, table, values.shape[1], x, y)
 
     def _box(self, left: float, top: float, right: float, bottom: float, reach: float) -> tuple[int, int, int, int]:
-        """The cells within a reach of a box, clipped."""
+        """The cells within a distance of a box, clipped."""
         limits = np.array([left - reach, top - reach, right + reach, bottom + reach])
         most = float(max(self.width, self.height) + 1)
         low, high = np.floor(limits[:2].clip(-1, most)).tolist(), np.ceil(limits[2:].clip(-1, most)).tolist()
@@ -216,7 +198,7 @@ class Canvas:
 
     @staticmethod
     def _seen(box: tuple[int, int, int, int], *strokes: tuple[Color | None, Any]) -> list[tuple[Color, Any]]:
-        """The strokes that have a colour, none where the box holds no cell."""
+        """The strokes with a color; none if the box has no cell."""
         return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
     def _paint(self, color: Color, opacity: float, *, name: str = "color") -> Paint:
@@ -240,7 +222,6 @@ def _check_image(image: Any) -> NDArray[np.uint8]:
 
 
 def _split_anchor(anchor: str) -> tuple[str, float]:
-    """("middle", 0.0) of "left"."""
     down, _, across = anchor.rpartition(" ")
     down = down or "middle"
     if across not in _ACROSS or down not in _DOWN:
@@ -249,7 +230,7 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
 
 
 def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, across: float) -> NDArray[np.int32]:
-    """The letters of a text where an anchor lies at a place; none where that is not finite or far outside."""
+    """Letters of an anchored text; none if the position is not finite or far outside."""
     if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
         return np.empty((0, 5), np.int32)
     glyphs = letters.set(text, size)
@@ -262,21 +243,16 @@ def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, 
     return glyphs
 
 
-FARTHEST = 1e12  # [px] beyond it the arithmetic of a cut would lose its digits; no place of a picture is so far
+FARTHEST = 1e12  # [px] beyond it clipping would lose its digits
 
 Ends = NDArray[np.float64]
 Pair = tuple[float, float]
 
 
 def clip_segments(segments: Ends, low: Pair, high: Pair) -> tuple[Ends, NDArray[np.int64]]:
-    """The parts of segments inside a box (Liang and Barsky, "A new concept and method for line clipping", 1984).
+    """Clip segments (x, y, x, y) to a box (Liang and Barsky, "A new concept and method for line clipping", 1984).
 
-    Args:
-        segments: Rows (x, y, x, y), shape [n, 4]; those that are not finite are left out.
-        low, high: Corners (x, y) of the box.
-
-    Returns:
-        (parts, rows): shape [m, 4], and which segments they are of, ascending.
+    Returns the parts (m, 4) and their ascending row indices; non-finite segments are dropped.
 
     Example:
         >>> clip_segments(np.array([[-1.0, 0.5, 3.0, 0.5], [5.0, 5.0, 6.0, 6.0]]), (0, 0), (1, 1))[0].tolist()

@@ -1,4 +1,4 @@
-"""Colours of a cloud by what is known of its points: `color_cloud`."""
+"""Color clouds by properties of their points: `color_cloud`."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from .colormaps import MISSING, NOISE, PALETTE, check_colormap, colormap_table
 
 Color = tuple[float, float, float]
 
-SAMPLE = 1_000_000  # points that the quantiles of limits come from, evenly spaced in the cloud
-QUANTILES = (0.02, 0.98)  # of the limits of values where none are given: a few far ones leave colours to the rest
+SAMPLE = 1_000_000  # evenly spaced points for percentiles
+QUANTILES = (0.02, 0.98)  # default limits: outliers must not compress the colors
 _AXES = {"x": 0, "y": 1, "z": 2, "height": 2}
 _LABELS = ("label", "labels", "cluster", "cluster_id", "class", "classification", "segment", "instance", "semantic")
 
@@ -38,17 +38,15 @@ _LAS_CLASSES = (
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Coloring:
-    """Colours of points, and what they mean.
+    """Colors of points, vec3 (n,) on the cloud's device, and their meaning.
 
     Attributes:
-        colors: vec3 [n] on the cloud's device, 0 to 1.
-        kind: "values", "labels" or "rgb" (colours as they are, and directions).
-        limits: The values at the two ends of the colour map, of values.
-        colormap: Its name, of values.
-        names: The labels that there are with their names, ascending, of labels; -1 is noise.
-        title: What is shown, such as "height [m]".
-        has_missing: Whether a value was not finite, and is grey.
-        paint: Colours other points of the same kind in the same way, where that can be: from a cloud to vec3 [k].
+        kind: "values", "labels" or "rgb" (original colors, and directions).
+        limits, colormap: Values at both ends of the colormap, for values.
+        names: Ascending labels with their names, for labels; -1 is noise.
+        title: Title such as "height [m]".
+        has_missing: True if a value was not finite (gray).
+        paint: Function that colors other points in the same way: cloud to vec3 (k,); None if impossible.
     """
 
     colors: Any
@@ -61,13 +59,13 @@ class Coloring:
     paint: Callable[[PointCloud], Any] | None = None
 
     def entries(self) -> list[tuple[str, Color]]:
-        """Names and colours for a legend: of labels, and of what is missing."""
+        """Names and colors for a legend: labels and missing values."""
         found = [(name, label_color(label)) for label, name in self.names.items()]
         return found + [("none", MISSING)] * self.has_missing
 
 
 def label_color(label: int) -> Color:
-    """The colour of a label: the palette, again from its start after 24, dark grey below zero."""
+    """Color of a label: a palette of 24, repeated; dark gray below 0."""
     red, green, blue = NOISE if label < 0 else (PALETTE[label % len(PALETTE)] / 255).tolist()
     return red, green, blue
 
@@ -75,30 +73,20 @@ def label_color(label: int) -> Color:
 def color_cloud(
     cloud: PointCloud, by: Any, *, colormap: str | None = None, limits: tuple[float, float] | None = None
 ) -> Coloring:
-    """Colour the points of a cloud by what is known of them, on its device.
+    """Color the points of a cloud by a property, on its device. Non-finite values are gray, labels below 0 dark gray.
 
     Args:
-        cloud: The points.
-        by: "rgb", "normal" (its coordinates from -1 to 1 as red, green and blue), "height" or "z", "x", "y", "label",
-            the name of an attribute with one number a point, or such an array, shape [n]. Whole numbers in an
-            array or under names such as label, cluster and classification are labels unless a colour map or limits are
-            given; everything else is values.
-        colormap: Of values: "viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm" (whose
-            middle is neutral) or "jet"; None for viridis.
-        limits: The values (low, high) at the two ends of the map; what lies beyond takes the colours of the ends. None
-            takes the extent of heights and coordinates, and the 2nd and 98th percentile of other values.
-
-    Returns:
-        A Coloring. What is not finite is grey, labels below zero are dark grey.
-
-    Raises:
-        ValueError: The cloud has no such thing, one with several numbers a point, or limits out of order.
-        TypeError: No cloud, or no name and no array of numbers.
+        by: "rgb", "normal" (components from -1 to 1 as red, green and blue), "height" or "z", "x", "y", "label", the
+            name of a scalar attribute, or an array (n,). Integers in an array or under names such as label, cluster and
+            classification are labels unless `colormap` or `limits` is given; everything else is values.
+        colormap: "viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm" (neutral center) or
+            "jet"; None for viridis.
+        limits: Values (low, high) at both ends of the colormap. If None, the range of coordinates, and the 2nd and 98th
+            percentile of other values, from at most 1,000,000 evenly spaced points.
 
     Notes:
-        Same bits on every device and with both compilers. Percentiles of more than a million points are those of a
-        million, evenly spaced in the cloud. 12 B of memory a point, and 8 B a point on the way for whole numbers of
-        more than 16 bits. One wait for the device, two where limits are found.
+        Bitwise identical on every device and with both compilers. Memory: 12 B per point, and temporarily 8 B for
+        integers of more than 16 bits. One sync, two if limits are estimated.
 
     Example:
         >>> import pointloom as loom
@@ -142,7 +130,7 @@ def color_cloud(
 
 
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
-    """Colours by a coordinate: on the device it is counted from the cloud's origin."""
+    """Color by a coordinate; on the device it is relative to the cloud's origin."""
     axis = _AXES[by]
     points, start = contiguous(cloud._device_array("points")), float(cloud.origin[axis])
     if limits is None:
@@ -152,13 +140,12 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
     name = colormap or "viridis"
     ramp = Ramp(colormap_table(name), local, MISSING, points.device)
     colors = value_colors.color_coordinates(points, axis, ramp)
-    is_angle = cloud.unit is not None and cloud.unit.metres is None  # which says nothing of heights
+    is_angle = cloud.unit is not None and cloud.unit.metres is None  # which is no unit of heights
     title = by if is_angle and axis == 2 else f"{by} [{symbol_of(cloud.unit)}]"
     return Coloring(colors, "values", limits, name, title=title, has_missing=_is_raised(ramp.flag))
 
 
 def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
-    """Colours by an array of the device."""
     if len(values.shape) != 1:
         what = repr(name) if name else "the array"
         raise ValueError(f"color_by: {what} has {values.shape[1]} numbers a point; colours go by attributes with one")
@@ -179,16 +166,16 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
 
 
 def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
-    """Percentiles of the finite values; their extent where those are one; 0 and 1 without any."""
+    """Percentiles of the finite values; their range if the percentiles are equal; (0, 1) without values."""
     finite = values[np.isfinite(values)].astype(np.float64)
     if not len(finite):
         return 0.0, 1.0
-    low, high = (4 * np.quantile(finite / 4, QUANTILES)).tolist()  # the range itself may be beyond float64
+    low, high = (4 * np.quantile(finite / 4, QUANTILES)).tolist()  # the range itself may overflow float64
     return (low, high) if low < high else (float(finite.min()), float(finite.max()))
 
 
 def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
-    """Names of labels: the standard's for classes of LAS, else their numbers."""
+    """Names of labels: the standard's for LAS classes, else their numbers."""
     names = {}
     for label in seen:
         name = f"label {label}"
@@ -214,7 +201,7 @@ def _check_limits(limits: Any) -> tuple[float, float]:
 
 
 def _choices(cloud: PointCloud) -> list[str]:
-    """What a cloud can be coloured by, for messages."""
+    """Available properties of a cloud, for messages."""
     columns = [name for name in cloud.attributes if len(cloud._device_array(name).shape) == 1]
     given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
     return [*given, "height", "x", "y", "z", *columns]

@@ -1,9 +1,9 @@
-"""Colours for numbers and labels: `colormap_table`, `PALETTE`.
+"""Colors for numbers and labels: `colormap_table`, `PALETTE`.
 
-The maps are matplotlib's of these names, to 8 bits: viridis, plasma, inferno and magma by Smith and van der Walt (CC0),
-cividis by Nuñez, Anderton and Renslow ("Optimizing colormaps with consideration for color vision deficiency", PLOS ONE
-2018; BSD), turbo by Mikhailov (Apache-2.0), coolwarm by Moreland ("Diverging color maps for scientific visualization",
-2009) at its 33 points, jet by the straight pieces that define it.
+The maps are matplotlib's, in 8 bits: viridis, plasma, inferno and magma by Smith and van der Walt (CC0), cividis by
+Nuñez, Anderton and Renslow ("Optimizing colormaps with consideration for color vision deficiency", PLOS ONE 2018; BSD),
+turbo by Mikhailov (Apache-2.0), coolwarm by Moreland ("Diverging color maps for scientific visualization", 2009) at its
+33 points, jet by its linear pieces.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from ...core.checks import shown
 
 ENTRIES = 256
-MISSING = (0.6, 0.6, 0.6)  # of what is not finite
-NOISE = (0.2, 0.2, 0.2)  # of labels below zero
+MISSING = (0.6, 0.6, 0.6)  # for non-finite values
+NOISE = (0.2, 0.2, 0.2)  # for labels below 0
 
-# matplotlib's "tab20", its dark colours first: labels that follow each other then differ in hue; four more behind them.
+# matplotlib's "tab20", dark colors first, so that consecutive labels differ in hue; plus four more.
 PALETTE = np.array([
     [31, 119, 180], [255, 127, 14], [44, 160, 44], [214, 39, 40], [148, 103, 189],
     [140, 86, 75], [227, 119, 194], [127, 127, 127], [188, 189, 34], [23, 190, 207],
@@ -139,7 +139,7 @@ _COOLWARM = (
     "dddddde5d8d1ecd3c5f1ccb9f5c4adf7bba0f7b194f7a687f49a7bf18d6fec7f63e57058de604dd55042cb3e38c0282f"
     "b40426"
 )
-_JET = (  # shares of the way, and the value there: red, green, blue
+_JET = (  # position and value: red, green, blue
     ((0.0, 0.35, 0.66, 0.89, 1.0), (0.0, 0.0, 1.0, 1.0, 0.5)),
     ((0.0, 0.125, 0.375, 0.64, 0.91, 1.0), (0.0, 0.0, 1.0, 1.0, 0.0, 0.0)),
     ((0.0, 0.11, 0.34, 0.65, 1.0), (0.5, 1.0, 1.0, 0.0, 0.0)),
@@ -153,21 +153,14 @@ COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray"
 
 
 def check_colormap(name: str) -> str:
-    """The name of a colour map.
-
-    Raises:
-        ValueError: No such map.
-    """
+    """Validate the name of a colormap; raises ValueError."""
     if not isinstance(name, str) or name not in COLORMAPS:
         raise ValueError(f"colormap: expected one of {', '.join(COLORMAPS)}, got {shown(name)}")
     return name
 
 
 def colormap_table(name: str) -> NDArray[np.float32]:
-    """The colours of a map, evenly spaced from its low end to its high one: shape [256, 3], 0 to 1.
-
-    Raises:
-        ValueError: No such map.
+    """Colors of a map from low to high, shape (256, 3), 0 to 1; raises ValueError for an unknown name.
 
     Example:
         >>> colormap_table("gray")[[0, -1]].tolist()

@@ -1,4 +1,4 @@
-"""A mesh coloured by its distances from another, with a colour bar and a histogram: `draw_errors`."""
+"""A mesh colored by its distances from another, with color bar and histogram: `draw_errors`."""
 
 from __future__ import annotations
 
@@ -17,26 +17,19 @@ from .legends import draw_color_bar
 from .plots import error_histogram
 from .render import render
 
-COLORMAP = "viridis"  # as of `TriangleMesh.compute_error_map`
+COLORMAP = "viridis"  # as in `TriangleMesh.compute_error_map`
 BACKDROP = (0.88, 0.89, 0.91)
-_WIDTH, _HEIGHT = 1600, 900  # [px] of the whole
-_MESH, _BAR = 860, 140  # [px] wide: the mesh, and the colour bar at its right
-_SHOWN = 0.98  # of the vertices lie below the last colour: few that are far off leave colours to the rest
+_WIDTH, _HEIGHT = 1600, 900  # [px] of the image
+_MESH, _BAR = 860, 140  # [px] width of the mesh, and of the color bar at its right
+_SHOWN = 0.98  # quantile of the vertices at the last color: outliers must not compress the colors
 
 
 def draw_errors(
     mesh: TriangleMesh, distances: NDArray[np.float32], title: str, *, back_faces: bool = True
 ) -> NDArray[np.uint8]:
-    """Draw a mesh coloured by distances at its vertices, and their histogram beside it.
+    """Render a mesh colored by distances (n,) [m] at its vertices (non-finite: gray), with a histogram.
 
-    Args:
-        mesh: The mesh.
-        distances: At its vertices [m], shape [n]; grey where not finite.
-        title: Above the histogram.
-        back_faces: Draw faces that look away; without them one sees into a room.
-
-    Returns:
-        Shape [900, 1600, 3], uint8.
+    Returns uint8 (900, 1600, 3).
     """
     finite = distances[np.isfinite(distances)].astype(np.float64)
     largest = float(np.quantile(finite, _SHOWN)) if len(finite) else 0.0

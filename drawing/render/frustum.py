@@ -1,4 +1,4 @@
-"""A camera as pictures show it: `CameraFrustum`."""
+"""A camera as a drawable geometry: `CameraFrustum`."""
 
 from __future__ import annotations
 
@@ -12,22 +12,21 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_color, check_positive, check_rigid
 from .parts import Triple
 
-UPRIGHT = 0.35  # height of the mark above the picture's upper edge, in halves of the picture's height
+UPRIGHT = 0.35  # height of the mark above the image over half the image height
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class CameraFrustum:
-    """A camera in a scene, drawn as the pyramid of what it sees, with a mark above its picture.
+    """A camera in a scene, drawn as its view pyramid with a mark above the image.
 
     Args:
         intrinsic: The camera.
-        T_world_camera: Camera to world, shape [4, 4] [m].
+        T_world_camera: Camera to world [m], shape (4, 4).
         scale: Depth of the pyramid [m].
         color: Red, green and blue, 0 to 1.
 
     Raises:
-        TypeError: No camera, or no numbers.
-        ValueError: Another shape, a pose that is not rigid, or a scale that is not above 0.
+        TypeError, ValueError: Unsupported types or shapes, a pose that is not rigid, or `scale` not positive.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -54,9 +53,9 @@ class CameraFrustum:
         return f"CameraFrustum({camera.width} x {camera.height}, at {place}, scale {self.scale:g} m)"
 
     def corners(self) -> NDArray[np.float64]:
-        """Where the picture's corners and the tip of the mark lie in the world [m], shape [5, 3].
+        """World positions of the image corners and the tip of the mark [m], shape (5, 3).
 
-        The corners are the outer ones of the corner pixels: upper left, upper right, lower right, lower left.
+        Outer corners of the corner pixels: upper left, upper right, lower right, lower left.
         """
         c = self.intrinsic
         left, right = (-0.5 - c.cx) / c.fx, (c.width - 0.5 - c.cx) / c.fx

@@ -1,4 +1,4 @@
-"""What is drawn of each kind of geometry: names of what users pass, its parts, and the box around them."""
+"""Conversion of geometries to drawn parts, with names and bounds."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ ACCEPTED = (
     "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
 )
 
-# Several clouds without colours: the first two as in Open3D's tutorials of registration.
+# Colors of several clouds without colors; the first two as in Open3D's registration tutorials.
 PALETTE: tuple[Triple, ...] = (
     (1.0, 0.706, 0.0),
     (0.0, 0.651, 0.929),
@@ -58,15 +58,9 @@ Named = tuple[str, Any, Style]
 
 
 def named_geometries(geometries: Any) -> list[Named]:
-    """What is to be drawn, each with a name of its own and a style.
+    """Unique names and styles of geometries, given as one, a list, a mapping, or dictionaries as in Open3D's `draw`.
 
-    Args:
-        geometries: One geometry, a list or tuple of them, a mapping from names to geometries, or dictionaries as
-            Open3D's `draw` takes: {"geometry": g, "name": "floor", "color": (1, 0, 0)}, with the fields of `Style`.
-
-    Raises:
-        TypeError: Something else; says what is accepted.
-        ValueError: A key that no style has, or a value out of range.
+    Raises TypeError for unsupported types and ValueError for unknown style keys or values out of range.
     """
     if isinstance(geometries, Mapping) and "geometry" not in geometries:
         given = [(check_name("geometries: names", name), value) for name, value in geometries.items()]
@@ -88,12 +82,11 @@ def named_geometries(geometries: Any) -> list[Named]:
 
 
 def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
-    """The unit of geometries; warns of several: they lie where nothing is to scale."""
     return common_unit("geometries", (geometry.unit for geometry in geometries if isinstance(geometry, InUnit)))
 
 
 def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None, Any, Style]:
-    """The name, geometry and style of a dictionary as Open3D's `draw` takes it."""
+    """Name, geometry and style of a dictionary as in Open3D's `draw`."""
     unknown = [key for key in entry if key not in ("geometry", "name", *STYLE_KEYS)]
     if "geometry" not in entry or unknown:
         wrong = f"key {unknown[0]!r}" if unknown else 'no key "geometry"'
@@ -104,7 +97,7 @@ def _read_entry(entry: Mapping[Any, Any], name: str | None) -> tuple[str | None,
 
 
 def _free_name(name: str, taken: dict[str, int]) -> str:
-    """A name that is not taken; takes it. Of each name, the last number that was tried behind it."""
+    """An unused name, which is then marked as used; `taken` has the last suffix of each name."""
     number, free = taken.get(name, 1), name
     while free in taken:
         number += 1
@@ -114,7 +107,7 @@ def _free_name(name: str, taken: dict[str, int]) -> str:
 
 
 def _told_apart(named: list[Named]) -> list[Named]:
-    """Several clouds that have no colour get different ones."""
+    """Give different colors to several clouds without colors."""
     plain = [
         name
         for name, geometry, style in named
@@ -137,16 +130,12 @@ def _has_colors(cloud: Any) -> bool:
 
 
 def kind_of(geometry: Any) -> str:
-    """What a geometry is called when it has no name.
-
-    Raises:
-        TypeError: It is nothing that can be drawn; says what is.
-    """
+    """Default name of a geometry; raises TypeError if it cannot be drawn."""
     return _entry_of(as_known(geometry))[0]
 
 
 def as_known(geometry: Any) -> Any:
-    """Open3D's tensor geometries as its others, its tensors as arrays; anything else as it is."""
+    """Convert Open3D's tensor geometries and tensors; other objects are returned unchanged."""
     if isinstance(geometry, (type, *(kind for kind, _ in _KINDS))):
         return geometry
     if callable(getattr(geometry, "to_legacy", None)):
@@ -159,19 +148,9 @@ def as_known(geometry: Any) -> Any:
 
 
 def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> list[Part]:
-    """What is drawn of a geometry.
+    """Drawn parts of a geometry on a device (None: that of the geometry, else the CPU); arrays on it are shared.
 
-    Args:
-        geometry: One of those accepted.
-        style: How.
-        device: Where; None where the geometry lies, else the CPU.
-
-    Returns:
-        Parts; what a cloud or a mesh holds on that device is shared, not copied.
-
-    Raises:
-        TypeError: Nothing that can be drawn.
-        ValueError: Arrays that do not belong together.
+    Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays.
     """
     style, geometry = style or Style(), as_known(geometry)
     place = resolve_device(getattr(geometry, "device", None) if device is None else device)
@@ -180,7 +159,7 @@ def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> l
 
 
 def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The box around the finite positions of parts as they are drawn, (low, high) [m]; zeros if there are none."""
+    """Bounds (low, high) of the finite positions of parts with their poses [m]; zeros if there are none."""
     corners = []
     for part in parts:
         low, high, count = bound_points(part.positions)
@@ -194,9 +173,6 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
     if not corners:
         return np.zeros(3), np.zeros(3)
     return np.min(corners, axis=0), np.max(corners, axis=0)
-
-
-# ------------------------------------------------------------------------------------------------ kinds
 
 
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
@@ -217,7 +193,7 @@ def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
 def _points(
     positions: Any, origin: NDArray[np.float64], colors: Any, normals: Any, style: Style, has_own: bool
 ) -> Points:
-    """Points whose own colours stay as they are, but where a style wants light at an angle."""
+    """Points; their own colors are unlit unless the style requires lighting."""
     part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
     shaded, lit = style.shaded is not False, style.shaded is True or not has_own
     opacity = 1.0 if style.opacity is None else style.opacity
@@ -225,7 +201,7 @@ def _points(
 
 
 def _of_splats(splats: GaussianSplats, style: Style, device: Any) -> list[Part]:
-    """Splats as what they are; in one colour or by values as points."""
+    """Gaussian splats; in one color or colored by values, points."""
     splats = splats.to(device)
     (points,) = _of_cloud(splats.to_point_cloud(), style, device)
     if not isinstance(points, Points) or style.color is not None or style.color_by is not None or not len(splats):
@@ -237,7 +213,7 @@ def _of_splats(splats: GaussianSplats, style: Style, device: Any) -> list[Part]:
 
 
 def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
-    """An array of points, or a plain object that has them."""
+    """An array of points, or a plain object with points."""
     has_attributes = hasattr(geometry, "points")
     cloud = PointCloud(geometry.points if has_attributes else geometry, device=device)
     if style.color_by is not None and has_attributes:
@@ -254,7 +230,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
-    """An attribute of a plain object with one row an element, or no rows where it has none; colours 0 to 1."""
+    """An attribute with one row per element, or no rows if missing; colors 0 to 1."""
     values = getattr(holder, name, None)
     if values is None or len(values) == 0:
         return np.empty((0, 3), np.float32)
@@ -280,7 +256,7 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
 
 
 def _surface_style(style: Style) -> dict[str, Any]:
-    """The fields of `Triangles` that a style decides; without a key where it leaves it to the part."""
+    """The fields of `Triangles` that a style defines."""
     chosen: dict[str, Any] = {"wireframe": bool(style.wireframe), "cull": style.back_faces is False}
     decided = {"lit": style.shaded, "plain": style.color, "opacity": style.opacity}
     return chosen | {name: value for name, value in decided.items() if value is not None}
@@ -311,7 +287,7 @@ def _lines(drawn: outlines.Segments, style: Style, device: Any) -> Lines:
 
 
 def _outlined(outline: Callable[[Any], outlines.Segments]) -> Callable[[Any, Style, Any], list[Part]]:
-    """Parts of what is drawn as lines alone."""
+    """Make a function for the parts of a geometry drawn as lines."""
     return lambda geometry, style, device: [_lines(outline(geometry), style, device)]
 
 
@@ -350,12 +326,12 @@ def _entry_of(geometry: Any) -> Entry:
         return "mesh", _of_mesh
     if hasattr(geometry, "points"):
         return "cloud", _of_points
-    kind = type(geometry)  # with where it is from: others have a VoxelGrid as well
+    kind = type(geometry)  # with its module: other libraries have a VoxelGrid as well
     found = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
     raise TypeError(f"geometries: expected {ACCEPTED}; got {found}")
 
 
-# The faces of a cube: the axis and side that they look to, and their corners counterclockwise seen from outside.
+# Faces of a cube: axis, side and corners, counterclockwise seen from outside.
 _FACES = (
     ((-1, 0, 0), ((0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0))),
     ((1, 0, 0), ((1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1))),
@@ -367,12 +343,7 @@ _FACES = (
 
 
 def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
-    """What is drawn of a mesh where it lies.
-
-    Args:
-        mesh: The mesh; its arrays are shared.
-        chosen: Fields of `Triangles`; a `plain` colour and a `coloring` replace the mesh's own, textures too.
-    """
+    """Drawn parts of a mesh, with shared arrays; `plain` and `coloring` in `chosen` replace its colors and textures."""
     arrays, none = mesh._device_arrays, empty(0, vec3, mesh.device)
     held: dict[str, Any] = {
         "positions": arrays["vertices"],
@@ -398,7 +369,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
 
 
 def vertices_of(mesh: TriangleMesh) -> PointCloud:
-    """The vertices of a mesh with what is known of them; normals, colours and attributes follow."""
+    """The vertices of a mesh as a cloud with normals, colors and attributes."""
     arrays = mesh._device_arrays
     renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
     held = {new: arrays[old] for old, new in renamed.items() if old in arrays}
@@ -410,12 +381,11 @@ def vertices_of(mesh: TriangleMesh) -> PointCloud:
 
 
 def _flat(triangles: Any) -> Any:
-    """Triples of vertices as int32 [3 t], in the same memory."""
     return view_as(triangles, int32, (3 * triangles.size,))
 
 
 def voxel_parts(grid: VoxelGrid, chosen: dict[str, Any], device: Any) -> list[Part]:
-    """The outer faces of the voxels of a grid as shaded squares; with a wireframe, their edges too."""
+    """The outer faces of a voxel grid as shaded squares, with edges if `wireframe`."""
     corners = outer_faces(grid)
     count, origin = len(corners), np.asarray(grid.origin, np.float64)
     first = 4 * np.arange(count)[:, None]
@@ -434,7 +404,7 @@ def voxel_parts(grid: VoxelGrid, chosen: dict[str, Any], device: Any) -> list[Pa
 
 
 def outer_faces(grid: VoxelGrid) -> NDArray[np.int64]:
-    """The faces between voxels that are occupied and such that are not, corners in voxels, shape [k, 4, 3]."""
+    """Faces between occupied and free voxels; corners in voxel units, shape (k, 4, 3)."""
     cells = np.asarray(grid.coordinates, np.int64)
     sizes = np.asarray(grid.counts, np.int64) + 2
     occupied = _keys(cells, sizes)  # ascending, as the coordinates are
@@ -448,6 +418,6 @@ def outer_faces(grid: VoxelGrid) -> NDArray[np.int64]:
 
 
 def _keys(cells: NDArray[np.int64], sizes: NDArray[np.int64]) -> NDArray[np.int64]:
-    """A number for each cell of a grid that is one cell larger on each side."""
+    """A unique number for each cell of a grid padded by one cell."""
     x, y, z = (cells + 1).T
     return (x * sizes[1] + y) * sizes[2] + z

@@ -1,4 +1,4 @@
-"""What explains a picture, drawn on it: `draw_legend`, `draw_color_bar`, `draw_labels`."""
+"""Legends, color bars and labels on an image."""
 
 from __future__ import annotations
 
@@ -16,16 +16,15 @@ from .lettering import lettering
 from .ticks import Ticks, choose_ticks, count_ticks, with_ends
 
 GREY = (0.45, 0.45, 0.45)
-_PANEL = 0.85  # opacity of what lies behind legends
+_PANEL = 0.85  # opacity of the background of legends
 _CORNERS = ("upper left", "upper right", "lower left", "lower right")
-_PITCH = 1.5  # of lines, of the size of letters
-END_ROOM = 1.3  # of the size of letters, between the number of an end and the next
-_DOT = 2.5  # [px] radius of the dot beside a label
-_WIDEST = 0.45  # of the picture: longer names in a legend are cut
+_PITCH = 1.5  # line height over font size
+END_ROOM = 1.3  # minimum distance of ticks to the ends over font size
+_DOT = 2.5  # [px] radius
+_WIDEST = 0.45  # of the image width: longer names are shortened
 
 
 def letter_size(canvas: Canvas) -> int:
-    """The size of letters [px] that suits a picture."""
     return _letters_for(canvas.width, canvas.height)
 
 
@@ -37,9 +36,9 @@ def _letters_for(width: int, height: int) -> int:
 
 
 def cut_text(text: str, size: float, most: float) -> str:
-    """A text that is at most so wide [px], shortened by an ellipsis."""
+    """A text shortened with an ellipsis to a width [px]."""
     letters = lettering()
-    if len(text) <= most and letters.width(text, size) <= most:  # a letter is a pixel wide at least
+    if len(text) <= most and letters.width(text, size) <= most:  # a letter is at least one pixel wide
         return text
     text = text[: max(int(most), 0)]
     while text and letters.width(text + "…", size) > most:
@@ -49,7 +48,7 @@ def cut_text(text: str, size: float, most: float) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class _Panel:
-    """How large a panel [px] is, and its letters; its margin to the edge is `pad`, and so is the one inside it."""
+    """Size of a panel [px], its font size, and its margin and padding `pad`."""
 
     size: int
     pad: int
@@ -58,12 +57,12 @@ class _Panel:
 
     @property
     def band(self) -> tuple[int, int]:
-        """The width and the height [px] of the picture that it takes in a corner."""
+        """Width and height [px] that it takes in a corner."""
         return self.width + 2 * self.pad, self.height + 2 * self.pad
 
 
 def _lay_legend(names: Sequence[str], width: int, height: int) -> tuple[_Panel, list[str]]:
-    """The panel of a legend in a picture, and its lines; those that find no room are counted in the last."""
+    """Panel and lines of a legend; the last line counts omitted entries."""
     size = _letters_for(width, height)
     pitch, pad = round(_PITCH * size), round(0.6 * size)
     room = max(1, (height - 4 * pad) // pitch)
@@ -76,21 +75,11 @@ def _lay_legend(names: Sequence[str], width: int, height: int) -> tuple[_Panel, 
 
 
 def legend_size(entries: Sequence[tuple[str, Color]], width: int, height: int) -> tuple[int, int]:
-    """The width and the height [px] that a legend takes in a corner of a picture, its margins with it."""
     return _lay_legend([name for name, _ in entries], width, height)[0].band if entries else (0, 0)
 
 
 def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: str = "upper left") -> None:
-    """Draw names and their colours in a corner of a picture.
-
-    Args:
-        canvas: The picture.
-        entries: Names and colours; those that find no room are counted in the last line.
-        corner: "upper left", "upper right", "lower left" or "lower right".
-
-    Raises:
-        ValueError: No such corner.
-    """
+    """Draw names and colors in a corner: "upper left", "upper right", "lower left" or "lower right"."""
     if corner not in _CORNERS:
         raise ValueError(f"corner: expected one of {', '.join(_CORNERS)}, got {corner!r}")
     lines = check_list("entries", entries, "names with colours")
@@ -110,7 +99,7 @@ def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: st
 
 @dataclasses.dataclass(frozen=True)
 class _Bar(_Panel):
-    """The panel of a colour bar: how wide and high [px] the bar is, what stands above it and how far, and its ticks."""
+    """Panel of a color bar: width and height of the bar [px], heading, offset below it, and ticks."""
 
     bar: int
     tall: int
@@ -120,7 +109,7 @@ class _Bar(_Panel):
 
 
 def _lay_bar(coloring: Coloring, title: str, width: int, height: int) -> _Bar | None:
-    """The panel of a colour bar in a picture; None of colours without numbers."""
+    """Panel of a color bar; None for colors without numbers."""
     if coloring.limits is None or coloring.colormap is None:
         return None
     size = _letters_for(width, height)
@@ -136,8 +125,7 @@ def _lay_bar(coloring: Coloring, title: str, width: int, height: int) -> _Bar | 
 
 
 def color_bar_size(coloring: Coloring, width: int, height: int) -> tuple[int, int, bool]:
-    """The width and the height [px] that a colour bar takes at the right of a picture, and whether it stands alone at
-    that side: a legend of labels lies in the corner above."""
+    """Width and height [px] of a color bar, and whether it fills the right side (a legend of labels is in a corner)."""
     panel = _lay_bar(coloring, "", width, height)
     if panel is not None:
         return *panel.band, True
@@ -145,16 +133,7 @@ def color_bar_size(coloring: Coloring, width: int, height: int) -> tuple[int, in
 
 
 def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
-    """Draw what colours mean at the right of a picture: a bar with numbers, those of its ends too, or for labels a
-    legend.
-
-    Colours without numbers, as RGB, draw nothing.
-
-    Args:
-        canvas: The picture.
-        coloring: What was coloured.
-        title: Above the bar; the coloring's own if empty.
-    """
+    """Draw a color bar at the right, or a legend for labels; nothing for colors without numbers."""
     if coloring.kind == "labels":
         draw_legend(canvas, coloring.entries(), "upper right")
     panel = _lay_bar(coloring, title, canvas.width, canvas.height)
@@ -172,7 +151,7 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
 
 
 def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap: str, ticks: Any, size: int) -> None:
-    """Draw the bar of a colour map, its low end below, with ticks at its right."""
+    """Draw the bar of a colormap with ticks at its right."""
     rows = np.arange(height)[::-1]
     places = rows * 255 // max(height - 1, 1)
     colors = np.floor(colormap_table(colormap)[places] * 255 + 0.5).astype(np.uint8)
@@ -193,17 +172,9 @@ def draw_labels(
     color: Color = BLACK,
     halo: Color = WHITE,
 ) -> int:
-    """Write texts beside places of a picture, each with a dot and a seam, so that they read on any ground.
+    """Write texts (text, x, y) [px] with a dot and an outline; those outside the image are omitted.
 
-    Args:
-        canvas: The picture.
-        labels: (text, x, y) [px]; what lies outside the picture is left out.
-        size: Of the letters [px]; None for what suits the picture.
-        color: Of letters and dots.
-        halo: Of the seam around them.
-
-    Returns:
-        How many were left out since they would lie on an earlier one.
+    Returns the number of texts omitted because they would overlap an earlier one.
     """
     chosen = letter_size(canvas) if size is None else size
     gap, high = round(_DOT) + 4, round(chosen * 1.1)

@@ -1,6 +1,6 @@
-"""The letters of pictures: `Lettering`, a table of their coverage drawn beforehand (glyphs.npz, glyphs.md).
+"""Letters on images: `Lettering`, a pre-rendered coverage table (glyphs.npz, glyphs.md).
 
-A picture with text is then the same bits on every machine: no font is asked for when it is made.
+No system font is used, so images with text are bitwise identical on every machine.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 from ...kernels.lang import uint8
 from ...kernels.memory import upload
 
-UNKNOWN = "\ufffd"  # the letter for what the table does not hold: a box
+UNKNOWN = "\ufffd"  # drawn as a box for missing letters
 _FILE = Path(__file__).with_name("glyphs.npz")
 
 
 class Lettering:
-    """Letters in some sizes: those of ASCII, degree, micro, times, plus-minus, squares, dashes and dots."""
+    """Letters in several sizes: ASCII, degree, micro, times, plus-minus, squares, dashes and dots."""
 
     def __init__(self, path: Path = _FILE):
         with np.load(path) as table:
@@ -30,24 +30,22 @@ class Lettering:
         self._on_devices: dict[str, Any] = {}
 
     def atlas(self, device: Any) -> Any:
-        """The coverage of all letters on a device."""
+        """Coverage of all letters on a device."""
         key = str(device)
         if key not in self._on_devices:
             self._on_devices[key] = upload(self.coverage, uint8, device)
         return self._on_devices[key]
 
     def width(self, text: str, size: float) -> int:
-        """How wide a text is [px]."""
         return int(self._rows(text, size)[:, 5].sum())
 
     def cap_height(self, size: float) -> int:
-        """How high a capital letter is [px]."""
         return -int(self._rows("H", size)[0, 4])
 
     def set(self, text: str, size: float) -> NDArray[np.int32]:
-        """Where letters come to stand: rows (place in the atlas, width, height, column, row) from the pen on.
+        """Positions of letters: rows (atlas index, width, height, column, row) relative to the pen.
 
-        Rows are counted from the baseline, downwards; blanks have no row.
+        Rows count downwards from the baseline; blanks have no entry.
         """
         glyphs = self._rows(text, size)
         pens = np.cumsum(glyphs[:, 5]) - glyphs[:, 5]
@@ -62,5 +60,4 @@ class Lettering:
 
 @functools.cache
 def lettering() -> Lettering:
-    """The letters, read once."""
     return Lettering()

@@ -1,7 +1,7 @@
-"""Open3D's parameters of a view, both ways: front, lookat, up, zoom and field of view.
+"""Conversion of Open3D's view parameters: front, lookat, up, zoom and field of view.
 
 Open3D (0.20, ViewControl) places the eye at lookat + front d with d = zoom s / tan(f / 2), where s is the longest side
-of the box around what is drawn and f the vertical field of view. Pixel centres have whole coordinates there too.
+of the scene's bounds and f the vertical field of view. Pixel centers have integer coordinates there, too.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from ...core.checks import check_count, check_direction, check_finite, check_num
 
 Bounds = tuple[Any, Any]
 
-FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # what Open3D's viewer begins with; it looks along -z there, with y up
-LEAST_ZOOM, MOST_ZOOM = 0.02, 2.0  # as far as the wheel goes in Open3D
-LEAST_ANGLE, MOST = 1e-6, 1e30  # [degrees] of a field of view, and a zoom: beyond them numbers overflow
+FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # defaults of Open3D's viewer, which looks along -z with y up
+LEAST_ZOOM, MOST_ZOOM = 0.02, 2.0  # limits of the wheel in Open3D
+LEAST_ANGLE, MOST = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
 
-ALONG = 1e-9  # sine of the angle below which `up` lies along the direction of view
+ALONG = 1e-9  # sine of the angle below which `up` is parallel to the view direction
 
 
 def view_from_open3d(
@@ -36,7 +36,6 @@ def view_from_open3d(
     width: int = 1280,
     height: int = 960,
 ) -> tuple[PinholeCameraIntrinsic, NDArray[np.float64]]:
-    """The camera and T_world_camera of a view with Open3D's parameters; see `View.from_open3d`."""
     low, high = (check_finite("bounds", check_shape("bounds", end, (3,))) for end in _pair(bounds))
     middle = (low + high) / 2 if lookat is None else check_finite("lookat", check_shape("lookat", lookat, (3,)))
     backward = check_direction("front", front)
@@ -58,7 +57,6 @@ def view_from_open3d(
 
 
 def view_to_open3d(camera: PinholeCameraIntrinsic, T: NDArray[np.float64], bounds: Bounds) -> dict[str, Any]:
-    """Open3D's parameters of a view; see `View.to_open3d`."""
     low, high = (check_finite("bounds", check_shape("bounds", end, (3,))) for end in _pair(bounds))
     centered = abs(camera.cx - (camera.width - 1) / 2) < 1e-6 and abs(camera.cy - (camera.height - 1) / 2) < 1e-6
     if not centered or abs(camera.fx - camera.fy) > 1e-9 * camera.fy:
@@ -87,5 +85,5 @@ def _pair(bounds: Any) -> tuple[Any, Any]:
 
 
 def _longest_side(low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
-    """The longest side of a box; 1 where it is a point."""
+    """The longest side of a box; 1 if it is a point."""
     return float(np.abs(high - low).max()) or 1.0

@@ -1,4 +1,4 @@
-"""Views in files as Open3D's viewer copies them with Ctrl+C, and its PinholeCameraParameters."""
+"""View files of Open3D's viewer (Ctrl+C) and its PinholeCameraParameters."""
 
 from __future__ import annotations
 
@@ -28,16 +28,14 @@ _FILE = frozenset(("interval", "is_loop", "version_major", "version_minor"))
 
 
 def read_view(path: str | os.PathLike[str], *, width: int = 1280, height: int = 960) -> View:
-    """Read a view as Open3D's viewer copies it with Ctrl+C, or its PinholeCameraParameters (P).
+    """Read a view that Open3D's viewer copied with Ctrl+C, or its PinholeCameraParameters (key P).
 
     Args:
-        path: A JSON file with one view: a ViewTrajectory of length 1, or a PinholeCameraParameters object, which brings
-            its own size.
-        width: Columns of the picture [px].
-        height: Rows [px].
+        path: A JSON file with a ViewTrajectory of length 1, or with PinholeCameraParameters, which define the size.
+        width, height: Size of the image [px].
 
     Returns:
-        The view; of an `up` that is not at a right angle to `front`, the part that is. (Open3D shears the picture.)
+        The view. An `up` not perpendicular to `front` is orthogonalized (Open3D shears the image).
 
     Raises:
         FileError: Unreadable, not JSON, not one view, or a key that is missing, unknown or out of range.
@@ -70,16 +68,15 @@ def read_view(path: str | os.PathLike[str], *, width: int = 1280, height: int = 
 
 
 def write_view(path: str | os.PathLike[str], view: View, bounds: Bounds) -> None:
-    """Write a view as Open3D's viewer takes it with Ctrl+V; an existing file is replaced.
+    """Write a view that Open3D's viewer accepts with Ctrl+V; an existing file is replaced.
 
     Args:
         path: A .json file.
-        view: The view, with square pixels and the principal point in the middle.
-        bounds: The lowest and highest corner [m] of the box around what is drawn, shape [3] each.
+        view: View with square pixels and a centered principal point.
+        bounds: Lowest and highest corner of the scene [m], shape (3,) each.
 
     Raises:
-        FileError: The place cannot be written.
-        ValueError: A view that Open3D's parameters cannot say.
+        FileError, ValueError: The file cannot be written, or Open3D's parameters cannot describe the view.
 
     Example:
         >>> import pointloom as loom
@@ -104,7 +101,7 @@ def write_view(path: str | os.PathLike[str], view: View, bounds: Bounds) -> None
 
 
 def _read_camera(path: Any, content: dict[str, Any]) -> View:
-    """The view of Open3D's PinholeCameraParameters, whose extrinsic is world to camera."""
+    """The view of PinholeCameraParameters, whose extrinsic is world to camera."""
     intrinsic = read_pinhole_camera_intrinsic(path)
     if "extrinsic" not in content:
         raise FileError(path, "missing", where="key extrinsic")

@@ -1,4 +1,4 @@
-"""What is drawn as lines: boxes, cameras, trajectories, hulls, polygons; first on the host, then as `Lines`."""
+"""Geometries drawn as lines: boxes, cameras, trajectories, hulls, polygons."""
 
 from __future__ import annotations
 
@@ -16,24 +16,17 @@ from ...pcd.polygon_volume import AXES as PLANES
 from .parts import Lines, Triple
 
 AXES_COLORS = np.array([[0.85, 0.15, 0.15], [0.15, 0.65, 0.20], [0.15, 0.30, 0.85]])  # x, y, z
-MOST_AXES = 100  # poses of a trajectory that are drawn with their axes
-AXIS_SHARE = 0.03  # length of such an axis, as a share of the trajectory's extent
+MOST_AXES = 100  # poses of a trajectory drawn with axes
+AXIS_SHARE = 0.03  # length of these axes over the trajectory's extent
 
-# Edges of a box between its corners in the order of `get_box_points`.
+# Edges between corners in the order of `get_box_points`.
 BOX_EDGES = [[0, 1], [0, 2], [0, 3], [1, 6], [1, 7], [2, 5], [2, 7], [3, 5], [3, 6], [4, 5], [4, 6], [4, 7]]
 FRUSTUM_EDGES = [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1], [1, 5], [2, 5]]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Segments:
-    """Lines on the host.
-
-    Args:
-        points: Shape [n, 3] [m], float64.
-        lines: Rows of `points`, int [m, 2].
-        colors: One a line, shape [m, 3], 0 to 1, or None.
-        plain: The colour of what has none; None leaves it to `Lines`.
-    """
+    """Segments on the host: points (n, 3) [m], int lines (m, 2), colors (m, 3) from 0 to 1 or None, else `plain`."""
 
     points: NDArray[np.float64]
     lines: NDArray[Any]
@@ -42,7 +35,6 @@ class Segments:
 
 
 def upload_lines(segments: Segments, device: Any) -> Lines:
-    """Segments as what is drawn."""
     local, origin = split_origin(segments.points, choose_origin(segments.points))
     colors = np.empty((0, 3)) if segments.colors is None else segments.colors
     indices = upload(np.asarray(segments.lines, np.int32).reshape(-1), int32, device)
@@ -51,7 +43,7 @@ def upload_lines(segments: Segments, device: Any) -> Lines:
 
 
 def of_line_set(lines: Any) -> Segments:
-    """The lines of a LineSet, or of what has its attributes."""
+    """Segments of a LineSet or an object with its attributes."""
     points = check_rows("points", lines.points, 3, dtype=np.float64)
     pairs = check_rows("lines", lines.lines, 2)
     if pairs.size and (pairs.min() < 0 or pairs.max() >= len(points)):
@@ -63,20 +55,19 @@ def of_line_set(lines: Any) -> Segments:
 
 
 def of_box(box: Any) -> Segments:
-    """The twelve edges of a box, in its own colour unless that is white or black, which nobody has chosen."""
+    """Edges of a box in its own color unless that is white or black (defaults)."""
     red, green, blue = np.asarray(getattr(box, "color", (0, 0, 0)), np.float64).tolist()
     plain = None if red == green == blue and red in (0, 1) else (red, green, blue)
     return Segments(np.asarray(box.get_box_points(), np.float64), np.array(BOX_EDGES), plain=plain)
 
 
 def of_frustum(frustum: Any) -> Segments:
-    """A camera's pyramid and the mark above it."""
     points = np.vstack([frustum.T_world_camera[:3, 3], frustum.corners()])
     return Segments(points, np.array(FRUSTUM_EDGES), plain=frustum.color)
 
 
 def of_trajectory(trajectory: Any) -> Segments:
-    """The path of a trajectory, and the axes of some of its poses."""
+    """Path of a trajectory, with axes of some poses."""
     poses = np.asarray(trajectory.poses, np.float64)
     poses = poses[np.isfinite(poses).all(axis=(1, 2))]
     if not len(poses):
@@ -92,13 +83,12 @@ def of_trajectory(trajectory: Any) -> Segments:
 
 
 def of_triangles(vertices: NDArray[np.float64], triangles: NDArray[Any]) -> Segments:
-    """The edges of triangles, each once."""
     edges = np.sort(np.asarray(triangles)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     return Segments(np.asarray(vertices, np.float64), np.unique(edges, axis=0))
 
 
 def of_volume(volume: Any) -> Segments:
-    """The polygon of a SelectionPolygonVolume at both ends of its axis, and the edges between them."""
+    """Polygon of a SelectionPolygonVolume at both ends of its axis, with connecting edges."""
     corners, axis = volume.bounding_polygon, PLANES[volume.orthogonal_axis][2]
     low, high = corners.copy(), corners.copy()
     low[:, axis], high[:, axis] = volume.axis_min, volume.axis_max

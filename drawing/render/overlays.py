@@ -1,4 +1,4 @@
-"""What is written over a picture: labels, a legend, a colour bar and a scale bar, and the room that they want."""
+"""Labels, legend, color bar and scale bar on an image, and the space they need."""
 
 from __future__ import annotations
 
@@ -22,21 +22,12 @@ from .legends import color_bar_size, draw_color_bar, draw_labels, draw_legend, l
 from .parts import Lines, Part, Triple
 from .view import Insets, View
 
-SAMPLE = 10_000  # colours that the mean of a legend comes from, and up to twice as many
+SAMPLE = 10_000  # approximate number of colors for the mean in a legend
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Overlays:
-    """What is written over a picture.
-
-    Attributes:
-        labels: Texts and the places [m] that they belong to.
-        entries: Names and colours of a legend.
-        coloring: What a colour bar shows, or None.
-        scale_bar: Whether there is one.
-        unit: Of the lengths.
-        is_dark: Whether letters stand before a dark background.
-    """
+    """Labels at positions [m], legend `entries` (names and colors), color bar and scale bar, in a length unit."""
 
     labels: Sequence[tuple[str, NDArray[np.float64]]] = ()
     entries: Sequence[tuple[str, Triple]] = ()
@@ -49,10 +40,7 @@ class Overlays:
         return bool(self.labels or self.entries or self.scale_bar or self.coloring is not None)
 
     def rooms(self, width: int, height: int) -> list[Insets]:
-        """The bands [px] at the edges of a picture that legend and colour bar may have to themselves.
-
-        Panels in the upper corners lie beside what is drawn or above it: the fit takes what leaves it more.
-        """
+        """Alternative insets [px] for legend and color bar: beside or above the scene."""
         kinds: list[list[Insets]] = []
         if self.entries:
             wide, high = legend_size(self.entries, width, height)
@@ -63,7 +51,7 @@ class Overlays:
         return [_united(bands) for bands in itertools.product(*kinds)]
 
     def write(self, canvas: Canvas, view: View, middle: NDArray[np.float64]) -> None:
-        """Write them; `middle` is that of the scene [m], which the scale bar is for."""
+        """Draw them; the scale bar is for the depth of `middle`, the scene's center [m]."""
         ink: dict[str, Any] = {"color": WHITE, "halo": BLACK} if self.is_dark else {"color": BLACK, "halo": WHITE}
         draw_labels(canvas, _project(self.labels, view), **ink)
         draw_legend(canvas, self.entries)
@@ -74,7 +62,6 @@ class Overlays:
 
 
 def check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
-    """Texts with places."""
     found = []
     for entry in check_list("labels", [] if labels is None else labels, "texts with places"):
         text, place = _pair("labels", entry, "a text and a place")
@@ -83,7 +70,7 @@ def check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
 
 
 def check_legend(legend: Any) -> Any:
-    """Names with colours, or whether there is a legend at all."""
+    """Names with colors, or whether there is a legend."""
     if legend is None or legend is False or legend is True:
         return legend
     found = []
@@ -95,7 +82,6 @@ def check_legend(legend: Any) -> Any:
 
 
 def check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
-    """What a colour bar shows."""
     if color_bar is None or color_bar is False or isinstance(color_bar, Coloring):
         return color_bar or None
     if color_bar is not True:
@@ -107,7 +93,7 @@ def check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
 
 
 def color_of(parts: Sequence[Part]) -> Triple:
-    """The colour by which a legend shows a geometry: its own, or the mean of its points' or vertices'."""
+    """Legend color of a geometry: its own, or the mean of its points or vertices."""
     part = parts[0]
     if not part.colors.size:
         return part.plain
@@ -126,7 +112,7 @@ def _pair(name: str, entry: Any, of: str) -> tuple[Any, Any]:
 
 
 def _project(labels: Sequence[tuple[str, NDArray[np.float64]]], view: View) -> list[tuple[str, float, float]]:
-    """Labels with their places in the picture [px], of those before the camera."""
+    """Labels in front of the camera, with image positions [px]."""
     camera, T, found = view.intrinsic, view.T_world_camera, []
     for text, place in labels:
         x, y, z = ((place - T[:3, 3]) @ T[:3, :3]).tolist()
@@ -136,17 +122,16 @@ def _project(labels: Sequence[tuple[str, NDArray[np.float64]]], view: View) -> l
 
 
 def _united(bands: Sequence[Insets]) -> Insets:
-    """The widest of several bands at each edge."""
     left, top, right, bottom = np.max([(0, 0, 0, 0), *bands], axis=0).tolist()
     return left, top, right, bottom
 
 
-MOST_SHARE = 0.25  # of the picture's width that the bar takes at most
-_END = 0.35  # half the height of the bar's ends, of the letters
+MOST_SHARE = 0.25  # maximum of the image width
+_END = 0.35  # half height of the bar's ends over the font size
 
 
 def round_length(most: float) -> float:
-    """The largest of 1, 2 and 5 times a power of ten that is not above a length.
+    """The largest of 1, 2 and 5 times a power of 10 up to a length.
 
     Example:
         >>> round_length(3.7), round_length(0.19)
@@ -169,17 +154,9 @@ def draw_scale_bar(
     color: Color = BLACK,
     halo: Color = WHITE,
 ) -> None:
-    """Draw a bar that is as long as a round length, level in the picture, at the depth of the scene's middle.
+    """Draw a horizontal bar of a round length, correct at the depth of the scene's center `middle` [m].
 
-    What is nearer than that looks longer beside it, what is farther off shorter. Nothing is drawn where the middle
-    does not lie before the camera.
-
-    Args:
-        canvas: The picture.
-        view: Where it was taken from.
-        middle: Of the scene, shape [3] [m].
-        unit: Of the lengths; None says metres.
-        color, halo: Of the bar and its letters, and of the seam around them.
+    Nothing is drawn if the center is not in front of the camera. Without a unit, meters are assumed.
     """
     depth = float((middle - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, 2])
     if not 0 < depth < math.inf:
@@ -201,5 +178,4 @@ def draw_scale_bar(
 
 
 def _plain(length: float) -> str:
-    """A round length: 0.02, 5, 20,000, 1e-06."""
     return f"{length:,.0f}" if 1 <= length < 1e7 else f"{length:g}"

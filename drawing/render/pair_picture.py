@@ -1,4 +1,4 @@
-"""A picture of two clouds before and after one of them moved: `draw_pair`."""
+"""Image of two clouds before and after registration: `draw_pair`."""
 
 from __future__ import annotations
 
@@ -15,31 +15,21 @@ from .view import Triple, fit_view
 
 Matrix = NDArray[np.float64]
 
-ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: the source, the target
+ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)  # as in Open3D's tutorials: source, target
 
 _PANEL, _GAP = 960, 8  # [px]
 _DISC = 3.0  # [px]
-_LEAN = 0.35  # of the view, off the axis that it goes along
-_FLAT = 0.35  # thinner than this times its width, by standard deviations, a cloud is seen from above
-_BEFORE = 0.5  # [standard deviations] of z that a camera keeps off what it sees
+_LEAN = 0.35  # tilt of the view against its axis
+_FLAT = 0.35  # a cloud thinner than this times its width (standard deviations) is seen from above
+_BEFORE = 0.5  # [standard deviations of z] minimum distance of a camera from the points
 
-# Share of a cloud's points that may lie outside the picture: those that only the farthest rays of a scanner reached.
+# Fraction of the points that may be outside the image: far hits of a scanner.
 _LEFT_OUT = 0.02
-_SAMPLE = 100_000  # points that tell where to look from
+_SAMPLE = 100_000  # points for choosing the view
 
 
 def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, overwrite: bool = True) -> None:
-    """Draw the target (blue) with the source (orange) as it lies, left, and under a pose, right.
-
-    Args:
-        path: A .png file.
-        source, target: The clouds, on one device.
-        T: T_target_source, 4x4.
-        overwrite: Replace the file if it exists.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
+    """Render target (blue) and source (orange), left as given, right under T_target_source, to a .png file."""
     still = _some(target)
     direction, up = usual_look(still)
     panels = []
@@ -53,27 +43,25 @@ def draw_pair(path: Any, source: PointCloud, target: PointCloud, T: Matrix, *, o
 
 
 def _bare(cloud: PointCloud) -> PointCloud:
-    """The cloud whose points show which lie behind others, as light on normals does not."""
+    """The cloud without normals, so that eye-dome lighting shows depth."""
     return cloud.without("normals") if cloud.has_normals else cloud
 
 
 def _some(cloud: PointCloud) -> Matrix:
-    """Up to twice as many points as tell where to look from, evenly through the cloud."""
     points = cloud.uniform_down_sample(max(1, len(cloud) // _SAMPLE)).points
     return points[np.isfinite(points).all(axis=1)]
 
 
 def _core(points: Matrix) -> Matrix:
-    """The points without the farthest ones."""
     gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
     return points[gaps <= np.quantile(gaps, 1 - _LEFT_OUT)]
 
 
 def usual_look(points: Matrix) -> tuple[Triple, Triple]:
-    """A direction to look along, and what is up.
+    """View direction and up for a cloud.
 
-    What lies before zero along z was seen by a camera there, with y down. Other clouds are seen along the axis in which
-    they are flattest: from above those as flat as streets and terrain, else from before; z is up, or y along z.
+    A cloud at z > 0 only is seen from the origin with y down (camera). Other clouds are seen along their flattest axis:
+    from above if as flat as streets and terrain, else from the front; z is up, or y along z.
     """
     spreads = (points - np.median(points, axis=0)).std(axis=0)
     x, y, z = np.eye(3)

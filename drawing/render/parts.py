@@ -1,6 +1,6 @@
-"""What pictures, viewer and recordings draw: `Points`, `Lines` and `Triangles`, whatever the geometry was.
+"""Primitives that images, viewer and recordings draw: `Points`, `Lines`, `Triangles` and `Gaussians`.
 
-Positions are float32 on a device, about an origin in float64, so that what lies at UTM coordinates does not tremble.
+Positions are float32 on a device, relative to a float64 origin, so that large coordinates (UTM) stay precise.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Matrix = NDArray[np.float64]
 Triple = tuple[float, float, float]
 
 
-PLAIN_LINE: Triple = (0.15, 0.15, 0.15)  # of lines without a colour
+PLAIN_LINE: Triple = (0.15, 0.15, 0.15)  # of lines without a color
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -23,18 +23,13 @@ class Points:
     """Round splats.
 
     Args:
-        positions: vec3 [n] on a device, about `origin` [m]; what is not finite is not drawn.
-        origin: Shape [3], float64 [m].
-        colors: vec3 [n], 0 to 1, or of size 0: then all are `plain`.
-        normals: vec3 [n], or of size 0.
-        size: Diameter: [px], or [m] where `metric`; None closes most gaps.
-        metric: Whether `size` is in metres.
-        shaded: Whether light falls at an angle, or where there is none, what lies behind its neighbours is darker.
-        lit: Whether light falls on normals; without, colours stay as bright as they are.
-        plain: The colour of what has none.
-        pose: Moves what is drawn, 4x4.
-        coloring: What the colours mean, for a colour bar; None where they are the cloud's own.
-        opacity: 0 to 1; below 1 what lies behind is seen through it.
+        positions: vec3 (n,) on a device, relative to `origin` [m]; non-finite ones are not drawn.
+        colors, normals: vec3 (n,), or of size 0; without colors, points are `plain`.
+        size: Diameter [px], or [m] if `metric`; None closes most gaps.
+        shaded: Shade by normals, or by eye-dome lighting without normals.
+        lit: Apply lighting to normals; else colors keep their brightness.
+        pose: 4x4, applied to the positions.
+        coloring: Meaning of the colors for a color bar; None for the cloud's own colors.
     """
 
     positions: Any
@@ -53,28 +48,14 @@ class Points:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Gaussians(Points):
-    """Gaussian splats; for those who draw no ellipsoids (pages, the viewer), points of their size and colour.
-
-    Args:
-        columns: A SplatColumns of the same positions.
-    """
+    """Gaussian splats with their SplatColumns; pages and the viewer draw them as points."""
 
     columns: Any = None
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Lines:
-    """Straight segments.
-
-    Args:
-        positions: vec3 [n] on a device, about `origin` [m].
-        origin: Shape [3], float64 [m].
-        indices: int32 [2 m], two positions a segment.
-        colors: vec3 [m], one a segment, 0 to 1, or of size 0.
-        width: [px].
-        plain: The colour of what has none.
-        pose: Moves what is drawn, 4x4.
-    """
+    """Segments: int32 `indices` (2 m,) of `positions`, `colors` vec3 (m,) or of size 0, `width` [px]; see `Points`."""
 
     positions: Any
     origin: NDArray[np.float64]
@@ -87,23 +68,16 @@ class Lines:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Triangles:
-    """A surface.
+    """A surface; see `Points` for the other fields.
 
     Args:
-        positions: vec3 [n] on a device, about `origin` [m].
-        origin: Shape [3], float64 [m].
-        indices: int32 [3 t], counterclockwise seen from outside.
-        colors: vec3 [n], one a vertex, 0 to 1, or of size 0.
-        normals: vec3 [n], one a vertex, or of size 0: then faces are flat.
-        uvs: vec2 [3 t], one a corner, or of size 0; (0, 0) is the lower left corner of the texture.
-        texture: uint8 [h, w, 3] on the host, or None.
-        wireframe: Edges over the faces.
-        cull: Leave out faces that look away.
-        lit: Whether light falls at an angle; None for all but those with a texture, which has the light in it.
-        plain: The colour of what has none.
-        pose: Moves what is drawn, 4x4.
-        coloring: What the colours mean, for a colour bar; None where they are the mesh's own.
-        opacity: 0 to 1; below 1 what lies behind is seen through it, its own faces too.
+        indices: int32 (3 t,), counterclockwise seen from outside.
+        colors, normals: vec3 (n,) per vertex, or of size 0; without normals, faces are flat.
+        uvs: vec2 (3 t,) per corner, or of size 0; (0, 0) is the lower left corner of the texture.
+        texture: uint8 (h, w, 3) on the host, or None.
+        wireframe: Draw edges over the faces.
+        cull: Hide back faces.
+        lit: Apply lighting; None: all except textured surfaces, whose texture contains the light.
     """
 
     positions: Any
@@ -123,12 +97,11 @@ class Triangles:
 
     @property
     def is_textured(self) -> bool:
-        """Whether there is a texture, and where in it each corner lies."""
         return self.texture is not None and self.uvs is not None and self.uvs.size > 0
 
     @property
     def is_lit(self) -> bool:
-        """Whether light falls at an angle: colours alone show no relief, photographs have their own light."""
+        """True if lighting is applied: colors alone show no relief, photographs contain light."""
         return not self.is_textured if self.lit is None else bool(self.lit)
 
 

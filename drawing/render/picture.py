@@ -1,4 +1,4 @@
-"""Pictures as arrays that a notebook shows as pictures."""
+"""Images as arrays with display in notebooks: `Picture`."""
 
 from __future__ import annotations
 
@@ -12,16 +12,14 @@ from PIL import Image
 from ..notebook_output import still_jpeg
 
 CHANNELS = 3, 4
-MOST_PNG_BYTES = 2**21  # in a notebook; what takes more is shown as a JPEG of at most 200 kB
+MOST_PNG_BYTES = 2**21  # in a notebook; larger images are shown as a JPEG of at most 200 kB
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
-    """A picture: an array of uint8, which notebooks show and `save_picture` writes.
+    """An image as a uint8 array, displayed by notebooks and written by `save_picture`.
 
-    Its shape is [h, w, 3], RGB, or without a background [h, w, 4], RGBA; colours are not multiplied by the opacity.
-
-    Parts of it (`picture[:100]`) and what is put beside each other (`np.hstack`) are pictures, too; what is computed of
-    it is a plain array.
+    Shape (h, w, 3) RGB, or (h, w, 4) RGBA (not premultiplied). Slices and stacks (`np.hstack`) are Pictures; results of
+    computations are plain arrays.
 
     Example:
         >>> import pointloom as loom
@@ -32,7 +30,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         Picture(64 x 48)
     """
 
-    __array_priority__ = 1.0  # type: ignore  # NumPy's own is 0: what is joined of both is a picture
+    __array_priority__ = 1.0  # type: ignore  # NumPy's is 0: concatenations with arrays are Pictures
 
     def __new__(cls, pixels: NDArray[np.uint8]) -> Picture:
         return np.asarray(pixels).view(cls)
@@ -44,7 +42,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
-        """The picture in a notebook; nothing for a part that is none, such as one channel, and of a large one."""
+        """PNG for notebooks; None for large images and for parts that are no image."""
         if not self._is_whole():
             return None
         file = io.BytesIO()
@@ -52,7 +50,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return file.getvalue() if file.tell() <= MOST_PNG_BYTES else None
 
     def _repr_jpeg_(self) -> bytes | None:
-        """A large picture in a notebook, smaller."""
+        """JPEG for notebooks, for large images."""
         return still_jpeg(np.asarray(self)) if self._is_whole() and self._repr_png_() is None else None
 
     def __repr__(self) -> str:

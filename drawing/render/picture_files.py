@@ -1,4 +1,4 @@
-"""Pictures as files: `check_picture` before the work, `save_picture` after it."""
+"""Image files: `check_picture` before the work, `save_picture` after it."""
 
 from __future__ import annotations
 
@@ -16,34 +16,29 @@ from ...core.paths import path_of
 from ...files.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
 
 KINDS = (".png", ".webp")
-OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # what people ask for, and what holds no transparency in part
-MOST_WEBP = 16383  # [px] of a side
+OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # common requests, without partial transparency
+MOST_WEBP = 16383  # [px] per side
 
 
 def check_picture(path: Any, *, overwrite: bool) -> None:
-    """Hold that a picture can be written, before any work.
-
-    Raises:
-        FileError: Another extension than .png and .webp, or a place that cannot be written.
-    """
+    """Check that an image can be written, before any work; raises FileError."""
     if path_of(path).suffix.lower() not in KINDS:
         raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
     check_writable(path, overwrite=overwrite)
 
 
 def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
-    """Write a picture as PNG or as WebP, either without loss.
+    """Write an image as PNG or lossless WebP.
 
     Args:
-        path: Place of the file; ends in .png or .webp.
-        image: Shape [h, w, 3] (RGB), [h, w, 4] (RGBA, as `render` makes it with a transparent background) or [h, w],
-            uint8; or of PNG [h, w], uint16.
-        overwrite: Replace a file that exists.
+        path: A .png or .webp file.
+        image: uint8 of shape (h, w, 3) (RGB), (h, w, 4) (RGBA) or (h, w); for PNG also uint16 (h, w).
+        overwrite: Replace an existing file.
 
     Raises:
-        FileError: The file exists and may not be replaced, another extension, or the place cannot be written. JPEG,
-            GIF and MP4 hold no transparency.
-        TypeError, ValueError: Not such an image.
+        FileError: The file exists, has another extension (JPEG, GIF and MP4 have no transparency), or cannot be
+            written.
+        TypeError, ValueError: Unsupported image.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -75,7 +70,6 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
 
 
 def _check_bytes(image: Any) -> NDArray[np.uint8]:
-    """A picture of 8 bits, of one, three or four channels."""
     if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
         raise TypeError(f"image: expected a NumPy array of uint8, got {kind}")

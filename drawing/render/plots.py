@@ -1,7 +1,6 @@
-"""Plots with axes, drawn by matplotlib: trajectories, station plans, slices of distance fields, error histograms.
+"""Plots with axes by matplotlib (extra `pointloom[plot]`, imported on first use).
 
-matplotlib is the extra `pointloom[plot]` and is imported on first use. Figures have an Agg canvas each, so that pyplot,
-its backends and its global state are not involved.
+Figures have their own Agg canvas, so pyplot and its global state are not used.
 """
 
 from __future__ import annotations
@@ -47,28 +46,19 @@ OCCUPIED, UNKNOWN = (26, 26, 26), (153, 153, 153)  # of 255
 
 
 def check_plot(path: Any, *, overwrite: bool) -> None:
-    """Ensure that a plot can be drawn and written, before any work.
-
-    Raises:
-        FileError: matplotlib is missing, another extension than .png and .webp, or the file cannot be written.
-    """
+    """Check matplotlib, extension and path before any work; raises FileError."""
     check_picture(path, overwrite=overwrite)
     import_for(path, "matplotlib.figure", "plot")
 
 
 def new_figure(width: int, height: int) -> Any:
-    """An empty figure with an Agg canvas of this size [px].
-
-    Raises:
-        ImportError: matplotlib is not installed.
-    """
+    """An empty figure with an Agg canvas of this size [px]; raises ImportError without matplotlib."""
     figure = _matplotlib("figure").Figure(figsize=(width / DPI, height / DPI), dpi=DPI, layout="constrained")
     _matplotlib("backends.backend_agg").FigureCanvasAgg(figure)
     return figure
 
 
 def to_picture(figure: Any) -> Picture:
-    """Draw a figure; RGB, uint8."""
     figure.canvas.draw()
     return Picture(np.asarray(figure.canvas.buffer_rgba())[..., :3].copy())
 
@@ -76,16 +66,9 @@ def to_picture(figure: Any) -> Picture:
 def trajectory_plot(
     estimate: NDArray[np.float64], truth: NDArray[np.float64], *, times: NDArray[np.float64] | None, title: str
 ) -> Picture:
-    """Plot a trajectory beside the true one, and the error along the way.
+    """Plot a trajectory beside the true one in the plane of its two largest extents, and the error along the way.
 
-    Args:
-        estimate, truth: Positions at the same moments in the same frame [m], shape (n, 3). Rows that are not finite are
-            gaps.
-        times: Of the positions [s], shape (n,); None numbers them.
-        title: Above the plot.
-
-    Returns:
-        The paths in the plane of the two axes along which they extend most, in one scale.
+    Positions are (n, 3) [m] at the same times [s] in the same frame; non-finite rows are gaps.
     """
     path, true = (np.where(np.abs(rows) < MAX_COORDINATE, rows, np.nan) for rows in (estimate, truth))
     errors = np.linalg.norm(path - true, axis=1)
@@ -123,16 +106,7 @@ def trajectory_plot(
 def error_histogram(
     distances: NDArray[np.floating], size: tuple[int, int], *, title: str, label: str, colormap: str, limit: float
 ) -> Picture:
-    """Plot how often distances occur at the vertices of a mesh.
-
-    Args:
-        distances: Any shape; values that are not finite are counted in the title.
-        size: Width and height [px].
-        title: Above the plot.
-        label: Of the axis of distances.
-        colormap: Of the bars.
-        limit: Distance at the last color; 0 is at the first.
-    """
+    """Plot a histogram of distances; `limit` is the distance at the last color. The title counts non-finite values."""
     finite = distances[np.isfinite(distances)].astype(np.float64)
     largest = float(finite.max(initial=0.0)) or 1.0
     tail = float(np.quantile(finite, TAIL)) if len(finite) else 0.0
@@ -157,10 +131,7 @@ def error_histogram(
 
 
 def station_plan(result: StationsResult) -> Picture:
-    """Plot stations from above: pairs colored by their residuals, sights to targets, ellipses of errors.
-
-    Outliers are red, stations that could not be placed gray. The title has the scale of the ellipses.
-    """
+    """Plot stations from above: pairs colored by residuals (outliers red), sights to targets, scaled error ellipses."""
     where = result.poses[:, :2, 3]
     placed = where[result.placed if result.placed.any() else slice(None)]
     places = np.vstack([placed, *(place[None, :2] for place in result.targets.values())])
@@ -209,22 +180,20 @@ def draw_slice(
     """Plot a layer of a distance field with a color bar. Requires `pip install "pointloom[plot]"`.
 
     Args:
-        layer: Of `DistanceField.slice`.
-        path: A .png or .webp file to write; None writes none.
-        title: Above the plot; None gives the position of the layer.
-        colormap: As of `render`; None: viridis, or coolwarm if there are negative distances.
-        limit: Distance of the last color [m]; None: the largest known distance.
-        size: Columns and rows [px].
+        layer: Result of `DistanceField.slice`.
+        path: A .png or .webp file to write, or None.
+        title: Title of the plot. If None, the position of the layer.
+        colormap: See `render`. If None: viridis, or coolwarm for negative distances.
+        limit: Distance of the last color [m]. If None, the largest known distance.
+        size: Width and height [px].
         overwrite: Replace an existing file.
 
     Returns:
-        A Picture, uint8 RGB. Occupied voxels are black (except in signed fields), voxels of unknown distance gray.
+        A Picture, uint8 RGB. Occupied voxels are black (except in signed fields), unknown distances gray.
 
     Raises:
-        TypeError: `layer` is not a FieldSlice.
-        ValueError: A layer without voxels, or `size`, `limit` or `colormap` is out of range.
-        FileError: The file cannot be written.
-        ImportError: matplotlib is not installed.
+        TypeError, ValueError: Not a FieldSlice, an empty layer, or an argument out of range.
+        FileError, ImportError: The file cannot be written, or matplotlib is not installed.
 
     Example:
         >>> import pointloom as loom
@@ -272,19 +241,16 @@ def _matplotlib(module: str) -> Any:
 
 
 def _color_scale(colormap: str, low: float, high: float) -> Any:
-    """A color map between two values, which a color bar can show."""
     return _matplotlib("cm").ScalarMappable(norm=_matplotlib("colors").Normalize(low, high), cmap=colormap)
 
 
 def _main_axes(positions: NDArray[np.float64]) -> list[int]:
-    """The two axes along which positions extend most, in ascending order."""
     finite = positions[np.isfinite(positions).all(axis=1)]
     extents = np.ptp(finite, axis=0) if len(finite) else np.zeros(3)
     return sorted(np.argsort(-extents, kind="stable")[:2].tolist())
 
 
 def _set_plan(axes: Any, across: str, along: str) -> None:
-    """Use one scale for both axes of coordinates."""
     axes.set_aspect("equal", adjustable="datalim")
     axes.ticklabel_format(useOffset=False, style="plain")
     axes.set(xlabel=f"{across} [m]", ylabel=f"{along} [m]")
@@ -292,7 +258,7 @@ def _set_plan(axes: Any, across: str, along: str) -> None:
 
 
 def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
-    """Draw sights to targets, pairs with a color bar of their residuals, and above them the outliers."""
+    """Draw sights to targets, pairs with a color bar of residuals, and outliers on top."""
     make_lines, where = _matplotlib("collections").LineCollection, result.poses[:, :2, 3]
 
     def ends_of(groups: list[Any]) -> list[Any]:
@@ -316,7 +282,7 @@ def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
 
 
 def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
-    """Draw the ellipses of errors of the stations. Returns their scale, 0 if there is none."""
+    """Draw the error ellipses of the stations. Returns their scale, 0 if there is none."""
     first = result.covariances.shape[1] - 3
     placed = np.flatnonzero(result.placed)
     values, vectors = np.linalg.eigh(result.covariances[placed][:, first : first + 2, first : first + 2])
@@ -335,14 +301,12 @@ def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
 
 
 def _write_name(axes: Any, name: str, place: NDArray[np.float64], color: str, up: int) -> None:
-    """Write a name beside a place, with a white outline."""
     outline = [_matplotlib("patheffects").withStroke(linewidth=2, foreground="white")]
     text = axes.annotate(name, place[:2], xytext=(7, up), textcoords="offset points", color=color, path_effects=outline)
     text.set_parse_math(False)
 
 
 def _check_size(size: Any) -> tuple[int, int]:
-    """Width and height [px] of a plot."""
     try:
         width, height = size
     except (TypeError, ValueError):

@@ -1,4 +1,4 @@
-"""Pictures of clouds, meshes and lines by our own kernels: no window, no graphics library, the same bits everywhere."""
+"""Software rendering of clouds, meshes and lines by kernels: no window, no graphics library, bitwise reproducible."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ from .upward import direction_under, up_of
 from .view import Frame, Insets, View
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
-PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a colour
+PLAIN_BEFORE_DARK: Triple = (0.85, 0.85, 0.85)  # of lines without a color
 NORMAL_COLOR: Triple = (0.1, 0.1, 0.1)
-NORMAL_SHARE = 0.02  # length of the lines along normals, as a share of the scene's longest side
+NORMAL_SHARE = 0.02  # length of normals over the longest side of the scene
 SHADINGS = ("smooth", "flat", "none")
 
 
@@ -68,56 +68,50 @@ def render(
     depth: bool = False,
     device: Any = None,
 ) -> Any:
-    """Draw a picture of clouds, meshes, lines, boxes, cameras, trajectories and voxel grids.
+    """Render an image of clouds, meshes, lines, boxes, cameras, trajectories and voxel grids.
 
     Args:
-        geometries: One, a list of them, a mapping from names to them, or dictionaries with keys of style, as Open3D's
-            `draw` takes: {"geometry": cloud, "color_by": "height", "point_size": 3}.
-        camera: Where from: a View, the path of a JSON file that Open3D's viewer wrote, or a mapping with some of its
-            parameters zoom, front, lookat, up and field_of_view. None fits a view.
-        size: Columns and rows [px]; a View brings its own.
-        point_size: Diameter of points [px]; None takes one that closes most gaps between neighbours.
+        geometries: One, a list, a mapping from names to geometries, or dictionaries with style keys as in Open3D's
+            `draw`: {"geometry": cloud, "color_by": "height", "point_size": 3}.
+        camera: A View, the path of a JSON file of Open3D's viewer, or a mapping with some of its parameters zoom,
+            front, lookat, up and field_of_view. If None, a view is fitted.
+        size: Width and height [px]; ignored if the camera is a View.
+        point_size: Diameter of points [px]. If None, large enough to close most gaps between neighbors.
         point_show_normal: Draw normals as lines.
         mesh_show_wireframe: Draw the edges of triangles over their faces.
-        mesh_show_back_face: Draw triangles that look away; without them one sees into a closed room.
-        background: Red, green and blue, 0 to 1, or "white", "black", "grey", or "transparent", which makes a picture of
-            four channels.
-        shading: "smooth" or "flat" lights all that is drawn at an angle, by normals of vertices or of faces; "none"
-            shows colours as they are. None takes what suits: meshes are lit, smoothly if they have normals, except
-            those with textures, which hold the light of the photographs; points that have normals and no colours of
-            their own are lit, others are darker where they lie behind their neighbours.
-        labels: Texts and the places [m] that they belong to: [("door", [1, 0, 2])]. One that would lie on an earlier
-            one in the picture is left out: give those that matter most first.
-        legend: Names and colours, [("before", (1, 0, 0))], or True for the names of the geometries.
-        color_bar: True for what the first `color_by` of the geometries means, or a Coloring. Where no camera is given,
-            neither it nor the legend lies over what is drawn.
-        scale_bar: Draw a bar of a round length, in the unit of the geometries, at the lower left: right at the depth of
-            the scene's middle; what is nearer looks longer. None where that does not lie before the camera.
-        up: What is up where no camera is given: "z", "y", "x" or a direction. None takes that of the first mesh which
-            says so, as those read from .glb and .gltf, else z.
+        mesh_show_back_face: Draw back faces; without them one looks into a closed room from outside.
+        background: Red, green and blue, 0 to 1, or "white", "black", "grey", or "transparent" for an RGBA image.
+        shading: "smooth" or "flat" lights everything by vertex or face normals; "none" shows unlit colors. If None:
+            meshes are lit, smoothly if they have normals, except textured ones; points with normals and without colors
+            are lit, other points get eye-dome lighting.
+        labels: Texts and their positions [m]: [("door", [1, 0, 2])]. Labels that would overlap an earlier one are
+            omitted.
+        legend: Names and colors, [("before", (1, 0, 0))], or True for the names of the geometries.
+        color_bar: True for the first `color_by` of the geometries, or a Coloring. A fitted view keeps the scene clear
+            of it and of the legend.
+        scale_bar: Draw a bar of a round length at the lower left, in the unit of the geometries, correct at the depth
+            of the scene's center. Omitted if that is not in front of the camera.
+        up: Up axis of a fitted view: "z", "y", "x" or a direction. If None, that of the first mesh that defines one
+            (.glb, .gltf), else z.
         depth: Return depths, too.
-        device: "cpu", "cuda:N"; None where the first geometry lies, to which the others are copied.
+        device: "cpu" or "cuda:N". If None, the device of the first geometry. Geometries on other devices are copied.
 
     Returns:
-        A Picture: an array of shape [h, w, 3], uint8 RGB, that notebooks show and `loom.save_picture(path, picture)`
-        writes; each pixel is the mean of 2 x 2 samples. Shape [h, w, 4] with a transparent background: RGBA, colours
-        not multiplied by the opacity.
-        With `depth` a pair of it and the depth along the optical axis [m], float32 [h, w], 0 where nothing is seen;
-        geometries of an opacity below 1 do not count.
+        A Picture: uint8 RGB array of shape (h, w, 3), displayed by notebooks and written by `loom.save_picture`; each
+        pixel is the mean of 2 x 2 samples. With a transparent background RGBA, not premultiplied, shape (h, w, 4).
+        With `depth`, also the depth along the optical axis [m], float32 (h, w), 0 for the background; geometries with
+        an opacity below 1 are ignored.
 
     Raises:
-        TypeError: A geometry of another kind, or a camera that is none; says what is accepted.
-        ValueError: A size, colour or name out of range.
-        FileError: The file of the camera is no view.
-        DeviceError: No such device.
-        MemoryError: No room for so many pixels.
+        TypeError, ValueError: Unsupported geometry or camera, or a size, color or name out of range.
+        FileError: The camera file is not a view.
+        DeviceError, MemoryError: Unknown device, or not enough memory for the pixels.
 
     Notes:
-        The same bits from run to run, with any number of threads, on the CPU and on CUDA. Some 80 B of memory a pixel,
-        190 B where something is seen through; the arrays of clouds and meshes on the device are shared. Where points
-        crowd, those that lie behind another in the same quarter of a pixel are left out before they are drawn as discs.
-        What is not finite is not drawn. What is seen through is drawn in up to 16 layers (depth peeling, Everitt 2001):
-        each face of a mesh, and of a cloud what is foremost.
+        Bitwise reproducible from run to run, for any number of threads, on the CPU and on CUDA. Takes about 80 B of
+        memory per pixel, 190 B with transparent geometries. Non-finite points are not drawn. Transparency uses up to 16
+        layers (depth peeling, Everitt, "Interactive order-independent transparency", NVIDIA 2001); a transparent cloud
+        shows its foremost points only.
 
     Example:
         >>> import pointloom as loom
@@ -163,7 +157,6 @@ def render(
 def _groups_of(
     named: Sequence[Named], for_all: Style, shading: str | None, place: Any, *, on_dark: bool
 ) -> list[list[Part]]:
-    """The parts of each geometry, lit as `render` was asked to."""
     groups = [parts_of(geometry, style.over(for_all), place) for _, geometry, style in named]
     if shading is not None:
         groups = [
@@ -184,13 +177,13 @@ def _written(drawing: Drawing, background: Triple | None, overlays: Overlays) ->
 
 
 def _before_dark(part: Part) -> Part:
-    """A part whose lines are light where they have no colour of their own."""
+    """A part whose lines without a color are light."""
     is_plain = isinstance(part, Lines) and part.plain == PLAIN_LINE
     return dataclasses.replace(part, plain=PLAIN_BEFORE_DARK) if is_plain else part
 
 
 def _all_of(groups: list[list[Part]]) -> list[Part]:
-    """The parts of all geometries; a user is warned where there is nothing to draw."""
+    """The parts of all geometries; warns if there are none."""
     parts = [part for group in groups for part in group]
     if not any(part.positions.size for part in parts) and asked_by_user():
         has = "a geometry without points or faces" if groups else "an empty list"
@@ -201,15 +194,7 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
 def resolve_view(
     camera: Any, scene: Scene, width: int, height: int, *, rooms: Sequence[Insets] = (), up: Triple = UP
 ) -> View:
-    """The view that `render` and the viewer are asked for.
-
-    Args:
-        camera: As of `render`.
-        scene: What is drawn.
-        width, height: Of a view that brings no size [px].
-        rooms: Insets of which a view that is fitted leaves one: that which lets it be the closest.
-        up: What is up in such a view.
-    """
+    """View for the `camera` of `render`; a fitted view uses those insets in `rooms` that allow the closest view."""
     if camera is None:
         direction = direction_under(up)
         views = [scene.fit(Frame(direction, up, width, height, room)) for room in rooms or [(0, 0, 0, 0)]]
@@ -227,7 +212,7 @@ def resolve_view(
 
 
 def open3d_parameters(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Open3D's parameters of a view, those that are told; an unknown one is an error."""
+    """Open3D view parameters that are given; unknown names are an error."""
     unknown = [key for key in given if key not in OPEN3D_KEYS]
     if unknown:
         raise ValueError(f"{name}: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
@@ -235,7 +220,6 @@ def open3d_parameters(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def check_size(size: Any) -> tuple[int, int]:
-    """Columns and rows of a picture."""
     try:
         width, height = size
     except (TypeError, ValueError) as error:
@@ -244,7 +228,6 @@ def check_size(size: Any) -> tuple[int, int]:
 
 
 def _shaded(part: Part, shading: str) -> Part:
-    """A part lit as `render` was asked to."""
     if isinstance(part, Points):
         return dataclasses.replace(part, shaded=shading != "none", lit=True)
     if not isinstance(part, Triangles):
@@ -261,7 +244,7 @@ def _shaded(part: Part, shading: str) -> Part:
 
 
 def device_of(named: Sequence[Named], device: Any) -> Any:
-    """The device to draw on: the one given, else that of the first geometry that lies on one."""
+    """The given device, else that of the first geometry that has one."""
     if device is None:
         held = (getattr(geometry, "device", None) for _, geometry, _ in named)
         device = next((each for each in held if hasattr(each, "is_cuda")), None)
@@ -269,7 +252,6 @@ def device_of(named: Sequence[Named], device: Any) -> Any:
 
 
 def _normals_of(parts: Sequence[Part], color: Triple) -> list[Part]:
-    """Lines along the normals of points."""
     clouds = [part for part in parts if isinstance(part, Points) and part.normals.size]
     if not clouds:
         return []
@@ -290,16 +272,11 @@ NAMED: dict[str, Triple] = {
     "grey": (0.5, 0.5, 0.5),
     "gray": (0.5, 0.5, 0.5),
 }
-DARK = 0.25  # lightness of a background before which lines of no colour of their own are light
+DARK = 0.25  # luminance of a background below which lines without a color are light
 
 
 def check_background(background: Any) -> Triple | None:
-    """The colour of a background, None for a transparent one.
-
-    Raises:
-        TypeError: No text and no colour.
-        ValueError: No such name, or a colour out of range.
-    """
+    """Background color, None if transparent. Raises TypeError or ValueError."""
     if isinstance(background, str):
         if background != TRANSPARENT and background not in NAMED:
             names = ", ".join((*NAMED, TRANSPARENT))
@@ -310,7 +287,7 @@ def check_background(background: Any) -> Triple | None:
 
 
 def is_dark(background: Triple | None) -> bool:
-    """Whether dark lines would hardly be seen before a background (luminance after ITU-R BT.709)."""
+    """True if dark lines have too little contrast to a background (luminance of ITU-R BT.709)."""
     if background is None:
         return False
     red, green, blue = background

@@ -1,8 +1,8 @@
-"""A scene of parts on its way into a picture: where each part is before the camera, and in which order they are drawn.
+"""Rasterization of a scene of parts: projection and drawing order.
 
-All parts share one z-buffer, in which points are numbered first, then triangles, then lines. Lines of all geometries
-become one part, in float32 about the scene's middle: they are few, and each part costs launches. Parts that are seen
-through come in layers before that buffer (kernels/drawing/layers.py).
+All parts share one z-buffer, with element numbers for points first, then triangles, then lines. All lines are merged
+into one part in float32 relative to the scene's center to save launches. Transparent parts are drawn in layers in front
+of that buffer (kernels/drawing/layers.py).
 """
 
 from __future__ import annotations
@@ -44,23 +44,23 @@ from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
 MOST_ELEMENTS = 2**31 - 1
-CELL_BYTES, PIXEL_BYTES = 16, 15  # the z-buffer and the one of points' middles; light and picture
-LAYER_BYTES = 28  # a cell, of what is seen through: two layers, another while it is made, what light is left
+CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers; color and image
+LAYER_BYTES = 28  # per cell of transparent parts: two layers, a temporary one, and the remaining transmittance
 LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
-CLOSING = 2.2  # diameters a mean distance between neighbours: of random points 2 % stays open
-SPARSE = 0.8  # share of the squares of the picture in which neighbours are at most as far apart as discs are for
-LEAST_SIZE, MOST_SIZE = 1.5, 16.0  # [px] of discs whose size is found
+CLOSING = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
+SPARSE = 0.8  # fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
+LEAST_SIZE, MOST_SIZE = 1.5, 16.0  # [px] of automatic point sizes
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Placed:
-    """A part with the box [m] around its finite positions, about its own origin; None without any."""
+    """A part with the bounds of its finite positions [m] relative to its origin; None if empty."""
 
     part: Part
     box: NDArray[np.float64] | None
 
     def corners(self) -> NDArray[np.float64]:
-        """The box's corners in the world [m], shape [8, 3], or none."""
+        """Corners of the bounds in the world [m], shape (8, 3), or none."""
         if self.box is None:
             return np.empty((0, 3))
         x, y, z = self.box.T
@@ -70,12 +70,7 @@ class Placed:
 
 
 class Scene:
-    """Parts, placed.
-
-    Args:
-        parts: On one device.
-        device: That device.
-    """
+    """Parts on one device with their bounds."""
 
     def __init__(self, parts: Sequence[Part], device: Any):
         self.device = device
@@ -87,16 +82,14 @@ class Scene:
 
     @property
     def middle(self) -> NDArray[np.float64]:
-        """The middle [m] of the box around all."""
         return (self.low + self.high) / 2
 
     @property
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The lowest and the highest corner [m] of the box around all."""
+        """Lowest and highest corner [m]."""
         return self.low, self.high
 
     def fit(self, frame: Frame) -> View:
-        """The closest view that shows all."""
         if self.is_empty:
             return frame.view(None, 0.0)
         directions, reach = frame.directions(), []
@@ -110,16 +103,11 @@ class Scene:
         return frame.view(np.max(reach, axis=0), float((self.high - self.low).max()))
 
     def draw(self, view: View, *, background: Triple = (1.0, 1.0, 1.0)) -> Drawing:
-        """The scene as a camera sees it."""
         return Drawing(self, view, background)
 
 
 class Drawing:
-    """A picture of a scene on the device, and its z-buffer.
-
-    Attributes:
-        picture: uint8 [3 * pixels].
-    """
+    """An image of a scene on the device, uint8 (3 * pixels,), and its z-buffer."""
 
     def __init__(self, scene: Scene, view: View, background: Triple):
         camera = view.intrinsic
@@ -142,11 +130,10 @@ class Drawing:
         self.picture = self.before(background)
 
     def before(self, background: Triple) -> Any:
-        """The picture before a background."""
         return finish_picture(self.buffer, self.light, self.left, vec3(*background))
 
     def depth(self) -> Any:
-        """The depth of each pixel [m], float32 on the device; 0 where nothing is seen but what is seen through."""
+        """Depth of each pixel [m], float32 on the device; 0 for background and transparent parts."""
         first, last, closer = self.lines
         return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
 
@@ -171,14 +158,14 @@ class Drawing:
             self._shade(part, region, self.buffer, self.buffer, last_point)
 
     def _draw_splats(self, part: Gaussians) -> None:
-        """Take the light of splats before all that is solid."""
+        """Composite Gaussian splats in front of opaque parts."""
         view = self._view_of(part, self.view.intrinsic)
         near = max(NEAREST_SPLAT / self.unit, NEAR)
         lists, projected = list_splats(part.columns, view, near=near, share=part.opacity)
         blend_splats(lists, projected, self.buffer, self.left, self.light)
 
     def _draw_layers(self, veils: Sequence[Placed]) -> None:
-        """Draw what is seen through before all that is solid, layer by layer, and take its light."""
+        """Composite transparent parts in front of opaque ones, layer by layer."""
         if not veils:
             return
         clouds, surfaces = [], []
@@ -207,7 +194,7 @@ class Drawing:
     def _shade(
         self, part: Points | Triangles, region: Region, buffer: DepthBuffer, around: DepthBuffer, last_point: int
     ) -> None:
-        """Take the light of a part where a buffer shows it."""
+        """Shade the visible pixels of a part in a buffer."""
         view, veil = self._view_of(part), Veil(part.opacity, self.left)
         if isinstance(part, Points):
             look = {"colors": part.colors, "normals": part.normals, "plain": vec3(*part.plain), "shaded": part.shaded}
@@ -229,7 +216,7 @@ class Drawing:
         return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.reach / SAMPLES))
 
     def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
-        """Discs that touch those of most neighbours: of one size in space, within a few pixels."""
+        """Splats of one world size that touch most neighbors, limited to a few pixels."""
         counts, depths = count_in_squares(placed.part.positions, view)  # sync
         least, most = LEAST_SIZE * SAMPLES / 2, MOST_SIZE * SAMPLES / 2
         if not len(counts):
@@ -246,7 +233,7 @@ class Drawing:
         draw_triangles(part.positions, part.indices, self._view_of(part), buffer, cull=part.cull, start=region.start)
 
     def _draw_lines(self) -> tuple[Lines, Region] | None:
-        """Draw all lines as one part; it and its region, to be shaded."""
+        """Draw all lines as one part. Returns it and its region for shading."""
         lines = [p.part for p in self.scene.placed if isinstance(p.part, Lines) and p.box is not None]
         lines = sorted((part for part in lines if part.indices.size), key=lambda part: part.width)
         start, self.lines = self.stop, (self.stop, self.stop, 1.0)
@@ -264,7 +251,6 @@ class Drawing:
         return merged, Region(start, self.stop, (0, 0, self.view.intrinsic.width, self.view.intrinsic.height))
 
     def _number(self, count: int) -> int:
-        """The index of the first of so many elements."""
         start = self.stop
         self.stop = start + count
         if self.stop > MOST_ELEMENTS:
@@ -272,7 +258,7 @@ class Drawing:
         return start
 
     def _view_of(self, part: Part, camera: Any = None) -> PartView:
-        """Where the vertices of a part are before the camera (None: in cells), in units of the scene's size."""
+        """Vertices of a part in camera coordinates (`camera` None: in cells), in units of the scene's size."""
         A, t = _motion_of(part)
         R, eye = self.view.T_world_camera[:3, :3].T, self.view.T_world_camera[:3, 3]
         offset = R @ (A @ part.origin + t - eye) / self.unit
@@ -291,7 +277,7 @@ class Drawing:
         return Surface(part.positions, part.indices, **looks, **held)
 
     def _rectangle(self, placed: Placed, margin: float, reach: float = 0.0) -> tuple[int, int, int, int]:
-        """The rectangle [px] of the picture that a part lies in: left, top, right, bottom."""
+        """Image rectangle of a part [px]: left, top, right, bottom."""
         camera, T = self.view.intrinsic, self.view.T_world_camera
         whole = 0, 0, camera.width, camera.height
         local = (placed.corners() - T[:3, 3]) @ T[:3, :3] / self.unit
@@ -308,7 +294,6 @@ class Drawing:
 
 
 def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any) -> Lines:
-    """Lines of several parts as one, in the world about an origin, each with its colour."""
     vertices = sum(part.positions.size for part in parts)
     count = sum(part.indices.size for part in parts)
     positions, indices = empty(vertices, vec3, device), empty(count, int32, device)
@@ -326,7 +311,7 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
 
 
 def _is_veil(placed: Placed) -> bool:
-    """Whether a part is seen through; one of no opacity is not there at all. Splats have their own way."""
+    """True if a part is transparent but not invisible; Gaussian splats are handled separately."""
     if isinstance(placed.part, Gaussians):
         return False
     return placed.box is not None and not isinstance(placed.part, Lines) and 0 < placed.part.opacity < 1
@@ -338,16 +323,14 @@ def _box_of(positions: Any) -> NDArray[np.float64] | None:
 
 
 def _motion_of(part: Part) -> tuple[Matrix, NDArray[np.float64]]:
-    """The rotation and the translation of a part's pose."""
     return (np.eye(3), np.zeros(3)) if part.pose is None else (part.pose[:3, :3], part.pose[:3, 3])
 
 
 def _in_cells(camera: Any) -> Camera:
-    """A camera in cells of the z-buffer."""
     c = [(value + 0.5) * SAMPLES - 0.5 for value in (camera.cx, camera.cy)]
     return Camera(camera.width * SAMPLES, camera.height * SAMPLES, camera.fx * SAMPLES, camera.fy * SAMPLES, *c)
 
 
 def _power_of_two(length: float) -> float:
-    """The power of two next above a length: dividing by it rounds nothing."""
+    """The next power of 2 above a length: division by it is exact."""
     return math.ldexp(1.0, math.frexp(length)[1]) if length > 0 else 1.0

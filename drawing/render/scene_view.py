@@ -1,7 +1,6 @@
-"""A picture of a scanned scene, whose frame may lie anyhow: `draw_scene`, from where `view_scene` says.
+"""Image of a scanned scene in an arbitrary frame: `draw_scene`, with the view of `view_scene`.
 
-Colours that cameras took have the light of the scene in them, and scanned surfaces are rough: such a mesh is drawn as
-bright as its colours are (`as_photographed`).
+Photographed colors contain the light of the scene, so such meshes are drawn unlit (`as_photographed`).
 """
 
 from __future__ import annotations
@@ -19,32 +18,22 @@ from .view import View, fit_view
 
 BACKDROP = (0.88, 0.89, 0.91)  # sunlit walls are as white as paper
 
-# Surfaces whose normals lie within these angles [degrees] of what counts as up so far refine it: cameras are held up to
-# a quarter turn off level, floors and tables are not.
+# Normals within these angles [degrees] of the current up direction refine it: cameras are tilted,
+# floors and tables are not.
 _NARROWING = (35.0, 25.0, 15.0, 10.0, 10.0)
 
-_FEW = 0.01  # share of the triangles below which there is no level surface to go by
+_FEW = 0.01  # fraction of the triangles required to define level surfaces
 
 
 def draw_scene(path: Any, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool = True) -> None:
-    """Draw a scene as its cameras saw it, from `view_scene`.
-
-    Args:
-        path: A .png file.
-        mesh: The scene, on the device that draws it.
-        T_world_camera: Where the cameras were, shape [n, 4, 4] [m].
-        overwrite: Replace the file if it exists.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
+    """Render a scene to a .png file from the side of its cameras, given by T_world_camera (n, 4, 4) [m]."""
     view = view_scene(mesh, T_world_camera)
     image = render(as_photographed(mesh), view, background=BACKDROP, mesh_show_back_face=False)
     save_picture(path, image, overwrite=overwrite)
 
 
 def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:
-    """A mesh for `render` whose colours, if it has any, are those of photographs; without any it is lit."""
+    """Style for `render`: unlit if the mesh has colors."""
     entry: dict[str, Any] = {"geometry": mesh}
     return entry | {"shaded": False} if "vertex_colors" in mesh._device_arrays else entry
 
@@ -52,14 +41,7 @@ def as_photographed(mesh: TriangleMesh) -> dict[str, Any]:
 def view_scene(
     mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, width: int = 1280, height: int = 960
 ) -> View:
-    """The view of a scene from the side that its cameras were on, a little from the left and from above them.
-
-    Args:
-        mesh: The scene.
-        T_world_camera: Where the cameras were, shape [n, 4, 4] [m].
-        width: Columns [px].
-        height: Rows [px].
-    """
+    """View from the side of the scene's cameras (n, 4, 4) [m], slightly from the left and above."""
     up = level_up(mesh.compute_triangle_normals(), -_mean_direction(T_world_camera[:, :3, 1]))
     forward = next(v for v in _forwards(T_world_camera, up) if np.linalg.norm(v) > 0.2)
     forward = forward / np.linalg.norm(forward)
@@ -69,11 +51,9 @@ def view_scene(
 
 
 def level_up(normals: NDArray[np.floating], up: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What is up by the level surfaces of a scene: floors, tables, seats.
+    """Up direction from the level surfaces of a scene, given unit normals of equal areas (n, 3).
 
-    Args:
-        normals: Unit normals of equally large pieces of surface, shape [n, 3].
-        up: A first guess, a unit vector; kept where few surfaces face that way.
+    Returns the initial `up` if few surfaces face that way.
     """
     level = up
     for angle in _NARROWING:
@@ -86,7 +66,6 @@ def level_up(normals: NDArray[np.floating], up: NDArray[np.float64]) -> NDArray[
 
 
 def _mean_direction(directions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The mean of unit vectors, or the first where they cancel out."""
     mean = directions.mean(axis=0)
     if np.linalg.norm(mean) < 0.1:
         mean = directions[0]
@@ -94,7 +73,7 @@ def _mean_direction(directions: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _forwards(T_world_camera: NDArray[np.float64], up: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Level directions to look along, the best first; one at least is long enough."""
+    """Level viewing directions, best first; at least one is long enough."""
     first = T_world_camera[0, :3]
     candidates = [T_world_camera[:, :3, 2].mean(axis=0), first[:, 2], first[:, 1], first[:, 0]]
     return [vector - up * (vector @ up) for vector in candidates]

@@ -1,4 +1,4 @@
-"""How a geometry is drawn: what users say of colour, size, light and place."""
+"""Drawing styles of geometries: `Style`."""
 
 from __future__ import annotations
 
@@ -13,24 +13,16 @@ from .parts import Matrix, Triple
 
 @dataclasses.dataclass(frozen=True)
 class Style:
-    """How a geometry is drawn; None leaves it to the geometry.
+    """Drawing style of a geometry; None leaves a field to the geometry. Raises TypeError or ValueError with the key.
 
     Args:
-        color: Red, green and blue, 0 to 1, of all of it.
-        color_by: What of points or vertices is shown as colour: "rgb", "normal", "height", "label" or any attribute.
-        colormap: Of values.
-        limits: The values at the ends of the colour map.
-        point_size: Diameter of points: [px], or [m] where `metric`.
-        metric: Whether `point_size` is in metres.
-        line_width: [px].
-        wireframe: Edges over the faces; of a hull, edges alone.
-        back_faces: Whether faces that look away are drawn.
-        shaded: Whether light falls at an angle; of points without normals, whether depth is shown.
-        opacity: Of points and faces, 0 to 1; below 1 what lies behind is seen through them.
-        pose: Moves it, a rigid 4x4.
-
-    Raises:
-        TypeError, ValueError: A value out of range; names the key.
+        color: Uniform color: red, green and blue, 0 to 1.
+        color_by, colormap, limits: Displayed property: "rgb", "normal", "height", "label" or an attribute.
+        point_size: Diameter of points [px], or [m] if `metric`.
+        wireframe: Draw edges over the faces; for a hull, edges only.
+        shaded: Apply lighting; eye-dome lighting for points without normals.
+        opacity: Opacity of points and faces, 0 to 1.
+        pose: Rigid transformation, 4x4.
     """
 
     color: Triple | None = None
@@ -64,7 +56,6 @@ class Style:
             object.__setattr__(self, "pose", check_rigid("pose", self.pose))
 
     def over(self, other: Style) -> Style:
-        """This style, and another's where it leaves something open."""
         names = [field.name for field in dataclasses.fields(self) if field.name != "metric"]
         chosen = {name: getattr(self if getattr(self, name) is not None else other, name) for name in names}
         sized = self if self.point_size is not None else other

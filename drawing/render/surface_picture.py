@@ -1,4 +1,4 @@
-"""A picture of a surface, seen from the side that it looks to: `draw_surface`."""
+"""Image of a surface from its outer side: `draw_surface`."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from numpy.typing import NDArray
 from ...meshing.mesh.mesh import TriangleMesh
 from .render import render
 
-BACKDROP = (0.88, 0.89, 0.91)  # white surfaces stand out from it
+BACKDROP = (0.88, 0.89, 0.91)  # contrast to white surfaces
 
 
 def draw_surface(mesh: TriangleMesh) -> NDArray[np.uint8]:
-    """A picture of a mesh. Of one whose faces look inwards, as a room's, those that look away are left out."""
+    """Render a mesh; back faces are hidden if the faces look inwards, as for a room."""
     return render(mesh, background=BACKDROP, mesh_show_back_face=not looks_inwards(mesh))
 
 
 def looks_inwards(mesh: TriangleMesh) -> bool:
-    """Whether most of the surface faces its middle."""
+    """True if most of the surface faces its center."""
     corners = mesh.vertices[mesh.triangles]
     middles = corners.mean(axis=1)
     crosses = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -5,22 +5,14 @@ from __future__ import annotations
 import dataclasses
 import math
 
-MOST_DIGITS = 7  # of a tick; numbers with more are counted from an offset
-LARGE, SMALL = 1e7, 1e-4  # ticks from the one on and up to the other have a power of ten in common
-TINY = 1e-12  # of the numbers: a smaller range is none
+MOST_DIGITS = 7  # of a label; longer ones use an offset
+LARGE, SMALL = 1e7, 1e-4  # ticks from LARGE on, and up to SMALL, share a power of 10
+TINY = 1e-12  # relative: smaller ranges count as empty
 
 
 @dataclasses.dataclass(frozen=True)
 class Ticks:
-    """Places along an axis.
-
-    Attributes:
-        low, high: Ends of the axis; a range without extent is widened.
-        values: Where ticks are, ascending.
-        texts: What stands there: (value - offset) / 10^exponent.
-        offset: Shown beside the axis where it is not 0.
-        exponent: Likewise.
-    """
+    """Ticks at ascending `values` of an axis; an empty range is widened. Labels are (value - offset) / 10^exponent."""
 
     low: float
     high: float
@@ -30,7 +22,7 @@ class Ticks:
     exponent: int = 0
 
     def title(self, text: str) -> str:
-        """A title such as "height [m]" with what its numbers are counted from and in: "height [1e-9 m]"."""
+        """A title such as "height [m]" with offset and exponent: "height [1e-9 m]"."""
         if self.offset:
             text = f"{text} {'−' if self.offset > 0 else '+'} {_plain(abs(self.offset))}"
         if not self.exponent:
@@ -42,11 +34,7 @@ class Ticks:
 
 
 def choose_ticks(low: float, high: float, most: int) -> Ticks:
-    """Ticks at multiples of 1, 2 or 5 times a power of ten.
-
-    Args:
-        low, high: Ends of the axis; equal ones are moved apart.
-        most: How many ticks at most; 2 at least.
+    """At most `most` (>= 2) ticks at multiples of 1, 2 or 5 times a power of 10.
 
     Example:
         >>> choose_ticks(0.0, 0.9, 6).texts
@@ -73,7 +61,7 @@ def choose_ticks(low: float, high: float, most: int) -> Ticks:
 
 
 def with_ends(ticks: Ticks, apart: float) -> Ticks:
-    """Ticks with both ends of the axis, to a digit more; those nearer to an end than a share of the axis go.
+    """Add both ends of the axis with one more digit; ticks nearer to an end than `apart` of the axis are removed.
 
     Example:
         >>> with_ends(choose_ticks(0.13, 1.94, 4), 0.1).texts
@@ -95,12 +83,12 @@ def with_ends(ticks: Ticks, apart: float) -> Ticks:
 
 
 def count_ticks(length: int, size: int) -> int:
-    """How many ticks along so many pixels for letters of a size: few, but four where they find room."""
+    """Number of ticks for a length and font size [px]: at least 4 if they fit."""
     return max(2, min(4, round(length / (1.5 * size))), length // (3 * size))
 
 
 def widen(low: float, high: float) -> tuple[float, float]:
-    """Ends of an axis with a range between them; 0 and 1 where one is not finite."""
+    """Ends of a nonempty axis; 0 and 1 if not finite."""
     if not (math.isfinite(low) and math.isfinite(high) and math.isfinite(high - low)):
         return 0.0, 1.0
     largest = max(abs(low), abs(high))
@@ -111,7 +99,6 @@ def widen(low: float, high: float) -> tuple[float, float]:
 
 
 def _step(low: float, high: float, most: int) -> tuple[float, int]:
-    """The least step with at most so many ticks, and its power of ten."""
     power = _power((high - low) / most)
     while True:
         for factor in (1, 2, 5):
@@ -122,7 +109,6 @@ def _step(low: float, high: float, most: int) -> tuple[float, int]:
 
 
 def _power(value: float) -> int:
-    """The power of ten of a number above 0."""
     return math.floor(math.log10(value)) if value > 0 else 0
 
 

@@ -1,4 +1,4 @@
-"""Where a picture is taken from: `View`, and `fit_view`, which frames an object from a direction."""
+"""Camera of an image (`View`) and views fitted to an object (`fit_view`)."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from ...core.checks import LARGEST_NUMBER, check_count, check_direction, check_r
 from .open3d_parameters import view_from_open3d, view_to_open3d
 
 Triple = tuple[float, float, float]
-Insets = tuple[int, int, int, int]  # [px] at the left, the top, the right and the bottom of a picture
+Insets = tuple[int, int, int, int]  # [px] left, top, right, bottom
 
-FIELD_OF_VIEW = 40.0  # [degrees] across the wider side: little perspective distortion
-MARGIN = 1.06  # the object fills all but 6 % of the picture
-LEAST_ROOM = 0.4  # of a picture's width and height that insets leave in any case
+FIELD_OF_VIEW = 40.0  # [degrees] of the wider side: little perspective distortion
+MARGIN = 1.06  # leaves 6 % of the image free
+LEAST_ROOM = 0.4  # fraction of width and height that insets always leave
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class View:
-    """Where a picture is taken from.
+    """Camera of an image.
 
     Args:
-        intrinsic: The camera; its size is the picture's.
-        T_world_camera: Camera to world, shape [4, 4] [m]: x right, y down, z forward.
+        intrinsic: Pinhole camera; its size is the size of the image.
+        T_world_camera: Camera to world [m], shape (4, 4): x right, y down, z forward.
     """
 
     intrinsic: PinholeCameraIntrinsic
@@ -55,23 +55,22 @@ class View:
         width: int = 1280,
         height: int = 960,
     ) -> View:
-        """The view that Open3D's viewer has with these parameters, which `draw_geometries` takes.
+        """View with the parameters of Open3D's `draw_geometries`.
 
         Args:
-            bounds: The lowest and highest corner [m] of the box around what is drawn, shape [3] each.
-            zoom: Half of what is seen at `lookat`, from top to bottom, as a share of the box's longest side.
-            front: From `lookat` to the camera.
-            lookat: What is in the middle of the picture [m]; None for the middle of the box.
-            up: What is up in the picture; its part at a right angle to `front` counts.
-            field_of_view: From the upper to the lower edge [degrees].
-            width: Columns of the picture [px].
-            height: Rows [px].
+            bounds: Lowest and highest corner of the scene [m], shape (3,) each.
+            zoom: Half of the visible height at `lookat` over the longest side of the box.
+            front: Direction from `lookat` to the camera.
+            lookat: Point in the center of the image [m]. If None, the center of the box.
+            up: Up direction of the image; the component along `front` is ignored.
+            field_of_view: Vertical field of view [degrees].
+            width, height: Size of the image [px].
 
         Raises:
-            ValueError: A direction without length, `up` along `front`, or a value out of range.
+            ValueError: A direction of zero length, `up` along `front`, or a value out of range.
 
         Notes:
-            Open3D draws 5 degrees in parallel projection; here they are perspective.
+            Open3D uses a parallel projection for 5 degrees; here it is perspective.
 
         Example:
             >>> view = View.from_open3d(([0, 0, 0], [1, 1, 2]), zoom=0.5)
@@ -86,10 +85,10 @@ class View:
         """Open3D's parameters of this view: "zoom", "front", "lookat", "up", "field_of_view".
 
         Args:
-            bounds: The lowest and highest corner [m] of the box around what is drawn, shape [3] each.
+            bounds: Lowest and highest corner of the scene [m], shape (3,) each.
 
         Raises:
-            ValueError: Pixels that are not square, or a principal point that is not in the middle.
+            ValueError: Pixels are not square, or the principal point is not in the center.
 
         Example:
             >>> bounds = [0, 0, 0], [1, 1, 2]
@@ -108,14 +107,13 @@ def fit_view(
     width: int = 1280,
     height: int = 960,
 ) -> View:
-    """The closest view along a direction that shows all points.
+    """Closest view along a direction that shows all points.
 
     Args:
-        points: Shape [n, 3] [m]; those that are not finite do not count. None at all gives a view of the origin.
-        direction: The way the camera looks: by default down from the front right, as onto a doll's house.
-        up: What is up in the picture; not along the direction.
-        width: Columns [px].
-        height: Rows [px].
+        points: Shape (n, 3) [m]; non-finite points are ignored. Without any point, the view shows the origin.
+        direction: Viewing direction; by default down from the front right.
+        up: Up direction of the image; not along `direction`.
+        width, height: Size of the image [px].
 
     Raises:
         ValueError: Another shape, a size below 1, or a direction along `up`.
@@ -136,15 +134,7 @@ def fit_view(
 
 
 class Frame:
-    """A direction to look along and the size of a picture, before it is known how far what is seen reaches.
-
-    Args:
-        direction, up, width, height: As of `fit_view`.
-        insets: Bands at the edges of the picture that what is seen stays out of.
-
-    Raises:
-        ValueError: A size below 1, or a direction along `up`.
-    """
+    """Direction and image size of a view to be fitted; `insets` are bands at the image edges to be left free."""
 
     def __init__(self, direction: Triple, up: Triple, width: int, height: int, insets: Insets = (0, 0, 0, 0)):
         width, height = check_count("width", width), check_count("height", height)
@@ -158,25 +148,21 @@ class Frame:
         self.intrinsic = PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
         left, top, right, bottom = insets
         pairs = _shortened(left, right, width), _shortened(top, bottom, height)
-        # of the angles from the optical axis to both ends of what is free along each axis
+        # of the angles from the optical axis to both ends of the free range of each axis
         sides = zip(pairs, (width, height), strict=True)
         self.tans = [[(length / 2 - band) / focal / MARGIN for band in bands] for bands, length in sides]
 
     def directions(self) -> NDArray[np.float64]:
-        """Directions in the world, shape [5, 3], along which it must be known how far what is seen reaches."""
+        """Directions, shape (5, 3), along which the extent of the scene must be known."""
         x, y, z = self.R.T
         (left, right), (top, bottom) = self.tans
         return np.array([-x - left * z, x - right * z, -y - top * z, y - bottom * z, -z])
 
     def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
-        """The view from the place nearest to what is seen.
+        """The closest view, from the scene's extent along the directions (5,) [m] (or None) and its longest side [m].
 
-        Args:
-            reach: Of what is seen along the directions, shape [5] [m]; None where there is nothing.
-            extent: The longest side of its box [m].
-
-        Along each axis two planes through the place bound what is seen; where the planes that touch it meet is the
-        place for that axis, and the one farther back serves both.
+        Along each axis, the tangent planes of the scene meet at the camera position; the farther of the two positions
+        is used.
         """
         T = np.eye(4)
         place, depths = np.array([0.0, 0.0, -3.0]), []
@@ -193,14 +179,13 @@ class Frame:
 
 
 def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
-    """Two bands at the ends of a side, in proportion, such that they leave room between them."""
+    """Two bands at the ends of a side, scaled to leave space between them."""
     most = (1 - LEAST_ROOM) * length
     share = min(1.0, most / (first + last)) if first + last else 1.0
     return first * share, last * share
 
 
 def check_view(view: Any) -> View:
-    """The view, once it is sure that it is one."""
     if not isinstance(view, View):
         raise TypeError(f"view: expected a View, got {type(view).__name__}")
     return view

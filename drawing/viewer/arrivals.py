@@ -1,4 +1,4 @@
-"""What is added beyond the view is seen by pages whose camera nobody has moved: `Arrivals`, `Homes`."""
+"""Refit the view of unmoved cameras when the scene grows beyond it: `Arrivals`, `Homes`."""
 
 from __future__ import annotations
 
@@ -13,31 +13,27 @@ from .items import Bounds
 if TYPE_CHECKING:
     from .scene import Scene
 
-OUTGROWN = 0.1  # of the diagonal of what pages see, by which something that is added lies beyond it
-MOST_HOMES = 8  # a page says where it is a little later than it is put there
+OUTGROWN = 0.1  # of the diagonal of the fitted bounds: larger growth causes a refit
+MOST_HOMES = 8  # a page reports its position with a delay
 
 
 class Arrivals:
-    """Whether a scene has outgrown what its pages were made to see.
-
-    Args:
-        scene: The scene.
-    """
+    """Detects that a scene has outgrown the fitted view of its pages."""
 
     def __init__(self, scene: Scene):
         self._scene, self._has_come = scene, False
         self._fitted: Bounds | None = None
 
     def note(self) -> None:
-        """Something was added."""
+        """Report an added geometry."""
         self._has_come = True
 
     def fitted(self) -> None:
-        """Pages see all of the scene now."""
+        """Report that pages show the complete scene."""
         self._fitted = self._scene.bounds
 
     def fit(self) -> None:
-        """Show what was added beyond the view where nobody has moved the camera; once for many additions."""
+        """Refit the view of unmoved cameras if the scene has outgrown it; once for several additions."""
         has_come, self._has_come = self._has_come, False
         scene, seen = self._scene, self._fitted
         if not has_come or scene._has_own_view or seen is None:
@@ -51,19 +47,17 @@ class Arrivals:
 
 
 class Homes:
-    """Where the camera of a page was put to see all of the scene, the last few times."""
+    """The last few fitted camera positions of a page."""
 
     def __init__(self) -> None:
         self._positions: deque[Any] = deque(maxlen=MOST_HOMES)
 
     def put(self, position: Any) -> None:
-        """It was put there."""
         self._positions.append(position)
 
     def leave(self) -> None:
-        """It was put somewhere else."""
         self._positions.clear()
 
     def are_at(self, position: Any) -> bool:
-        """Whether it is at one of them."""
+        """True if the camera is at one of them."""
         return any(np.allclose(position, home, rtol=1e-4, atol=0) for home in self._positions)

@@ -1,4 +1,4 @@
-"""Calls of a program's functions, one after the other, in one thread that is not the program's: `Calls`."""
+"""Queue of the program's callbacks in one thread: `Calls`."""
 
 from __future__ import annotations
 
@@ -16,38 +16,33 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 
-MOST_WAITING = 64  # calls ahead of those that are done
-PATIENCE = 3.0  # [s] after which pages that give no sign count as having taken the last frame
-POLL = 0.25  # [s] between two looks whether a page is open
-PATIENT_JOIN = 5.0  # [s] that `close` waits for a function that is at work
+MOST_WAITING = 64  # waiting calls
+PATIENCE = 3.0  # [s] after which a page without a signal counts as ready
+POLL = 0.25  # [s] between checks for open pages
+PATIENT_JOIN = 5.0  # [s] that `close` waits for a running callback
 log = logging.getLogger("pointloom.viewer")
 
 
 class HookPages:
-    """Where words are shown, and what tells that a page has drawn; a viewer that was closed has no pages.
-
-    Args:
-        viewer: The viewer.
-    """
+    """Pages for messages and draw signals; none after the viewer was closed."""
 
     def __init__(self, viewer: Viewer):
         self._viewer = viewer
         self._answer: Callable[[], None] = lambda: None
-        self._asked: frozenset[int] = frozenset()  # pages that are listened to
+        self._asked: frozenset[int] = frozenset()  # pages with a signal callback
 
     def tell(self, client: int | None, text: str) -> None:
-        """Show what went wrong in a page, or in all of them where none asked."""
+        """Show an error in a page, or in all if the page is unknown."""
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
             clients = self._viewer.server.pages.get_clients()
             for number in clients if client is None else {client} & {*clients}:
                 clients[number].notify("pointloom", text, error=True)
 
     def are_open(self) -> bool:
-        """Whether a page is open."""
         return bool(self._viewer.sessions)
 
     def ask_for_signs(self, answer: Callable[[], None]) -> None:
-        """Have each page call back when it has drawn what it was sent."""
+        """Request a signal from each page after it has drawn everything sent before."""
         self._answer = answer
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
             clients = self._viewer.server.pages.get_clients()
@@ -60,14 +55,7 @@ class HookPages:
 
 @dataclasses.dataclass(eq=False)
 class Beat:
-    """A function that is called again and again.
-
-    Attributes:
-        function: Is given the seconds since it was called last.
-        period: Between two calls at the least [s].
-        due: When the next one may be, on the monotonic clock [s].
-        last: When it was called last [s]; None before the first time, and where no page was open since.
-    """
+    """A periodic callback of the seconds since its last call, with minimum interval and time of the next call [s]."""
 
     function: Callable[[float], Any]
     period: float
@@ -76,13 +64,10 @@ class Beat:
 
 
 class Calls:
-    """The functions of a program that its pages call; the thread begins with the first.
+    """Runs callbacks of the program in order in one thread, started by the first call.
 
-    What a function raises is shown in the page that asked for it and goes to the log; the next one is called all the
-    same. Of calls that may replace each other (a slider that is dragged) only the newest waits.
-
-    Args:
-        pages: The pages.
+    Exceptions are shown in the page that caused the call and logged. Of replaceable calls (a dragged slider), only the
+    newest waits.
     """
 
     def __init__(self, pages: HookPages):
@@ -91,17 +76,11 @@ class Calls:
         self._jobs: dict[Any, tuple[int | None, Callable[[], Any]]] = {}
         self._beats: list[Beat] = []
         self._closed = False
-        self._asked: float | None = None  # when pages were asked for a sign that has not come
+        self._asked: float | None = None  # time of an unanswered request for signals
         self._thread: threading.Thread | None = None
 
     def call(self, client: int | None, job: Callable[[], Any], key: Any = None) -> None:
-        """Call a function in its turn.
-
-        Args:
-            client: The page that asks for it.
-            job: The function.
-            key: Where a call of this key waits already, this one takes its place.
-        """
+        """Queue a function for a page; a waiting call of the same `key` is replaced."""
         with self._condition:
             key = object() if key is None else key
             is_room = key in self._jobs or len(self._jobs) < MOST_WAITING
@@ -112,7 +91,7 @@ class Calls:
             self._pages.tell(client, "The program is busy: this was passed over.")
 
     def every(self, period: float, function: Callable[[float], Any]) -> Callable[[], None]:
-        """Call a function again and again while a page is open; what is returned ends that."""
+        """Call a function periodically while a page is open. Returns a function that ends it."""
         beat = Beat(function, period, time.monotonic())
         with self._condition:
             self._beats.append(beat)
@@ -120,7 +99,6 @@ class Calls:
         return lambda: self._stop(beat)
 
     def close(self) -> None:
-        """Call nothing any more."""
         with self._condition:
             self._closed = True
             self._jobs.clear()
@@ -128,11 +106,9 @@ class Calls:
             self._condition.notify_all()
 
     def join(self) -> None:
-        """Wait for a function that is at work, five seconds at most; not for the one that calls this."""
+        """Wait at most 5 s for a running callback, except from within it."""
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join(PATIENT_JOIN)
-
-    # -- within -------------------------------------------------------------------------------------------------------
 
     def _begin(self) -> None:
         if self._thread is None and not self._closed:
@@ -163,19 +139,15 @@ class Calls:
                 self._ask_for_signs()
 
     def _do(self, client: int | None, job: Callable[[], Any]) -> bool:
-        """Whether it came to its end."""
         try:
             job()
-        except BaseException as error:  # SystemExit too would end the thread without a word
+        except BaseException as error:  # SystemExit would silently end the thread, too
             log.error("a function of the program that a page called", exc_info=True)
             self._pages.tell(client, f"{type(error).__name__}: {error}")
             return False
         return True
 
-    # -- again and again ----------------------------------------------------------------------------------------------
-
     def _due(self) -> list[Beat]:
-        """What is to be called now."""
         if not self._beats:
             return []
         if not self._pages.are_open():
@@ -189,7 +161,7 @@ class Calls:
         return [beat for beat in self._beats if beat.due <= now]
 
     def _pause(self) -> float | None:
-        """How long nothing is to be done [s]; None until something comes."""
+        """Time until the next periodic call [s]; None without one."""
         if not self._beats:
             return None
         if self._asked is not None or not self._pages.are_open():

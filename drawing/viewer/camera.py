@@ -1,4 +1,4 @@
-"""Views and the cameras of pages: to the page and back."""
+"""Conversion between views and cameras of pages."""
 
 from __future__ import annotations
 
@@ -22,26 +22,23 @@ if TYPE_CHECKING:
 Vector = NDArray[np.float64]
 
 
-# Nearest and farthest that is drawn, and the reach of the mouse wheel, in diagonals of the scene. A depth buffer of 24
-# bits then tells apart what lies 1e-4 diagonals apart at a distance of one diagonal.
+# Depth range and zoom limits in diagonals of the scene. A 24-bit depth buffer then resolves 1e-4 diagonals
+# at a distance of one diagonal.
 NEAR, FAR = 1e-3, 100.0
 CLOSEST, FARTHEST = 1e-4, 50.0
 
-# Of what a page says of its picture, what a picture can be drawn with here.
+# Limits of a page's reported image for rendering.
 NARROWEST, WIDEST = 1e-6, math.pi - 1e-3  # [rad]
-FEWEST_PIXELS, MOST_PIXELS = 32, 1 << 25  # along a side; in all, as of 8192 x 4096
+FEWEST_PIXELS, MOST_PIXELS = 32, 1 << 25  # per side; in total, as of 8192 x 4096
 
-AWAY = 500.0  # extents that the eye of a picture without perspective is away: then no point moves by a pixel
+AWAY = 500.0  # distance of a nearly orthographic camera in extents: no point moves by a pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Camera:
-    """A camera of the page, in its coordinates.
+    """A camera in page coordinates that rotates about `pivot` and keeps `up` upright.
 
-    Args:
-        position, pivot, up: Shape [3]; it turns about the pivot, and keeps `up` upright.
-        rotation: From the camera (x right, y down, z forward) to the page, shape [3, 3].
-        fov: Of the height [rad].
+    `rotation` (3, 3) is camera (x right, y down, z forward) to page, `fov` the vertical field of view [rad].
     """
 
     position: Vector
@@ -51,18 +48,13 @@ class Camera:
     fov: float
 
     def fields(self) -> dict[str, Any]:
-        """As a page's camera is put there."""
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
 
 
 def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = None) -> Camera:
-    """The camera that sees what a view shows.
+    """The camera of a view, with a centered principal point, that rotates about a point in the center of the scene.
 
-    Args:
-        view: The view; its principal point counts as the middle.
-        frame: The page's coordinates.
-        bounds: Of the scene: the camera turns about the place in its middle that it looks at.
-        aspect: Width by height of the page; a narrower one than the view's is given a wider angle.
+    For a page narrower than the view (`aspect` is width over height), the angle is widened.
     """
     T, intrinsic = view.T_world_camera, view.intrinsic
     forward, eye = T[:3, 2], T[:3, 3]
@@ -72,17 +64,14 @@ def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = N
     tangent = intrinsic.height / 2 / intrinsic.fy
     if aspect is not None:
         tangent = max(tangent, intrinsic.width / 2 / intrinsic.fx / aspect)
-    up = level_up(T[:3, 0], -T[:3, 1])  # level: then it stays level as it is turned
+    up = level_up(T[:3, 0], -T[:3, 1])  # level, so that it stays level when rotated
     position = frame.to_page(eye)
     pivot = position + forward * reach / frame.unit
     return Camera(position, T[:3, :3].copy(), pivot, up.copy(), 2 * math.atan(tangent))
 
 
 def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size: tuple[int, int]) -> View:
-    """The view of a page's camera, in the world's coordinates.
-
-    Views have perspective: of a camera without, it is one from so far away that this is not seen.
-    """
+    """The view of a page's camera in world coordinates; a parallel projection becomes a distant perspective view."""
     width, height = picture_size(size)
     position = np.asarray(camera.position, np.float64)
     tangent = math.tan(min(max(camera.fov, NARROWEST), WIDEST) / 2)
@@ -101,14 +90,14 @@ def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size
 
 
 def picture_size(size: tuple[int, int]) -> tuple[int, int]:
-    """The size of a page's picture [px], brought within what a picture here may have."""
+    """Size of a page's image [px], clipped to the renderer's limits."""
     width, height = (max(FEWEST_PIXELS, side) for side in size)
     scale = math.sqrt(min(1.0, MOST_PIXELS / (width * height)))
     return max(FEWEST_PIXELS, int(width * scale)), max(FEWEST_PIXELS, int(height * scale))
 
 
 def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:
-    """How near and far a camera draws, and how near and far its wheel goes: from very far away, what is there."""
+    """Depth range and zoom limits of a camera for the scene."""
     size = diagonal(bounds) / frame.unit
     middle = frame.to_page((bounds[0] + bounds[1]) / 2)
     distance = float((middle - camera.position) @ np.asarray(camera.rotation)[:, 2])
@@ -119,12 +108,10 @@ def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[
 
 
 def diagonal(bounds: Bounds) -> float:
-    """Of a box [m]; 1 of one without extent."""
     return float(np.linalg.norm(bounds[1] - bounds[0])) or 1.0
 
 
 def read_parameters(view: Any) -> View | dict[str, Any] | None:
-    """What `set_view` is given, read."""
     if view is None or isinstance(view, View):
         return view
     if isinstance(view, str | os.PathLike):

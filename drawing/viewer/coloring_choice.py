@@ -1,4 +1,4 @@
-"""What the clouds of a viewer are coloured by: `ColoringChoice`."""
+"""Coloring of the clouds of a viewer: `ColoringChoice`."""
 
 from __future__ import annotations
 
@@ -15,20 +15,14 @@ from .items import Item
 
 @dataclasses.dataclass(frozen=True)
 class ColoringChoice:
-    """One choice for all clouds.
-
-    Args:
-        by: What is shown; None for each cloud's own colours.
-        colormap: Of values; None for the usual one.
-        limits: The values at its ends; None finds them, for each cloud its own.
-    """
+    """One coloring for all clouds: property (None: original colors), colormap, and limits (None: per cloud)."""
 
     by: str | None = None
     colormap: str | None = None
     limits: tuple[float, float] | None = None
 
     def of(self, item: Item) -> Coloring | None:
-        """The colours of a cloud; None for its own, which it keeps where it has no such thing."""
+        """Coloring of a cloud; None for its original colors, also if it lacks the property."""
         if item.cloud is None:
             return None
         if self.by is not None and self.by in choices_of(item.cloud):
@@ -39,11 +33,7 @@ class ColoringChoice:
         return None
 
     def checked(self, by: str | None, colormap: str | None, limits: Any, items: Collection[Item]) -> ColoringChoice:
-        """Another choice, held against the clouds that there are.
-
-        Raises:
-            ValueError: No cloud has such a thing, or values out of range.
-        """
+        """Another choice, validated; raises ValueError if no cloud has the property or values are out of range."""
         if colormap is not None:
             check_colormap(colormap)
         if by is not None:
@@ -52,13 +42,13 @@ class ColoringChoice:
             if by not in known:
                 raise ValueError(f"by: no cloud here has {by!r}; there are {', '.join(known) or 'no clouds'}")
         choice = ColoringChoice(by, colormap, limits)
-        for item in items:  # limits are checked where they are used
+        for item in items:  # limits are checked on use
             choice.of(item)
         return choice
 
 
 def _color(item: Item, by: Any, colormap: str | None, limits: Any) -> Coloring:
-    """The colours of an item's cloud; of one that is read in parts, with how to colour the others as the first."""
+    """Coloring of an item's cloud; for a cloud read in parts, with a function for the other points."""
     assert item.cloud is not None
     found = color_cloud(item.cloud, by, colormap=colormap, limits=limits)
     if not item.is_in_parts or not isinstance(by, str):
@@ -68,14 +58,13 @@ def _color(item: Item, by: Any, colormap: str | None, limits: Any) -> Coloring:
 
 
 class Choices:
-    """What there is to colour by in a scene, in the order in which it came; kept up cloud by cloud."""
+    """Available properties of a scene in order of appearance, updated per cloud."""
 
     def __init__(self) -> None:
         self._of: dict[str, tuple[str, ...]] = {}  # by item
         self._counts: dict[str, int] = {}
 
     def put(self, item: Item) -> None:
-        """An item has come, or is another one now."""
         found = () if item.cloud is None else tuple(choices_of(item.cloud))
         if found != self._of.get(item.name, ()):
             for name in found:
@@ -84,26 +73,23 @@ class Choices:
             self._of[item.name] = found
 
     def drop(self, name: str) -> None:
-        """An item has gone."""
         for choice in self._of.pop(name, ()):
             self._counts[choice] -= 1
             if not self._counts[choice]:
                 del self._counts[choice]
 
     def names(self) -> tuple[str, ...]:
-        """All of them."""
         return tuple(self._counts)
 
 
 def choices_of(cloud: PointCloud) -> list[str]:
-    """What a cloud can be coloured by."""
     given = ["rgb"] * bool(cloud.has_colors) + ["normal"] * bool(cloud.has_normals)
     columns = [name for name in cloud.attributes if len(cloud.array(name).shape) == 1]
     return [*given, "height", "x", "y", *columns]
 
 
 def shown_coloring(items: Collection[Item]) -> Coloring | None:
-    """The coloring that a legend tells: of the first cloud that is seen and has one with a meaning."""
+    """Coloring for the legend: of the first visible cloud with values or labels."""
     for item in items:
         if item.visible and has_meaning(item):
             return item.coloring
@@ -111,5 +97,5 @@ def shown_coloring(items: Collection[Item]) -> Coloring | None:
 
 
 def has_meaning(item: Item) -> bool:
-    """Whether the colours of an item tell values or labels."""
+    """True if the colors of an item represent values or labels."""
     return item.coloring is not None and item.coloring.kind != "rgb"

@@ -1,4 +1,4 @@
-"""The octree of a COPC file as levels of detail, of which nodes are read when a view wants them: `CopcTree`."""
+"""The octree of a COPC file as levels of detail, read on demand: `CopcTree`."""
 
 from __future__ import annotations
 
@@ -24,34 +24,26 @@ from .nodes_in_view import NodesInView, inward
 
 log = logging.getLogger("pointloom.viewer")
 
-FIRST_POINTS = 250_000  # of the levels that are read at once, unless the coarsest alone has more
-_DEEPEST = 20  # levels below which 63 bits do not name a cell
-_PROBES = 4  # places along each side of a cell that tell how much of it is in view
+FIRST_POINTS = 250_000  # of the levels read at once, unless the coarsest has more
+_DEEPEST = 20  # maximum level whose cell numbers fit into 63 bits
+_PROBES = 4  # samples along each side of a cell that estimate its visible fraction
 
 
 class CopcTree(NodesInView):
-    """The nodes of a COPC file; has what `CloudStream` asks of a DetailTree, but holds no cloud.
+    """Nodes of a COPC file, with the interface of a DetailTree for `CloudStream`; raises FileError.
 
-    The coarse levels are read at once and are the `head`, whose points have the first indices. Other nodes are read
-    when they are asked for, and kept as long as there is room. One that is damaged is told once by a warning and from
-    then on has no points; the others go on.
-
-    Args:
-        path: The file.
-        memory: Bytes of unpacked points that are kept.
-        first: Points of the head, at most, but for those of the coarsest level.
+    The coarse levels are read at once into the `head` (at most `first` points, or the coarsest level), whose points
+    have the first indices. Other nodes are read on demand and cached in `memory` bytes. A damaged node causes one
+    warning and then has no points.
 
     Attributes:
-        nodes: What reads the file; counts what was read.
-        head: The points of the coarse levels with all that the file knows of them.
-        origin: Where positions count from [m], float64 [3].
-        count: Points in nodes.
-        low, high: Bounds of the octree's nodes that hold points [m], float64 [3].
-        lost: What is wrong with nodes of the coarse levels that cannot be read; they are no nodes of the tree.
-        damaged: What is wrong with other nodes that cannot be read, by node, as far as they were asked for.
-
-    Raises:
-        FileError: The file cannot be read, is no COPC file, or none of its nodes can be read.
+        nodes: Reader of the file.
+        head: Points of the coarse levels with all attributes.
+        origin: Origin of positions [m], float64 (3,).
+        count: Number of points in nodes.
+        low, high: Bounds of the non-empty octree nodes [m], float64 (3,).
+        lost: Errors of unreadable nodes of the coarse levels, which are not in the tree.
+        damaged: Errors of other unreadable nodes, by node.
     """
 
     is_in_parts = True
@@ -63,7 +55,7 @@ class CopcTree(NodesInView):
         self._last: tuple[int, PointTable] | None = None
         self._lock = threading.Lock()
         octree = self.nodes.octree
-        self._rows = np.arange(len(octree.nodes))  # of a node of the tree, its place in the file's octree
+        self._rows = np.arange(len(octree.nodes))  # index of each node in the file's octree
         self._full = 65535
         self._place()
         head, end = self._read_head(first)
@@ -80,7 +72,7 @@ class CopcTree(NodesInView):
         self.head = self._cloud(_joined(tables))
 
     def _read_head(self, first: int) -> tuple[list[int], int]:
-        """Read the coarse levels: which of their nodes can be read, and how many there are."""
+        """Read the coarse levels. Returns the readable nodes and the number of nodes."""
         kept: list[int] = []
         points = end = 0
         for level in np.unique(self.levels).tolist():
@@ -115,20 +107,19 @@ class CopcTree(NodesInView):
 
     @property
     def has_colors(self) -> bool:
-        """Whether points have colours."""
         return bool(self.head.has_colors)
 
     def points_of(self, i: int) -> NDArray[np.float64]:
-        """World coordinates of a node's points [m], float64 [k, 3]; none of a damaged one."""
+        """World coordinates of a node's points [m], float64 (k, 3); empty if damaged."""
         return self._table(i).points
 
     def indices_of(self, i: int) -> NDArray[np.int64]:
-        """The numbers of a node's points, int64 [k]; none of a damaged one."""
+        """Indices of a node's points, int64 (k,); empty if damaged."""
         count = len(self._table(i).points)
         return np.arange(count) + int(self._firsts[i])
 
     def node(self, i: int) -> Node:
-        """A node's points about its middle; none where it is damaged."""
+        """Points of a node relative to its center; empty if damaged."""
         table = self._table(i)
         middle, half = self.middles[i], float(self.halves[i])
         positions = (table.points - middle).astype(np.float32)
@@ -136,18 +127,13 @@ class CopcTree(NodesInView):
         return Node(positions, middle, half, self.indices_of(i), colors)
 
     def colors_of(self, indices: Any) -> NDArray[np.uint8] | None:
-        """The file's own colours of points, uint8 [k, 3]; None where it has none."""
+        """Colors of points in the file, uint8 (k, 3), or None."""
         if not self.has_colors:
             return None
         return self.paint(indices, lambda cloud: np.asarray(to_bytes(np.asarray(cloud.colors))))
 
     def paint(self, indices: Any, paint: Callable[[PointCloud], NDArray[Any]]) -> NDArray[Any]:
-        """What a function tells of the clouds of nodes, for some points.
-
-        Args:
-            indices: Of points, int64 [k], those of one node together.
-            paint: Called with the cloud of some points of one node; gives one row for each.
-        """
+        """Apply `paint` (cloud to rows) to the nodes of points, whose indices (k,) are grouped by node."""
         indices = np.asarray(indices, np.int64)
         if not len(indices):
             return paint(self.cloud_at(indices))
@@ -155,7 +141,6 @@ class CopcTree(NodesInView):
         return np.concatenate([paint(self.cloud_at(some)) for some in np.split(indices, ends)])
 
     def cloud_at(self, indices: NDArray[np.int64]) -> PointCloud:
-        """Points of one node as a cloud with all that the file knows of them."""
         if not len(indices):
             return self.head.select_by_index(indices)
         i = int(self._nodes_at(indices[:1])[0])
@@ -164,15 +149,13 @@ class CopcTree(NodesInView):
         return self._cloud(table if every else _rows_of(table, rows))
 
     def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
-        """Which share of nodes lies within a view, 0 to 1, by places spread over their cubes, float64 [k]."""
+        """Fraction of each node's cube inside a view, 0 to 1, from sample positions; float64 (k,)."""
         rows = self._check_nodes(nodes)
         steps = (np.arange(_PROBES) + 0.5) / _PROBES * 2 - 1
         grid = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
         places = self.middles[rows, None] + grid * self.halves[rows, None, None]
         heights = (places - view.T_world_camera[:3, 3]) @ inward(view).T
         return (heights >= 0).all(axis=2).mean(axis=1)
-
-    # ------------------------------------------------------------------------------------------ from the file
 
     def _nodes_at(self, indices: NDArray[np.int64]) -> NDArray[np.int64]:
         check_indices("indices", indices, self.count, of=f"tree of {self.count} points")
@@ -206,7 +189,6 @@ class CopcTree(NodesInView):
         return table
 
     def _empty(self) -> PointTable:
-        """Points of a node that has none."""
         colors = np.empty((0, 3), np.float32) if "red" in (self.nodes.row.names or ()) else None
         return PointTable(np.empty((0, 3)), None, colors, {})
 
@@ -224,7 +206,6 @@ def _rows_of(table: PointTable, rows: NDArray[np.int64]) -> PointTable:
 
 
 def _joined(tables: list[PointTable]) -> PointTable:
-    """Tables of one file one after the other."""
     first = tables[0]
     normals = None if first.normals is None else np.concatenate([one.normals for one in tables])  # type: ignore[misc]
     colors = None if first.colors is None else np.concatenate([one.colors for one in tables])  # type: ignore[misc]
@@ -233,7 +214,7 @@ def _joined(tables: list[PointTable]) -> PointTable:
 
 
 def _names(levels: NDArray[np.int64], cells: NDArray[np.int64]) -> NDArray[np.int64]:
-    """A number for each cell, of which that of the cell around it is an eighth; 0 for those too deep to have one."""
+    """A number for each cell; that of its parent is an eighth of it. 0 for cells that are too deep."""
     names = np.ones(len(levels), np.int64)
     for bit in range(int(min(levels.max(initial=0), _DEEPEST)) - 1, -1, -1):
         deeper = levels > bit

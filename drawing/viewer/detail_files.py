@@ -1,4 +1,4 @@
-"""What a tree of detail takes from a file: a first look at it, and the columns of its parts."""
+"""Reading of files for level-of-detail trees: a first sample and columns of parts."""
 
 from __future__ import annotations
 
@@ -19,18 +19,17 @@ from ...pcd.cloud import PointCloud
 
 
 def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
-    """A first look at a file: points taken evenly from it, while its tree is built.
+    """Read an even sample of a file, to show while its tree is built.
 
     Args:
         path: The file.
-        count: Points at most.
+        count: Maximum number of points, at least 1.
 
     Returns:
-        The cloud; None where the file can only be read whole.
+        The cloud; None if the format can only be read completely.
 
     Raises:
-        FileError: The file cannot be read.
-        TypeError, ValueError: A count that is no whole number from 1.
+        FileError, TypeError, ValueError: The file cannot be read, or `count` is not an integer >= 1.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -51,11 +50,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
 def columns_of(
     path: Any, part: PointTable, origin: NDArray[np.float64], attributes: Sequence[str]
 ) -> dict[str, NDArray[Any]]:
-    """The columns of a part that a tree keeps: positions about an origin, colours as bytes, attributes after a dot.
-
-    Raises:
-        FileError: No attribute of a name.
-    """
+    """Columns of a part for a tree: positions relative to an origin, uint8 colors, attributes prefixed by a dot."""
     columns: dict[str, NDArray[Any]] = {"positions": (part.points - origin).astype(np.float32)}
     if part.colors is not None:
         columns["colors"] = to_bytes(part.colors)
@@ -67,16 +62,14 @@ def columns_of(
 
 
 def no_attribute(path: Any, name: str, known: list[str]) -> FileError:
-    """The error where a file has no attribute of a name; says which it has."""
     return FileError(path, f"has no attribute {name!r}", remedy=f"It has {', '.join(known) or 'none'}")
 
 
 def bytes_at(colors: NDArray[np.float32], indices: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """The colours of some points, uint8 [k, 3]."""
     return to_bytes(colors[indices])
 
 
 @quiet()
 def to_bytes(colors: NDArray[Any]) -> NDArray[np.uint8]:
-    """Colours of 0 to 1 as bytes; those beyond are clipped, and NaN is 0."""
+    """Colors from 0 to 1 as uint8; clipped, NaN is 0."""
     return np.rint(np.clip(np.nan_to_num(colors), 0, 1) * np.float32(255)).astype(np.uint8)

@@ -1,4 +1,4 @@
-"""A multi-resolution tree over a cloud or a file of points: `DetailTree`, of which a view takes what matters to it."""
+"""Level-of-detail tree of a cloud or a file of points: `DetailTree`."""
 
 from __future__ import annotations
 
@@ -31,25 +31,17 @@ from .nodes_in_view import NodesInView, inward
 
 Points = NDArray[np.float32]
 
-_PART = 1 << 19  # points read at a time: some 50 MB while they are decoded
-_READING = 50  # hundredths of the time that reading takes
+_PART = 1 << 19  # points read at a time: about 50 MB while they are decoded
+_READING = 50  # [%] of the progress
 
-_PROBES = 64  # points of a node that tell how much of it is in view
+_PROBES = 64  # points per node that estimate its visible fraction
 
-_SMALLEST_SIDE = 1e-30  # [m] of the cube: below it halvings would leave float32
+_SMALLEST_SIDE = 1e-30  # [m] of the cube: halving a smaller one would underflow float32
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Node:
-    """What is sent of a node.
-
-    Attributes:
-        positions: About `middle` [m], float32 [k, 3].
-        middle: Middle of the node's cube [m], float64 [3].
-        half: Half of that cube's side [m].
-        indices: Points of the cloud or file, int64 [k].
-        colors: uint8 [k, 3], or None where there are none.
-    """
+    """Points of a node: float32 (k, 3) relative to the center of its cube [m], with their indices and colors."""
 
     positions: Points
     middle: NDArray[np.float64]
@@ -59,24 +51,23 @@ class Node:
 
 
 class DetailTree(NodesInView):
-    """Points in nodes from coarse to fine, each point in one node: what is drawn of a node and of those around it adds
-    up to the cloud.
+    """Points in nodes from coarse to fine. Each finite point is in one node; deeper nodes add points.
 
-    A node of level L holds points no two of which share a voxel of side / 2^L / 128, as no two of all nodes down to
-    that level do, but for the few that join it where nothing lies deeper. Points that are not finite are in no node.
+    No two points of the nodes down to level L share a voxel of size side / 2^L / 128, except for the few points of
+    missing deeper nodes, which join their parent.
 
     Attributes:
-        origin: Where the tree's own float32 positions start [m], float64 [3].
-        count: Points in nodes.
-        low, high: Bounds of the points [m], float64 [3]; zero where there are none.
-        spacings: Voxel side of each node's level [m], float64 [m].
-        counts: Points of each node, int64 [m].
-        middles, halves: Cubes that hold the nodes' points [m], float64 [m, 3] and [m].
-        attributes: Further values of the points of a file by name, in its order.
+        origin: Origin of the float32 positions [m], float64 (3,).
+        count: Number of points in nodes.
+        low, high: Bounds of the points [m], float64 (3,); zero for an empty cloud.
+        spacings: Voxel size of each node's level [m], float64 (m,).
+        counts: Number of points of each node, int64 (m,).
+        middles, halves: Center and half side of each node's bounding cube [m], float64 (m, 3) and (m,).
+        attributes: Additional values of the points of a file by name, in file order.
 
     Notes:
-        Same nodes from run to run and on every device. Memory: 4 B a point beside a cloud; 16 B of a file and 3 B for
-        its colours. While it is built, 20 B more.
+        The nodes are identical from run to run and on every device. Memory: 4 B per point beside a cloud; 16 B per
+        point of a file plus 3 B for colors; 20 B more during construction.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -97,7 +88,7 @@ class DetailTree(NodesInView):
         colors: Callable[[NDArray[np.int64]], NDArray[np.uint8]] | None,
         attributes: dict[str, NDArray[Any]] | None = None,
     ):
-        """From vec3 positions on a device; `from_cloud` and `from_file` are what to call."""
+        """Use `from_cloud` or `from_file` instead. Positions are vec3 on a device."""
         self.origin, self._colors = np.asarray(origin, np.float64), colors
         self.attributes: dict[str, NDArray[Any]] = attributes or {}
         low, high, count = bound_points(positions)
@@ -115,21 +106,14 @@ class DetailTree(NodesInView):
         self.halves, self.middles = sides / 2, corner + (table.cells + 0.5) * sides[:, None]
         self.levels, self._names = table.levels, table.names
         self.spacings = self._side / 2.0 ** (table.levels.astype(np.float64) + NODE_BITS)
-        # the whole cell of the level, which a part shares with the others: a child never counts as nearer than it
+        # The complete cell of the level, shared by its parts: a child never counts as nearer than its parent.
         widths = self._side / 2.0 ** table.levels.astype(np.float64)
         cells = table.cells >> (table.depths - table.levels).astype(np.int64)[:, None]
         self._level_halves, self._level_middles = widths / 2, corner + (cells + 0.5) * widths[:, None]
 
     @classmethod
     def from_cloud(cls, cloud: PointCloud) -> DetailTree:
-        """The tree of a cloud, whose arrays it shares; on a GPU it is built there.
-
-        Args:
-            cloud: Its points, and its colours where it has some.
-
-        Raises:
-            TypeError: No PointCloud.
-        """
+        """Build the tree of a cloud on its device; the arrays are shared. Raises `TypeError` for other types."""
         check_cloud("cloud", cloud)
         colors: Any = None
         if cloud.has_colors:
@@ -145,21 +129,20 @@ class DetailTree(NodesInView):
         device: Any = None,
         progress: ReportProgress | None = None,
     ) -> DetailTree:
-        """The tree of a file; binary PLY and PCD, LAS and LAZ are read in parts, others whole.
+        """Build the tree of a file. Binary PLY and PCD, LAS and LAZ are read in parts, other formats at once.
 
         Args:
-            path: The file, of a kind that `read_point_cloud` reads.
-            attributes: Names of further values to keep.
-            device: Where to build; the tree itself lies in the memory of the host.
-            progress: Called with "reading", how many hundredths are done, and 100.
+            path: A file that `read_point_cloud` reads.
+            attributes: Names of additional values to keep.
+            device: Device for the construction; the tree is stored in host memory.
+            progress: Called with "reading", the progress in percent, and 100.
 
         Raises:
-            FileError: The file cannot be read, or has no such attribute.
-            TypeError: Attributes that are no list of names.
-            DeviceError: No such device.
+            FileError: The file cannot be read, or an attribute is missing.
+            TypeError, DeviceError: `attributes` is not a list of names, or the device is unknown.
 
         Notes:
-            Memory: 40 B a point at the most, 19 B afterwards, attributes aside.
+            Peak memory: 40 B per point, 19 B afterwards, plus attributes.
         """
         where, say = resolve_device(device), check_progress(progress)
         attributes = [
@@ -191,56 +174,32 @@ class DetailTree(NodesInView):
 
     @property
     def positions(self) -> Points:
-        """All points about `origin` [m], float32 [n, 3], by index, those that are not finite too: the tree's own."""
+        """All points in index order relative to `origin` [m], float32 (n, 3), including non-finite ones; not copied."""
         return self._positions
 
     def points_of(self, i: int) -> NDArray[np.float64]:
-        """World coordinates of a node's points [m], float64 [k, 3], in the order of `indices_of`.
-
-        Args:
-            i: The node.
-
-        Raises:
-            TypeError, ValueError: No whole number from 0.
-            IndexError: There is no such node.
-        """
+        """World coordinates of the points of node `i` [m], float64 (k, 3); order and errors as in `indices_of`."""
         return self._positions[self._rows_of(i)] + self.origin
 
     def indices_of(self, i: int) -> NDArray[np.int64]:
-        """Which points of the cloud or file a node holds, int64 [k].
-
-        Args:
-            i: The node.
+        """Indices of the points of node `i` in the cloud or file, int64 (k,).
 
         Raises:
-            TypeError, ValueError: No whole number from 0.
-            IndexError: There is no such node.
+            TypeError, ValueError, IndexError: Not an integer, negative, or no such node.
         """
         return self._rows_of(i).astype(np.int64)
 
     def colors_of(self, indices: NDArray[np.int64]) -> NDArray[np.uint8] | None:
-        """The cloud's own colours of points, uint8 [k, 3]; None where it has none.
-
-        Args:
-            indices: Of points of the cloud or file.
+        """Colors of points by index, uint8 (k, 3); None if the cloud has no colors.
 
         Raises:
-            TypeError: Not whole numbers.
-            IndexError: One beyond the points.
+            TypeError, IndexError: Not integers, or an index is out of range.
         """
         rows = check_indices("indices", indices, len(self._positions), of=f"tree of {len(self._positions)} points")
         return None if self._colors is None else self._colors(rows)
 
     def node(self, i: int) -> Node:
-        """A node's points about its middle.
-
-        Args:
-            i: The node.
-
-        Raises:
-            TypeError, ValueError: No whole number from 0.
-            IndexError: There is no such node.
-        """
+        """Points of node `i` relative to its center; errors as in `indices_of`."""
         indices = self.indices_of(i)
         shift = self.origin - self.middles[i]
         positions = (self._positions[indices] + shift).astype(np.float32)
@@ -253,15 +212,14 @@ class DetailTree(NodesInView):
         return self._order[first : first + int(self.counts[i])]
 
     def shares_in_view(self, view: View, nodes: Sequence[int]) -> NDArray[np.float64]:
-        """Which share of the points of nodes lies within a view, 0 to 1, by a few points of each, float64 [k].
+        """Fraction of the points of each node inside a view, 0 to 1, estimated from a few points; float64 (k,).
 
         Args:
-            view: Where it is taken from, in world coordinates.
-            nodes: Such as `select` gives.
+            view: View in world coordinates.
+            nodes: Node indices, for example of `select`.
 
         Raises:
-            TypeError: No View, or not whole numbers.
-            IndexError: There is no such node.
+            TypeError, IndexError: Not a View, not integers, or no such node.
         """
         check_view(view)
         rows = self._check_nodes(nodes)
@@ -273,7 +231,7 @@ class DetailTree(NodesInView):
 
 
 def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[np.float64], float]:
-    """The corner and the side of a cube over a box; the side a power of two, so that cells are exact."""
+    """Corner and side of a cube around a box; the side is a power of 2, so that cells are exact."""
     corner = low.astype(np.float64)
     extent = max(float((high - corner).max()), _SMALLEST_SIDE)
     return corner, 2.0 ** math.ceil(math.log2(extent))

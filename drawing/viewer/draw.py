@@ -1,9 +1,6 @@
-"""Geometries in a window of the browser: `draw`, as Open3D's `draw_geometries`.
+"""Display geometries in a browser window (`draw`, compatible with Open3D's `draw_geometries`) or inline in a notebook.
 
-A scene inside a notebook, for where the browser reaches no server of the kernel's: `inline_page`.
-
-The page is that of recordings (recording/page.py): one HTML text with player and data, which asks nobody for anything.
-It stays in the notebook's file, so its size is bounded, and what is beyond is sampled or simplified.
+`inline_page` makes a self-contained HTML page of bounded size, for notebooks whose kernel the browser cannot reach.
 """
 
 from __future__ import annotations
@@ -35,7 +32,7 @@ from .server import ViewerError
 from .stills import as_entry, write_geometries
 from .viewer import MOST_POINTS, Viewer
 
-MOST_OPEN = 16  # viewers of a kernel's cells: fewer than the ports that are tried
+MOST_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
 
 
 @told_arguments
@@ -60,42 +57,40 @@ def draw(
     inline: bool | None = None,
     linger: float = LINGER,
 ) -> Viewer | InlinePage | Picture:
-    """Show geometries in the browser, on this machine or over SSH on another one, or in a notebook.
+    """Show geometries in the browser, on this machine or over SSH, or in a notebook.
 
-    From a script it says on stderr where the page is, opens a browser where there is a display, and returns when the
-    last page has been closed for a minute (`linger`), or with Ctrl-C. In a notebook it returns at once and the cell
-    shows the page: live where the browser can reach a server of this machine, else as a page of its own inside the
-    notebook.
+    In a script, the address is printed on stderr, a browser is opened if there is a display, and the call returns
+    `linger` seconds after the last page was closed, or at Ctrl-C. In a notebook it returns at once and the cell shows
+    the page: live if the browser can reach this machine, else as a self-contained page.
 
-    Where the environment variable POINTLOOM_DRAW is "picture", so that a script runs unattended, nothing is opened and
-    nothing waits: what would wait returns the picture that the page would begin with.
+    If the environment variable POINTLOOM_DRAW is "picture", nothing is opened, and a call that would wait returns the
+    initial image.
 
     Args:
-        geometries: One, a list, a mapping of names to geometries, or dictionaries as Open3D's `draw` takes; all that
+        geometries: One, a list, a mapping of names to geometries, or dictionaries as in Open3D's `draw`; all types that
             `loom.render` draws.
-        width, height: Of pictures, and the height of the frame in a notebook [px]; a page is as large as its window.
-        point_show_normal: Begin with normals; N in the page.
-        mesh_show_wireframe: Begin with edges; W in the page.
-        mesh_show_back_face: Draw faces that look away.
-        lookat, up, front, zoom, field_of_view: Where from, as in Open3D; none of them: what shows all.
-        port, host: Of the server; see `Viewer`.
-        max_points: Of all clouds together in a page.
-        block: Whether to wait; None waits but in a notebook.
-        open_browser: Open a browser where there is a display.
-        inline: Put the scene itself into the notebook, in at most 4 MB (clouds sampled, meshes simplified; what is
-            shown says so), and start no server: it can be turned and zoomed wherever the notebook is read. None does
-            that in a notebook on Colab, Kaggle, JupyterHub, Binder, Databricks, in VS Code or reached over SSH, unless
-            the environment variable POINTLOOM_INLINE says 1 (always) or 0 (never).
-        linger: How long the pages may be gone before the wait ends [s]; stderr says when the last one goes.
+        width, height: Size of images, and height of the frame in a notebook [px].
+        point_show_normal: Show normals at first; key N.
+        mesh_show_wireframe: Show edges at first; key W.
+        mesh_show_back_face: Draw back faces.
+        lookat, up, front, zoom, field_of_view: Camera as in Open3D; if none is given, the complete scene is visible.
+        port, host: See `Viewer`.
+        max_points: Maximum number of points of all clouds in a page.
+        block: Wait for the pages. If None, wait except in a notebook.
+        open_browser: Open a browser if there is a display.
+        inline: Embed the scene in the notebook without a server, in at most 4 MB (clouds are sampled, meshes
+            simplified, with a notice). If None: embed on Colab, Kaggle, JupyterHub, Binder, Databricks, in VS Code and
+            over SSH, unless the environment variable POINTLOOM_INLINE is 1 (always) or 0 (never).
+        linger: Time without a page after which the wait ends [s].
 
     Returns:
-        The viewer, closed where `draw` waited. Inline, and in a notebook where no server can run, an `InlinePage`.
-        Unattended, the picture.
+        The viewer, closed if `draw` waited; an `InlinePage` if inline or if no server can run in a notebook; an image
+        if POINTLOOM_DRAW is "picture".
 
     Raises:
-        TypeError: A geometry of no known kind; says what is accepted.
-        ValueError: A parameter out of range.
-        PointloomError: The extra is not installed (but in a notebook and inline), with the line that installs it.
+        TypeError: Unsupported geometry.
+        ValueError: A parameter is out of range.
+        PointloomError: The extra is not installed (not needed in a notebook and inline).
 
     Example:
         >>> import pointloom as loom
@@ -123,7 +118,7 @@ def draw(
     try:
         if any(value is not None for value in view.values()):
             viewer.set_view({name: value for name, value in view.items() if value is not None})
-        with viewer.lock:  # a page may load meanwhile, and comes in when all is there
+        with viewer.lock:  # a page that loads meanwhile is updated once everything is added
             if not notebook or block:
                 announce(viewer)
                 if open_browser and not unattended():
@@ -141,15 +136,11 @@ def draw(
     return viewer
 
 
-draw_geometries = draw  # for those who come from Open3D
+draw_geometries = draw  # Open3D's name
 
 
 def unattended() -> bool:
-    """Whether the environment says that nobody is there to look: POINTLOOM_DRAW=picture.
-
-    Raises:
-        ValueError: The variable is neither "page" nor "picture".
-    """
+    """True if POINTLOOM_DRAW is "picture"; raises ValueError if it is neither that nor "page"."""
     mode = os.environ.get("POINTLOOM_DRAW") or "page"
     if mode not in ("page", "picture"):
         raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
@@ -157,7 +148,7 @@ def unattended() -> bool:
 
 
 def wait_for_pages(viewer: Viewer, linger: float = LINGER) -> None:
-    """Wait as `Viewer.wait` does, then close; Ctrl-C ends the wait as closing a window would."""
+    """Wait as `Viewer.wait`, then close. Ctrl-C ends the wait without an error."""
     try:
         viewer.wait(linger=linger)
     except KeyboardInterrupt:
@@ -167,7 +158,7 @@ def wait_for_pages(viewer: Viewer, linger: float = LINGER) -> None:
 
 
 def announce(viewer: Viewer) -> None:
-    """Say on stderr where the page is, and over SSH how to reach it."""
+    """Print the address of the page on stderr, and the SSH command if needed."""
     lines = []
     if viewer.server.moved_from is not None:
         lines.append(f"port {viewer.server.moved_from} is taken; the next free one is {viewer.server.port}")
@@ -180,7 +171,7 @@ def announce(viewer: Viewer) -> None:
 
 
 def open_page(viewer: Viewer) -> bool:
-    """Open the page in a browser where there is a display to show it; whether one was found."""
+    """Open the page in a browser if there is a display. True if a browser was started."""
     windows = sys.platform in ("darwin", "win32") or any(os.environ.get(k) for k in ("DISPLAY", "WAYLAND_DISPLAY"))
     if not windows or "SSH_CONNECTION" in os.environ:
         return False
@@ -191,7 +182,7 @@ def open_page(viewer: Viewer) -> bool:
 
 
 def _open_in_cell(port: int, **options: Any) -> Viewer:
-    """A viewer in place of what this cell opened before; under any port where those asked for are taken."""
+    """Replace the viewers of earlier runs of this cell; use any port if the preferred ones are in use."""
     make_room()
     try:
         viewer = Viewer(port=port, **options)
@@ -211,7 +202,6 @@ def _with_back_faces(named: list[Named], shown: bool) -> list[Named]:
 def _picture(
     named: list[Named], view: dict[str, Any], size: tuple[int, int], normals: bool, wireframe: bool
 ) -> Picture:
-    """The picture that the viewer would have begun with."""
     from ..render.render import render
     from .stills import as_entry
 
@@ -221,18 +211,18 @@ def _picture(
 
 
 class _Run(NamedTuple):
-    """A cell, and which of its runs."""
+    """A notebook cell and the number of its run."""
 
     cell: str
     number: str
 
 
-_opened: list[tuple[_Run, weakref.ref[Viewer]]] = []  # the earliest first
+_opened: list[tuple[_Run, weakref.ref[Viewer]]] = []  # oldest first
 _lock = threading.Lock()
 
 
 def make_room() -> None:
-    """Close what earlier runs of this cell opened, and the earliest of all where 16 are open."""
+    """Close the viewers of earlier runs of this cell, and the oldest one if 16 are open."""
     run = _this_run()
     with _lock:
         alive = [(by, viewer) for by, ref in _opened if (viewer := ref()) is not None and not viewer.closed]
@@ -247,17 +237,12 @@ def make_room() -> None:
 
 
 def keep(viewer: Viewer) -> None:
-    """Count a viewer as opened by the cell that runs."""
     with _lock:
         _opened.append((_this_run() or _Run("", ""), weakref.ref(viewer)))
 
 
 def _this_run() -> _Run | None:
-    """The cell that runs, by the name that the notebook gives it, else by its text; None where there is none.
-
-    JupyterLab and VS Code tell the name of a cell with each request; where it is missing, cells of the same text count
-    as one.
-    """
+    """The running cell, identified by the name in the request (JupyterLab, VS Code), else by its text; or None."""
     get_parent = getattr(ipython_shell(), "get_parent", None)
     if get_parent is None:
         return None
@@ -265,15 +250,15 @@ def _this_run() -> _Run | None:
     try:
         named = request["metadata"].get("cellId") or request["metadata"].get("cell_id")
         return _Run(str(named or request["content"]["code"]), str(request["header"]["msg_id"]))
-    except (AttributeError, KeyError, TypeError):  # another protocol's request
+    except (AttributeError, KeyError, TypeError):  # a request of another protocol
         return None
 
 
 VARIABLE = "POINTLOOM_INLINE"
-FIRST_POINTS = 200_000  # of a first try: about 16 bytes each, once they are packed
-SMALLER, TRIES = 0.9, 4  # how far below the share that would just fit, and how often
+FIRST_POINTS = 200_000  # of the first attempt: about 16 B each, packed
+SMALLER, TRIES = 0.9, 4  # safety factor of the next fraction, and maximum number of attempts
 
-# What tells that the browser is not on the kernel's machine, or shows no frame of its ports.
+# Signs that the browser is not on the kernel's machine, or does not show frames of its ports.
 PLACES = (
     ("COLAB_RELEASE_TAG", "Colab"),
     ("KAGGLE_KERNEL_RUN_TYPE", "Kaggle"),
@@ -287,12 +272,12 @@ PLACES = (
 
 
 class InlinePage:
-    """What `draw` gives a notebook inline: a scene that can be turned wherever the notebook is read, without a server.
+    """A self-contained scene for a notebook, without a server.
 
     Attributes:
-        html: The page; None where none fits into the bound, and the picture is all.
-        picture: Shape [h, w, 3], uint8: the view that the page begins with.
-        notes: What is said below it: why it is inline, its size, and what was sampled or simplified.
+        html: The page; None if it does not fit into the size limit.
+        picture: Initial image, shape (h, w, 3), uint8.
+        notes: Notes below the page: why it is inline, its size, and what was sampled or simplified.
     """
 
     def __init__(self, html: str | None, picture: NDArray[np.uint8], notes: list[str], height: int):
@@ -302,22 +287,14 @@ class InlinePage:
         return f"InlinePage({'; '.join(self.notes)})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The page in a frame, over the picture for what shows no frames."""
+        """The page in a frame, with the image as fallback."""
         if self.html is None:
             return still_output(repr(self), self.notes, self.picture)
         return page_output(repr(self), self.html, self.notes, self.picture, self._height)
 
 
 def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
-    """Why a scene is to be shown inline; None where it is not.
-
-    Args:
-        inline: As of `draw`.
-        notebook: Whether there is a notebook that would show it.
-
-    Raises:
-        ValueError: POINTLOOM_INLINE is neither 0 nor 1.
-    """
+    """The reason to embed a scene, or None; raises ValueError if POINTLOOM_INLINE is neither 0 nor 1."""
     if inline is not None:
         return "inline, as asked for" if inline else None
     wish = os.environ.get(VARIABLE, "")
@@ -332,7 +309,7 @@ def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
 
 
 def place_of_kernel() -> str | None:
-    """Where a kernel runs whose servers the browser does not reach; None for this machine, as far as can be known."""
+    """Name of a remote environment whose servers the browser cannot reach; None for this machine."""
     if "google.colab" in sys.modules:
         return "Colab"
     return next((place for variable, place in PLACES if os.environ.get(variable)), None)
@@ -341,15 +318,7 @@ def place_of_kernel() -> str | None:
 def inline_page(
     named: list[Named], view: dict[str, Any], size: tuple[int, int], max_points: int, reason: str
 ) -> InlinePage:
-    """The scene as a page of at most 4 MB, with the picture that it begins with.
-
-    Args:
-        named: Names, geometries and styles.
-        view: Open3D's view parameters by name; None each for what shows all.
-        size: Width and height as of `draw` [px].
-        max_points: Of all clouds and meshes together.
-        reason: Why it is inline; said below it.
-    """
+    """Make a page of at most 4 MB with its initial image; `reason` is shown below it."""
     from ..render.render import device_of, render, resolve_view
 
     width = min(size[0], MOST_WIDTH)
@@ -369,7 +338,7 @@ def inline_page(
 
 
 def _bounded_page(named: list[Named], view: Any, max_points: int) -> tuple[str | None, dict[str, tuple[int, int]]]:
-    """The page, sampled and simplified until it fits, and of each name how many points of how many it has."""
+    """The page, sampled until it fits, and the displayed and total number of points of each name."""
     most = min(max_points, FIRST_POINTS)
     with tempfile.TemporaryDirectory(prefix="pointloom-page-") as folder:
         path = Path(folder) / "page.html"

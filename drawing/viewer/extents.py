@@ -1,4 +1,4 @@
-"""The box around many boxes, at the same cost for each change however many there are: `Extents`."""
+"""Union of many boxes with constant cost per change: `Extents`."""
 
 from __future__ import annotations
 
@@ -7,20 +7,19 @@ from numpy.typing import NDArray
 
 Bounds = tuple[NDArray[np.float64], NDArray[np.float64]]
 
-_FIRST_ROOM = 16  # boxes that there is room for at first; twice as many each time that it is full
+_FIRST_ROOM = 16  # initial capacity; doubled when full
 
 
 class Extents:
-    """Boxes by name, and the box around all of them.
+    """Boxes by name and their union.
 
-    What comes or grows widens the box around all at once. Where one leaves that reached the border, the border is found
-    anew when it is next asked for, over all boxes in one go.
+    An added box widens the union at once. After removal of a box at the border, the union is recomputed on next use.
     """
 
     def __init__(self) -> None:
         self._slots: dict[str, int] = {}
         self._free: list[int] = []
-        self._ends = np.full((_FIRST_ROOM, 6), np.inf)  # low and negated high of each; none in free slots
+        self._ends = np.full((_FIRST_ROOM, 6), np.inf)  # low and negated high of each box; inf in free slots
         self._union = np.full(6, np.inf)
         self._is_stale = False
 
@@ -28,7 +27,6 @@ class Extents:
         return len(self._slots)
 
     def put(self, name: str, bounds: Bounds | None) -> None:
-        """Have a box stand under a name, in place of the one before; None is none."""
         if bounds is None:
             self.drop(name)
             return
@@ -36,13 +34,12 @@ class Extents:
         if slot is None:
             slot = self._slots[name] = self._take_slot()
         ends = np.concatenate([bounds[0], -bounds[1]])
-        # a side that reached the border and does not any more
+        # a side that was at the border and is not anymore
         self._is_stale |= bool(((self._ends[slot] <= self._union) & (ends > self._union)).any())
         self._ends[slot] = ends
         np.minimum(self._union, ends, out=self._union)
 
     def drop(self, name: str) -> None:
-        """Let a box go; of a name without one, nothing."""
         slot = self._slots.pop(name, None)
         if slot is not None:
             self._is_stale |= bool((self._ends[slot] <= self._union).any())
@@ -50,7 +47,6 @@ class Extents:
             self._free.append(slot)
 
     def union(self) -> Bounds | None:
-        """The lowest and the highest corner of all; None where there is nothing."""
         if not self._slots:
             self._union[:], self._is_stale = np.inf, False
             return None
@@ -59,7 +55,6 @@ class Extents:
         return self._union[:3].copy(), -self._union[3:]
 
     def corners(self) -> NDArray[np.float64]:
-        """The eight corners of each box, shape [8 k, 3]."""
         ends = self._ends[list(self._slots.values())].reshape(-1, 2, 3) * [[1.0], [-1.0]]
         each = [ends[:, [i, j, k], [0, 1, 2]] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
         return np.stack(each, axis=1).reshape(-1, 3)

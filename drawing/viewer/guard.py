@@ -1,10 +1,8 @@
-"""Who may talk to the viewer, and what they may set: rules for requests and values, apart from any server.
+"""Access rules for requests and values, independent of the server.
 
-A server on a loopback port is open to every web page that the user's browser shows: a page may ask for
-http://127.0.0.1:8080 itself, or let its own name point to 127.0.0.1 (DNS rebinding) and read the answers as its own.
-So a request must name this machine in `Host`, and a websocket must come from the page that was served under that
-same host and port (`Origin`); anything else is 403. Through `ssh -L 9000:127.0.0.1:8080` both say port 9000, so the
-port is compared between the two, never with the one that is listened on.
+Every web page in the user's browser can reach a loopback port, directly or by DNS rebinding. So `Host` must name this
+machine, and a websocket's `Origin` must equal that host and port; other requests get 403. The port is not compared with
+the listening port, as both headers contain the local one behind `ssh -L`.
 """
 
 from __future__ import annotations
@@ -16,23 +14,22 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 _HOST = re.compile(r"(?P<name>\[[0-9a-f:.]+\]|[a-z0-9._-]+)(:(?P<port>[0-9]{1,5}))?", re.IGNORECASE)
-_MOST_WHOLE = 2**53  # what a browser's numbers hold
+_MOST_WHOLE = 2**53  # exact integers in a browser
 
 
 def split_host(header: str) -> tuple[str, str] | None:
-    """The name and the port ("" where none is given) of a `Host` header in small letters; None for what is neither."""
+    """Lowercase name and port ("" if missing) of a `Host` header; None if invalid."""
     match = _HOST.fullmatch(header)
     return (match["name"].lower().rstrip("."), match["port"] or "") if match else None
 
 
 def is_loopback(name: str) -> bool:
-    """Whether a host name or address, with or without brackets, is this machine's loopback."""
+    """True if a host name or address, with or without brackets, is loopback."""
     address = as_address(name)
     return name.lower() == "localhost" if address is None else address.is_loopback
 
 
 def as_address(name: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
-    """The IP address that a host name spells, None for a name."""
     try:
         return ipaddress.ip_address(name.strip("[]"))
     except ValueError:
@@ -40,19 +37,16 @@ def as_address(name: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | Non
 
 
 class RequestGuard:
-    """Which requests are answered.
+    """Decides which requests are answered: for loopback, host `names`, and with `any_address` IP addresses.
 
-    Args:
-        names: Host names beside loopback's under which the viewer may be asked for, in small letters.
-        any_address: Also under any IP address: for a viewer that listens beyond loopback. An address cannot be
-            rebound, only a name can.
+    Addresses cannot be rebound, unlike names.
     """
 
     def __init__(self, names: frozenset[str] = frozenset(), *, any_address: bool = False):
         self.names, self.any_address = names, any_address
 
     def refusal(self, headers: Mapping[str, list[str]], *, websocket: bool) -> str:
-        """Why a request with these headers (names in small letters) gets 403; "" where it may pass."""
+        """Reason for a 403 response, given lowercase headers; "" if allowed."""
         hosts, origins = headers.get("host", []), headers.get("origin", [])
         host = split_host(hosts[0]) if len(hosts) == 1 else None
         if host is None or not self._is_ours(host[0]):
@@ -61,7 +55,7 @@ class RequestGuard:
             return "only the viewer's own page may connect"
         if origins and not _is_same(origins[0], host):
             return "pages from elsewhere may not read this viewer"
-        # A page may fetch or embed without sending an Origin; what the browser says of the request tells.
+        # requests without Origin (fetch, embedding) are identified by the browser's Sec-Fetch headers
         mode, site = headers.get("sec-fetch-mode", ["navigate"]), headers.get("sec-fetch-site", ["none"])
         if not websocket and mode != ["navigate"] and site not in (["none"], ["same-origin"]):
             return "pages from elsewhere may not read this viewer"
@@ -72,7 +66,7 @@ class RequestGuard:
 
 
 def _is_same(origin: str, host: tuple[str, str]) -> bool:
-    """Whether the origin "http://name:port" is that host; https is what a proxy in front may speak."""
+    """True if the origin is that host; https may be used by a proxy."""
     scheme, _, rest = origin.partition("://")
     default = {"http": "80", "https": "443"}.get(scheme.lower())
     named = split_host(rest)
@@ -82,14 +76,10 @@ def _is_same(origin: str, host: tuple[str, str]) -> bool:
 
 
 def response_headers(host: str, sources: Mapping[str, Sequence[str]] | None = None) -> dict[str, str]:
-    """The headers of every answer, for a page that was asked for under this (checked) `Host`.
+    """Headers of every response to a (checked) `Host`.
 
-    The page may run its own scripts and styles alone, which the policy names by their hashes, and reach nothing but its
-    own websocket. Notebooks on this machine may frame it, other pages may not.
-
-    Args:
-        host: As asked for.
-        sources: The hashes of the page's scripts and styles, by "script" and "style"; None for a page without.
+    The policy allows only the page's own scripts and styles, by hashes in `sources`, and its websocket. Notebooks on
+    this machine may frame the page.
     """
     allowed = {kind: " ".join(f"'{one}'" for one in (sources or {}).get(kind, ())) for kind in ("script", "style")}
     policy = [
@@ -112,20 +102,9 @@ def response_headers(host: str, sources: Mapping[str, Sequence[str]] | None = No
 
 
 def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None, options: Any = None) -> Any:
-    """What a control is set to by a page that says `value`.
+    """Validate a value that a page sets: the type of `current`, clipped to `low` and `high`, one of `options`.
 
-    Args:
-        value: As decoded.
-        current: The control's value now: the new one must be of its kind.
-        low: Its smallest number, None without.
-        high: Its largest.
-        options: What may be chosen, None for free choice.
-
-    Returns:
-        The value, a number brought within the limits and of the control's type, a list as a tuple.
-
-    Raises:
-        ValueError: it is of another kind, or no option.
+    Lists become tuples. Raises ValueError for another type or an unknown option.
     """
     kind = type(current)
     if kind is tuple:

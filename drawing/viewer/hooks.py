@@ -1,4 +1,4 @@
-"""What a program hangs on the viewer's pages: controls, clicks, calls with each frame, a time line; `Hooks`."""
+"""Callbacks and controls that a program adds to the viewer's pages."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 
-FOLDER, ORDER = "Program", 0.7  # above all that is ours but the line of the points and the tool at work
-STEPS = 100  # of a slider between its ends, where no step is given
-MOST_TEXT = 16_384  # characters of a text
+FOLDER, ORDER = "Program", 0.7  # below the point count and the active tool, above all other folders
+STEPS = 100  # default number of slider steps
+MOST_TEXT = 16_384  # characters
 
 Check = Callable[[Any], Any]
 
 
 class Control:
-    """A control of the panel that a program added; `viewer.add_button` and its kin make it.
+    """A control in the panel, created by `viewer.add_button`, `viewer.add_slider` or another `add_...` method.
 
     Attributes:
-        label: What it is called.
-        folder: The folder of the panel that it lies in.
+        label: Label of the control.
+        folder: Folder of the panel.
 
     Example:
         >>> import pointloom as loom
@@ -54,11 +54,9 @@ class Control:
 
     @property
     def value(self) -> Any:
-        """What it is set to, by a page or by the program; assign another. None of a button.
+        """Current value, assignable; None for a button.
 
-        Raises:
-            TypeError: Assigned to a button, or a value of another kind.
-            ValueError: Assigned a value that the control does not take.
+        Raises `TypeError` for a button or a value of another type, `ValueError` for a value out of range.
         """
         return self._value
 
@@ -71,26 +69,17 @@ class Control:
             self._handles[0].value = self._value
 
     def remove(self) -> None:
-        """Take it out of the panel; its function is called no more. Twice is no error."""
+        """Remove the control from the panel. A second call has no effect."""
         self._controls.remove(self)
 
 
 class Controls:
-    """The folders of a program's controls, and the controls in them.
-
-    Args:
-        gui: Of all pages, as of the link.
-        calls: Calls the program's functions.
-        bind: Has a key of a label call a function with the number of the page; gives the handle.
-    """
-
     def __init__(self, gui: Any, calls: Calls, bind: Callable[[str, str, Callable[[int | None], None]], Any]):
         self._gui, self._calls, self._bind = gui, calls, bind
         self._lock = threading.RLock()
         self._folders: dict[str, tuple[Any, list[Control]]] = {}
 
     def add_button(self, label: str, callback: Any, hotkey: str | None, folder: str, hint: str) -> Control:
-        """A button."""
         if not callable(callback):
             raise TypeError(f"callback: expected a function, got {type(callback).__name__}")
         key, calls, hint = None if hotkey is None else check_hotkey(hotkey), self._calls, check_name("hint", hint)
@@ -110,7 +99,7 @@ class Controls:
         return control
 
     def add_slider(self, label: str, low: Any, high: Any, value: Any, callback: Any, step: Any, folder: str) -> Control:
-        """A slider, of whole numbers where all that is given is whole."""
+        """Add a slider; it is integer if all given numbers are integers."""
         given = {"low": low, "high": high, "value": value} | ({} if step is None else {"step": step})
         numbers = {name: check_number(name, number) for name, number in given.items()}
         is_whole = all(isinstance(number, int) or hasattr(number, "__index__") for number in given.values())
@@ -133,12 +122,10 @@ class Controls:
         return self._add(label, folder, start, check, lambda name: self._gui.add_slider(name, *ends, start), callback)
 
     def add_checkbox(self, label: str, value: Any, callback: Any, folder: str) -> Control:
-        """A box to tick."""
         start = _check_flag(value)
         return self._add(label, folder, start, _check_flag, lambda name: self._gui.add_checkbox(name, start), callback)
 
     def add_dropdown(self, label: str, options: Any, callback: Any, value: Any, folder: str) -> Control:
-        """A choice of one of several."""
         known = tuple(check_name("options", option) for option in check_list("options", options, "strings"))
         if not known or len({*known}) != len(known):
             raise ValueError(f"options: expected strings that differ, one at the least, got {shown(options)}")
@@ -152,12 +139,10 @@ class Controls:
         return self._add(label, folder, start, check, lambda name: self._gui.add_dropdown(name, known, start), callback)
 
     def add_text(self, label: str, value: Any, callback: Any, folder: str) -> Control:
-        """A field of text."""
         start = _check_text(value)
         return self._add(label, folder, start, _check_text, lambda name: self._gui.add_text(name, start), callback)
 
     def remove(self, control: Control) -> None:
-        """Take a control out, and its folder where it was the last one."""
         with self._lock:
             handles, control._handles = control._handles, []
             for handle in handles:
@@ -186,9 +171,9 @@ class Controls:
         return control
 
     def _take(self, control: Control, client: int | None, value: Any, callback: Any) -> None:
-        """A page has set a value, which the link has checked."""
+        """Store a value set by a page (validated by the link) and call the callback."""
         assert control._check is not None
-        if client is None or not control._handles:  # the program itself has set it, or it has gone
+        if client is None or not control._handles:  # set by the program, or removed
             return
         try:
             new = control._value = control._check(value)
@@ -216,18 +201,17 @@ def _check_label(name: str, label: Any) -> str:
     return label
 
 
-FASTEST = 240.0  # [Hz] of calls with each frame
+FASTEST = 240.0  # [Hz] maximum rate of frame callbacks
 
 
 class Hooks:
-    """The calls of a viewer by which its pages call the program.
+    """Callbacks and controls of a viewer.
 
-    The program's functions are called one after the other in a thread of the pages, never in the program's own; each of
-    them may call everything of the viewer, `close` too. What one raises is shown in the page that asked for it and goes
-    to the logger `pointloom.viewer`; the next is called all the same.
+    Callbacks run one after the other in a thread of the viewer and may call every method of it, including `close`. An
+    exception of a callback is displayed in the page that caused the call and logged to `pointloom.viewer`.
     """
 
-    timeline: LiveTimeline | None = None  # once `set_time` was called
+    timeline: LiveTimeline | None = None  # set by `set_time`
     history_bytes = HISTORY_BYTES
     _calls_made: Calls | None = None
     _controls_made: Controls | None = None
@@ -235,14 +219,12 @@ class Hooks:
 
     @property
     def items(self) -> Mapping[str, Item]:
-        """What is in the scene, by name; the newest, also while the pages look at an earlier moment."""
+        """Geometries of the scene by name; always the newest state, also if the pages show an earlier time."""
         timeline = self.timeline
         if timeline is None or timeline.is_live:
             return self.shown
         with self.lock:
             return timeline.newest()
-
-    # -- controls -----------------------------------------------------------------------------------------------------
 
     def add_button(
         self,
@@ -253,21 +235,20 @@ class Hooks:
         folder: str = FOLDER,
         hint: str = "",
     ) -> Control:
-        """Add a button to the panel of all pages; the palette (Ctrl+K) lists it as well.
+        """Add a button to the panel of all pages and to the command palette (Ctrl+K).
 
         Args:
-            label: On the button.
-            callback: Called with the number of the page in which it was pressed.
-            hotkey: A key that does the same, as of `on_key`.
-            folder: The folder of the panel that it lies in; one that is not there is made.
-            hint: Shown where the mouse rests on it.
+            label: Label of the button.
+            callback: Called with the number of the page in which the button was pressed.
+            hotkey: Key with the same effect, see `on_key`.
+            folder: Folder of the panel; created if missing.
+            hint: Tooltip.
 
         Returns:
-            The control, for `remove()`.
+            The control; its `remove()` removes the button.
 
         Raises:
-            TypeError: No string, or no function.
-            ValueError: No such key, or a label without words.
+            TypeError, ValueError: An argument of another type, an unknown key, or an empty label.
 
         Example:
             >>> import pointloom as loom
@@ -288,20 +269,19 @@ class Hooks:
         step: float | None = None,
         folder: str = FOLDER,
     ) -> Control:
-        """Add a slider to the panel of all pages; of whole numbers alone where all that is given is whole.
+        """Add a slider to the panel of all pages; it is integer if all given numbers are integers.
 
         Args:
-            label: Beside it.
-            low, high: Its ends.
-            value: Where it begins.
-            callback: Called with the value when a page has set it, with the newest where several wait; None: the
-                program reads `value`.
-            step: Between two values; None for 1 or a hundredth of the way.
-            folder: As of `add_button`.
+            label: Label of the slider.
+            low, high: Range.
+            value: Initial value.
+            callback: Called with the value after a page has changed it; only with the newest if several wait. If None,
+                the program reads `value`.
+            step: Step size. If None, 1 or a hundredth of the range.
+            folder: See `add_button`.
 
         Raises:
-            TypeError: No number, or no function.
-            ValueError: A value or a step that does not lie between the ends.
+            TypeError, ValueError: Not a number, not callable, or `value` or `step` out of range.
 
         Example:
             >>> import pointloom as loom
@@ -314,7 +294,7 @@ class Hooks:
     def add_checkbox(
         self, label: str, value: bool = False, callback: Callable[[bool], Any] | None = None, *, folder: str = FOLDER
     ) -> Control:
-        """Add a box to tick to the panel of all pages; arguments and errors as of `add_slider`.
+        """Add a checkbox to the panel of all pages; arguments and errors as in `add_slider`.
 
         Example:
             >>> import pointloom as loom
@@ -333,11 +313,10 @@ class Hooks:
         *,
         folder: str = FOLDER,
     ) -> Control:
-        """Add a choice of one of several to the panel of all pages; `value` None begins with the first.
+        """Add a dropdown list to the panel of all pages. If `value` is None, the first option is selected.
 
         Raises:
-            TypeError: No strings, or no function.
-            ValueError: No options, two that are the same, or a value that is none of them.
+            TypeError, ValueError: Options that are not strings, empty or duplicate, or `value` is not an option.
 
         Example:
             >>> import pointloom as loom
@@ -350,7 +329,7 @@ class Hooks:
     def add_text(
         self, label: str, value: str = "", callback: Callable[[str], Any] | None = None, *, folder: str = FOLDER
     ) -> Control:
-        """Add a field of text, of 16,384 characters at most, to the panel of all pages.
+        """Add a text field (at most 16,384 characters) to the panel of all pages.
 
         Example:
             >>> import pointloom as loom
@@ -360,20 +339,17 @@ class Hooks:
         """
         return self._controls().add_text(label, value, callback, folder)
 
-    # -- keys, clicks and frames --------------------------------------------------------------------------------------
-
     def on_key(self, key: str, callback: Callable[[int], None], label: str = "") -> None:
-        """Call back when a key is pressed in a page, in place of what it did there.
+        """Call a function when a key is pressed in a page; replaces the default action of the key.
 
         Args:
             key: "A" to "Z", "0" to "9", "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home",
                 "end", "pageup", "pagedown", "arrowup", "arrowdown", "arrowleft" or "arrowright".
             callback: Called with the number of the page.
-            label: What the key does, for the list that Ctrl+K opens; "" for its name.
+            label: Description in the command palette (Ctrl+K). If "", the name of the key.
 
         Raises:
-            ValueError: No such key.
-            TypeError: No function.
+            ValueError, TypeError: Unknown key, or `callback` is not callable.
         """
         _check_function(callback)
         with self.lock:
@@ -381,17 +357,15 @@ class Hooks:
             self.panel.bind_key(check_hotkey(key), check_name("label", label or key), self._queued(callback))
 
     def on_pick(self, callback: Callable[[Pick], Any]) -> Callable[[], None]:
-        """Call back with what a click in a page means, where no tool is at work; a click beside all is none.
+        """Call a function with the point or triangle at each click, while no tool is active.
 
         Args:
-            callback: Called with the `Pick`: the name, the index of the point (of a surface: the triangle), the place
-                in the world, and the point's attributes. All points are looked at, not only those that are drawn.
+            callback: Called with a `Pick`: name, index of the point (or triangle), world position and attributes. All
+                points are searched, also those that are not drawn. Clicks on the background are ignored. Raises
+                `TypeError` if not callable.
 
         Returns:
-            A function that ends it.
-
-        Raises:
-            TypeError: No function.
+            A function that removes the callback.
 
         Example:
             >>> import pointloom as loom
@@ -407,19 +381,18 @@ class Hooks:
         return self._picks_made.add(callback)
 
     def on_frame(self, callback: Callable[[float], Any], rate: float = 30.0) -> Callable[[], None]:
-        """Call back again and again while a page is open, for animations.
+        """Call a function repeatedly while a page is open, for animations.
 
         Args:
-            callback: Called with the seconds since the last call; 0 for the first, and for the first after no page was
-                open. What it raises ends it, and is shown in all pages.
-            rate: At most so many times a second. A page that draws slowly is waited for; of several the fastest counts.
+            callback: Called with the seconds since the last call; 0 for the first call and for the first one after no
+                page was open. An exception ends the calls and is displayed in all pages.
+            rate: Maximum number of calls per second, in (0, 240]; limited by the drawing speed of the fastest page.
 
         Returns:
-            A function that ends it.
+            A function that ends the calls.
 
         Raises:
-            TypeError: No function, or no number.
-            ValueError: A rate that is not above 0, or above 240.
+            TypeError, ValueError: `callback` is not callable, or `rate` is not a number or out of range.
 
         Example:
             >>> import pointloom as loom
@@ -430,24 +403,20 @@ class Hooks:
         _check_function(callback)
         return self._calls().every(1.0 / check_positive("rate", rate, maximum=FASTEST), callback)
 
-    # -- the time line ------------------------------------------------------------------------------------------------
-
     def set_time(self, t: float) -> None:
-        """Begin a moment: what is added, updated, moved, shown or removed from now on belongs to it.
+        """Start a new time step; later changes of the scene belong to it.
 
-        With the second moment the pages have a time line, which looks at what was: one for all pages. At its end it
-        follows the newest moment. The program goes on meanwhile, and `items` is the newest.
+        From the second step on, all pages share a timeline of the history. At its end it follows the newest step.
 
         Args:
-            t: In seconds, or the number of a frame; not before the newest moment.
+            t: Time [s] or frame number; not before the newest step.
 
         Raises:
-            TypeError: No number.
-            ValueError: Before the newest moment, or not finite.
+            TypeError, ValueError: `t` is not a number, not finite, or before the newest step.
 
         Notes:
-            A moment takes the memory of what changed in it: geometries that stay are held once, poses as matrices.
-            Beyond `history_bytes` of the viewer (1 GiB) the oldest moments go, which is said once.
+            A step takes memory for its changes only. Beyond `history_bytes` of the viewer (1 GiB) the oldest steps are
+            dropped, with one notice.
 
         Example:
             >>> import pointloom as loom
@@ -466,10 +435,9 @@ class Hooks:
             self.timeline = timeline
 
     def show_time(self, t: float | None = None) -> None:
-        """Show what was at a time in all pages, as their time line does; None follows the newest moment.
+        """Show the scene at a time in all pages. If None, follow the newest step.
 
-        Raises:
-            TypeError, ValueError: No number, or nothing was logged: `set_time` was not called.
+        Raises `TypeError` for another type and `ValueError` if there is no history because `set_time` was never called.
         """
         with self.lock:
             self._check_open()
@@ -479,18 +447,18 @@ class Hooks:
             self.timeline.look(time)
 
     def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
-        """Write what was logged since `set_time` as a recording, one frame a moment.
+        """Write the history since `set_time` as a recording with one frame per time step.
 
-        It is seen from where a page looks, or `set_view` said; without either all of it is seen at all times.
+        The view is that of a page or of `set_view`; without either, all of the scene is visible at all times.
 
         Args:
             path: .html (one file that plays from disk), .gif or .mp4.
-            **options: fps, size, max_points, max_frames, title, background, overwrite, as of `loom.record`.
+            **options: fps, size, max_points, max_frames, title, background, overwrite, see `loom.record`.
 
         Raises:
-            ValueError: Nothing was logged, or an option out of range.
-            TypeError: An option that there is none.
-            FileError: The place cannot be written.
+            ValueError: No history, or an option is out of range.
+            TypeError: Unknown option.
+            FileError: The file cannot be written.
 
         Example:
             >>> import os, tempfile, pointloom as loom
@@ -506,14 +474,12 @@ class Hooks:
 
         write_history(self._viewer(), path, **options)
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
-    if TYPE_CHECKING:  # of the scene that inherits this
+    if TYPE_CHECKING:  # attributes of the scene, which inherits this class
         lock: Any
         server: Any
         sessions: dict[int, Any]
         panel: Any
-        shown: dict[str, Item]  # what pages see, by name
+        shown: dict[str, Item]  # displayed geometries by name
 
         def _check_open(self) -> None: ...
 
@@ -532,7 +498,6 @@ class Hooks:
             return self._controls_made
 
     def _queued(self, callback: Callable[[int], Any]) -> Callable[[int], None]:
-        """A function of the program that is called in its turn, with the number of a page."""
         calls = self._calls()
         return lambda client: calls.call(client, lambda: callback(client))
 
@@ -540,7 +505,7 @@ class Hooks:
         return self  # type: ignore[return-value]  # what inherits this
 
     def _end_hooks(self) -> list[Any]:
-        """Call nothing any more; what is to be joined without the lock."""
+        """End all callbacks. Returns the objects to join without the lock."""
         calls, timeline, self.timeline = self._calls_made, self.timeline, None
         if timeline is not None:
             timeline.close()
@@ -556,12 +521,7 @@ def _check_function(callback: Any) -> None:
 
 
 class Picks:
-    """Functions of a program that are told what a click means, where no tool is at work.
-
-    Args:
-        viewer: The viewer, whose pages tell of clicks from now on.
-        calls: Calls them.
-    """
+    """Callbacks for clicks on the scene while no tool is active."""
 
     def __init__(self, viewer: Viewer, calls: Calls):
         self._viewer, self._calls = viewer, calls
@@ -569,8 +529,7 @@ class Picks:
         viewer.server.pages.scene.on_click(self._on_click)
 
     def add(self, callback: Callable[[Pick], Any]) -> Callable[[], None]:
-        """Tell one more, until what is returned is called."""
-        entry = lambda pick: callback(pick)  # noqa: E731  # another one each time: a function may be told twice
+        entry = lambda pick: callback(pick)  # noqa: E731  # unique, so that a function can be added twice
         with self._viewer.lock:
             self._callbacks = (*self._callbacks, entry)
 
@@ -585,7 +544,7 @@ class Picks:
         if not self._callbacks or session is None or not (0 <= event.x <= 1 and 0 <= event.y <= 1):
             return
         stage = session.idle_stage()
-        if stage is None:  # a tool is at work, and has the click
+        if stage is None:  # otherwise the active tool handles the click
             return
         view = session.view_of(event.camera)
         x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
@@ -599,7 +558,6 @@ class Picks:
 
 
 def with_attributes(pick: Pick, item: Item | None) -> Pick:
-    """A pick with what the cloud knows of its point."""
     if item is None or item.cloud is None or pick.index is None or pick.index >= len(item.cloud):
         return pick
     row = item.select([pick.index])

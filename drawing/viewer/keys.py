@@ -1,4 +1,4 @@
-"""What the viewer's keys and buttons do: `KEYS`, the one table of them, and `bind_keys`."""
+"""Table of the viewer's keys and buttons (`KEYS`) and their binding (`bind_keys`)."""
 
 from __future__ import annotations
 
@@ -16,19 +16,14 @@ HOTKEYS = (
     "space", "enter", "escape", "tab", "backspace", "delete", "insert", "home", "end", "pageup", "pagedown",
     "arrowup", "arrowdown", "arrowleft", "arrowright",
 )  # fmt: skip
-STEP = 1.25  # by which a key changes the size of points
+STEP = 1.25  # factor of the point size per key press
 
 
 @dataclasses.dataclass(frozen=True)
 class Key:
-    """A key.
+    """A key: names in the page, text on the button, description, and method of `Actions`.
 
-    Args:
-        hotkeys: The page's names of the keys that do it.
-        shown: How they are called on the button.
-        label: What it does.
-        action: The method of `Actions`.
-        is_button: Whether there is a button for it; else something else in the panel does it.
+    `is_button` is False if another control of the panel does the same.
     """
 
     hotkeys: tuple[str, ...]
@@ -39,7 +34,7 @@ class Key:
     group: str = "View"
 
 
-# "-", "=" and "plus" are no names that programs may give; keyboards without them have the others beside them.
+# "-", "=" and "plus" are not available to programs; alternatives for keyboards without them follow.
 KEYS = (
     Key(("R",), "R", "Reset view", "reset_view"),
     Key(("-", "pagedown"), "-", "Smaller points", "shrink_points", False, "Points"),
@@ -59,7 +54,6 @@ KEYS = (
 
 
 def bind_keys(gui: Gui, panel: Panel) -> list[Command]:
-    """Have every page know the keys."""
     commands = []
     for key in KEYS:
         action: Callable[[Any], None] = getattr(panel.actions, key.action)
@@ -68,18 +62,13 @@ def bind_keys(gui: Gui, panel: Panel) -> list[Command]:
 
 
 def add_key(gui: Gui, hotkey: str, label: str, action: Callable[[Any], None], group: str = "Program") -> Command:
-    """Have every page know a key that calls with the number of the page."""
     command = gui.add_command(label, hotkey, group=group)
     command.on_trigger(lambda event: action(event.client_id))
     return command
 
 
 def check_hotkey(key: str) -> str:
-    """A key as the page names it; letters of either case.
-
-    Raises:
-        ValueError: No such key.
-    """
+    """Name of a key in the page, from either case; raises ValueError."""
     hotkey = key.upper() if isinstance(key, str) and len(key) == 1 else key
     if hotkey not in HOTKEYS:
         raise ValueError(f"key: no key {key!r}; there are A to Z, 0 to 9, {', '.join(HOTKEYS[36:])}")

@@ -1,4 +1,4 @@
-"""What a viewer has logged since `set_time`, as a recording."""
+"""Recording of a viewer's history since `set_time`."""
 
 from __future__ import annotations
 
@@ -37,24 +37,9 @@ def write_history(
     background: Any = None,
     overwrite: bool = True,
 ) -> None:
-    """Write the moments of a viewer as a recording, a frame each, in the colours that the pages show.
+    """Write the time steps of a viewer as a recording with one frame each; see `Viewer.save_recording`.
 
-    It is seen from where a page looks, or `set_view` said; without either all of it is seen at all times.
-
-    Args:
-        viewer: The viewer.
-        path: .html, .gif or .mp4.
-        fps: Frames a second.
-        size: Width and height of an animation [px].
-        max_points: Clouds of more points are sampled, meshes of more vertices simplified.
-        max_frames: Of more moments so many are taken, spread evenly, the newest among them.
-        title: Stands above the frames.
-        background: Red, green and blue, 0 to 1; None for the viewer's.
-        overwrite: Replace a file that exists.
-
-    Raises:
-        ValueError: Nothing was logged, or an option out of range.
-        FileError: The place cannot be written.
+    More than `max_frames` steps are sampled evenly, including the newest.
     """
     fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
     most, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
@@ -69,7 +54,7 @@ def write_history(
         moments = moments_of(history, max_frames)
         view = viewer.get_view() if viewer.sessions or viewer._has_own_view else None
         notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
-    timeline = Drawn(viewer, most).timeline(moments)  # the program and its pages go on meanwhile
+    timeline = Drawn(viewer, most).timeline(moments)  # without the lock: program and pages continue
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
     view = find_view(view, timeline, None, *size)
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
@@ -77,19 +62,14 @@ def write_history(
 
 
 def moments_of(history: LiveTimeline, most: int) -> list[Moment]:
-    """What each moment is called and what was there; of more than `most` some, spread evenly, the newest among them."""
+    """Label and scene of each step; at most `most`, evenly sampled including the newest."""
     count = len(history.times)
     rows = count - 1 - spread_rows(count, most)[::-1]
     return [(history.text_of(history.times[row]), history.scene_at(history.dropped + row)) for row in rows.tolist()]
 
 
 class Drawn:
-    """The geometries of moments as shapes, each drawn once.
-
-    Args:
-        viewer: The viewer.
-        max_points: As of `write_history`.
-    """
+    """Converts the geometries of time steps to shapes, each once."""
 
     def __init__(self, viewer: Viewer, max_points: int):
         self._viewer, self._max_points = viewer, max_points
@@ -98,7 +78,6 @@ class Drawn:
         self._origin: Any = None
 
     def timeline(self, moments: list[Moment]) -> Timeline:
-        """A frame for each moment."""
         frames = []
         for label, scene in moments:
             shown = {name: self._placed(state) for name, state in scene.items() if state.visible}

@@ -1,7 +1,7 @@
-"""What a program shows when, while it runs: `LiveTimeline`; the viewer's calls tell it by `logged`.
+"""History of a running viewer: `LiveTimeline`, updated by the viewer's methods with `logged`.
 
-A moment holds what changed in it: a geometry by reference, a pose as a matrix. So a moment costs what changed, however
-much is in the scene, and what the scene was is found by the last change of each name.
+A time step stores its changes only: geometries by reference, poses as matrices. An earlier scene follows from the last
+change of each name.
 """
 
 from __future__ import annotations
@@ -23,23 +23,17 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 HISTORY_BYTES = 2**30
-ENTRY = 400  # bytes of a change without its arrays: a pose, and what Python takes for it
-SMALL = 256  # bytes of arrays that count as part of it
-SPARSE = 4  # whole times that lie farther apart in the mean are gone through by another step
-KEPT = 0.9  # of the bytes, once there were too many: so that not each change drops a moment
+ENTRY = 400  # bytes of a change without arrays: a pose and Python objects
+SMALL = 256  # bytes of arrays included in ENTRY
+SPARSE = 4  # integer times with a larger mean interval use another step
+KEPT = 0.9  # of the memory limit after dropping, so that not every change drops a step
 FULL = "The history is full: its oldest moments go, as new ones come."
 log = logging.getLogger("pointloom.viewer")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class State:
-    """A geometry at a moment.
-
-    Attributes:
-        item: What is drawn; where it stands and whether it is seen do not count, as they change.
-        pose: Where it stands, 4x4 or None.
-        visible: Whether it is seen.
-    """
+    """State of a geometry at a time step: pose (4x4 or None), visibility, and the item (whose own ones are ignored)."""
 
     item: Item
     pose: Matrix | None
@@ -47,44 +41,34 @@ class State:
 
 
 class LiveTimeline:
-    """The moments of a viewer; whoever calls holds the viewer's lock.
+    """Time steps of a viewer; requires the viewer's lock. Beyond `most_bytes` the oldest steps are dropped.
 
-    Args:
-        viewer: The viewer.
-        most_bytes: Of what the history holds; beyond, the oldest moments go.
-
-    Attributes:
-        times: Of the moments that are held, ascending.
-        bytes: What is held: arrays that several moments share count once.
+    `times` are the stored times, ascending, and `bytes` is the memory used; shared arrays count once.
     """
 
     def __init__(self, viewer: Viewer, most_bytes: float):
         self._viewer, self._most_bytes = viewer, check_positive("history_bytes", most_bytes)
         self.times: list[float] = []
-        self.bytes, self.dropped = 0, 0  # moments that have gone: the first of `times` has this number
+        self.bytes, self.dropped = 0, 0  # number of dropped steps: that of the first of `times`
         self._tracks: dict[str, list[tuple[int, State | None]]] = {}
-        self._touched: list[set[str]] = []  # the names that changed, by moment
-        self._arrays: dict[int, tuple[int, int]] = {}  # by address: how many hold it, its bytes
-        self._shown: int | None = None  # the number of the moment that pages look at; None follows the newest
-        self.is_whole = True  # whether all times are whole numbers
+        self._touched: list[set[str]] = []  # names that changed, by step
+        self._arrays: dict[int, tuple[int, int]] = {}  # by address: reference count and bytes
+        self._shown: int | None = None  # number of the displayed step; None follows the newest
+        self.is_whole = True  # all times are integers
         self._control: Any = None
-        self._told = 0.0  # the value that it was given last
-        self._unbuilt: set[Item] = set()  # whose levels of detail were being built when another came in their place
+        self._told = 0.0  # last value sent to the control
+        self._unbuilt: set[Item] = set()  # replaced while their levels of detail were being built
 
     @property
     def is_live(self) -> bool:
-        """Whether pages see the newest moment."""
+        """True if pages show the newest step."""
         return self._shown is None
 
     @property
     def time(self) -> float:
-        """Of the moment that pages see."""
         return self.times[-1 if self._shown is None else self._shown - self.dropped]
 
-    # -- what the program does ----------------------------------------------------------------------------------------
-
     def set_time(self, t: Any) -> None:
-        """Begin a moment."""
         time = check_number("t", t)
         if self.times and time < self.times[-1]:
             raise ValueError(f"t: expected no time before the newest moment, {self.times[-1]:g}, got {time:g}")
@@ -99,57 +83,47 @@ class LiveTimeline:
         self._tell()
 
     def take_scene(self, names: Iterable[Any] = ()) -> None:
-        """Take down what pages see of some names, or without any of all, as of the newest moment."""
+        """Record the displayed state of some names, or of all, in the newest step."""
         items = self._viewer.shown
         for name in tuple(names) or [*items, *(known for known in self._tracks if known not in items)]:
             self._log(name, items.get(name))
 
-    # what the viewer's calls of these names do while pages look at an earlier moment
+    # changes of these names while pages show an earlier step
 
     def add_named(self, named: list[Any], trees: Mapping[str, Any] | None = None) -> None:
-        """Geometries that come."""
         self._viewer._check_units(named)
         items = [make_item(n, self._take_number(), g, style, (trees or {}).get(n)) for n, g, style in named]
         for item in items:
             self._put(item.name, State(item, None, True))
 
     def update(self, name: str, geometry: Any) -> None:
-        """Another geometry under a name."""
         old = self._find(name)
         item = make_item(name, old.item.number, geometry, old.item.style)
         self._put(name, State(item, old.pose, old.visible))
 
     def remove(self, name: str) -> None:
-        """A geometry that goes."""
         self._find(name)
         self._put(name, None)
 
     def clear(self) -> None:
-        """All go."""
         for name in self.names():
             self._put(name, None)
 
     def set_pose(self, name: str, T: Any) -> None:
-        """A geometry that moves."""
         self._put(name, dataclasses.replace(self._find(name), pose=check_rigid("T", T)))
 
     def set_visible(self, name: str, visible: bool) -> None:
-        """A geometry that is shown or hidden."""
         self._put(name, dataclasses.replace(self._find(name), visible=bool(visible)))
 
     def names(self) -> list[str]:
-        """What there is at the newest moment."""
         return [name for name, track in self._tracks.items() if track[-1][1] is not None]
 
     def newest(self) -> dict[str, Item]:
-        """What there is at the newest moment, as items of their own."""
+        """Scene of the newest step, as separate items."""
         states = {name: self._find(name) for name in self.names()}
         return {n: dataclasses.replace(s.item, pose=s.pose, visible=s.visible) for n, s in states.items()}
 
-    # -- what pages look at -------------------------------------------------------------------------------------------
-
     def scene_at(self, number: int) -> dict[str, State]:
-        """What there is at a moment, by its number."""
         found = {}
         for name, track in self._tracks.items():
             place = bisect.bisect_right(track, number, key=lambda entry: entry[0])
@@ -159,7 +133,7 @@ class LiveTimeline:
         return found
 
     def look(self, t: float | None) -> None:
-        """Show the newest moment that is not after a time, in all pages; None follows the newest."""
+        """Show the newest step up to a time in all pages; None follows the newest."""
         self._look(t)
         self._tell()
 
@@ -206,18 +180,14 @@ class LiveTimeline:
         viewer.panel.put_item(item)
 
     def close(self) -> None:
-        """Let all go."""
         self._tracks, self._arrays, self._unbuilt, self.bytes = {}, {}, set(), 0
 
-    # -- the control in the page --------------------------------------------------------------------------------------
-
     def text_of(self, time: float) -> str:
-        """A time in words."""
         return f"{time:.0f}" if self.is_whole else f"{time:.6g} s"
 
     @property
     def step(self) -> float:
-        """Between two values of the page's time line: 1, or at most what lies between two moments in the mean."""
+        """Step of the page's timeline: 1, or at most the mean interval between steps."""
         mean = (self.times[-1] - self.times[0]) / max(len(self.times) - 1, 1)
         if self.is_whole and mean < SPARSE:
             return 1
@@ -225,7 +195,6 @@ class LiveTimeline:
         return next(power * digit for digit in (5, 2, 1) if power * digit <= mean * (1 + 1e-9))
 
     def _tell(self) -> None:
-        """Say in the pages which moments there are, and which one they see."""
         if len(self.times) < 2:
             return
         kind = int if self.is_whole else float
@@ -239,7 +208,7 @@ class LiveTimeline:
             self._control.value = self._told = value
 
     def _on_update(self, event: Any) -> None:
-        """A page has dragged it; what it says meanwhile stays, what the program said meanwhile does not."""
+        """Handle a drag in a page; newer page events win over changes by the program meanwhile."""
         viewer = self._viewer
         if event.client_id is None or not viewer.take_lock():
             return
@@ -255,8 +224,6 @@ class LiveTimeline:
         self._viewer._next_number += 1
         return self._viewer._next_number - 1
 
-    # -- what is held -------------------------------------------------------------------------------------------------
-
     def _find(self, name: str) -> State:
         track = self._tracks.get(check_name("name", name))
         state = track[-1][1] if track else None
@@ -266,7 +233,7 @@ class LiveTimeline:
         return state
 
     def _log(self, name: str, item: Item | None) -> None:
-        """A name as it is now in the scene, where that is not as it was."""
+        """Record the current state of a name if it has changed."""
         track = self._tracks.get(name)
         old = track[-1][1] if track else None
         if item is None:
@@ -291,7 +258,7 @@ class LiveTimeline:
             self._drop_oldest()
 
     def _hold(self, state: State, change: int) -> None:
-        """Count what a state holds, once more or once less."""
+        """Update the memory usage for an added or removed state."""
         self.bytes += change * ENTRY
         for address, size in _arrays_of(state.item):
             count = self._arrays.get(address, (0, size))[0]
@@ -303,7 +270,7 @@ class LiveTimeline:
                 self.bytes += change * size
 
     def _drop_oldest(self) -> None:
-        """Drop moments until nine tenths of the bytes are left, but never the newest nor what it shows."""
+        """Drop steps down to 90% of the memory limit, but never the newest and its content."""
         count = 0
         while self.bytes > KEPT * self._most_bytes and count < len(self.times) - 1:
             count += 1
@@ -319,13 +286,13 @@ class LiveTimeline:
         self._unbuilt &= {state.item for track in self._tracks.values() for _, state in track if state is not None}
         del self.times[:count], self._touched[:count]
         self.dropped += count
-        if self._shown is not None and self._shown < self.dropped:  # what is looked at has gone
+        if self._shown is not None and self._shown < self.dropped:  # the displayed step was dropped
             self._show(self.scene_at(self.dropped))
             self._shown = self.dropped if len(self.times) > 1 else None
         self._tell()
 
     def _forget_before(self, name: str, start: int) -> None:
-        """Let go of what a name was before a moment that has its own state of it."""
+        """Drop states of a name before a step with its own state."""
         track = self._tracks[name]
         while len(track) > 1 and track[1][0] <= start:
             old = track.pop(0)[1]
@@ -342,7 +309,7 @@ def _is_same_pose(a: Matrix | None, b: Matrix | None) -> bool:
 
 
 def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
-    """The address and the bytes of each array that an item holds."""
+    """Address and size of each array of an item."""
     held: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
     if item.cloud is not None:
         held += [item.cloud._device_array(name) for name in item.cloud.attributes]

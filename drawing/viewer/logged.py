@@ -1,4 +1,4 @@
-"""Calls of the viewer that belong to the moment of `set_time`: `logged`; what pages ask for: `asked_by_page`."""
+"""Decorator for viewer methods in the history of `set_time` (`logged`), and requests by pages (`asked_by_page`)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Change = TypeVar("Change", bound=Callable[..., None])
 
 @contextlib.contextmanager
 def asked_by_page() -> Iterator[None]:
-    """What is done within is what a page asks for of what it sees, not what the program does."""
+    """Context for changes requested by a page, which apply to the displayed step and not to the program's state."""
     before, _asker.is_page = getattr(_asker, "is_page", False), True
     try:
         yield
@@ -29,9 +29,9 @@ def asked_by_page() -> Iterator[None]:
 
 
 def logged(change: Change) -> Change:
-    """Have a call of the viewer belong to the moment of `set_time`; it does as ever where that was never called.
+    """Decorator: record a change in the step of `set_time`, if that was called.
 
-    While the pages look at an earlier moment, the program's changes go into the history alone.
+    While pages show an earlier step, changes of the program go into the history only.
     """
     name = change.__name__
 
@@ -48,7 +48,7 @@ def logged(change: Change) -> Change:
             elif not getattr(_asker, "is_page", False):
                 viewer._check_open()
                 getattr(timeline, name)(*arguments, **keywords)
-            elif name in ("set_visible", "set_pose"):  # of what is looked at, for as long as it is
+            elif name in ("set_visible", "set_pose"):  # of the displayed step, temporarily
                 change(viewer, *arguments, **keywords)
             else:
                 raise PointloomError(EARLIER)

@@ -1,4 +1,4 @@
-"""Nodes of a tree of points as a view sees them: which matter to it, and how far apart their points are in it."""
+"""Selection of nodes of a point tree for a view, and their projected point spacing."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_finite, check_indices, check_numeric, check_positive
 from ..render.view import View, check_view
 
-# No node is taken to be nearer than this share of its half width, so that those that the camera stands in have an order
-# among others: 200 pixels a spacing are enough to come first.
+# Minimum distance of a node over its half width, so that nodes around the camera are ordered, too:
+# 200 pixels per spacing are enough to come first.
 _NEAREST = 0.1
 
 
 class NodesInView:
-    """Nodes from coarse to fine, of which a view takes some; what a tree of them has besides is told by its own class.
+    """Nodes from coarse to fine with view selection; base class of level-of-detail trees.
 
     Attributes:
-        counts: Points of each node, int64 [m].
-        spacings: Between the points of each node's level [m], float64 [m].
-        levels: Of each node, 0 is the coarsest.
-        middles, halves: Cubes that hold the nodes' points [m], float64 [m, 3] and [m].
+        counts: Number of points of each node, int64 (m,).
+        spacings: Point spacing of each node's level [m], float64 (m,).
+        levels: Level of each node, 0 is the coarsest.
+        middles, halves: Center and half side of each node's cube [m], float64 (m, 3) and (m,).
     """
 
     counts: NDArray[np.int64]
@@ -42,46 +42,43 @@ class NodesInView:
     def select(
         self, view: View, budget: int, *, counts: NDArray[np.int64] | None = None, finest: float = 0.5
     ) -> list[int]:
-        """The nodes that matter most for a view, coarse before fine.
+        """Select the nodes that matter most for a view, coarse before fine.
 
         Args:
-            view: Where it is taken from, in world coordinates.
-            budget: Points at most; but the first node is always taken.
-            counts: Points that count of each node, shape [m], where some are hidden; 0 up to all of them.
-            finest: A spacing [px] below which finer nodes would change nothing.
+            view: View in world coordinates.
+            budget: Maximum number of points; the first node is always selected.
+            counts: Number of visible points of each node, shape (m,), if some are hidden.
+            finest: Projected spacing [px] below which finer nodes are not needed.
 
         Returns:
-            Nodes within the picture, those with the widest projected spacing first; a node comes after the node that
-            its cell lies in.
+            Nodes inside the image by descending projected spacing; a node follows its parent.
 
         Raises:
-            TypeError: No View, or not numbers.
-            ValueError: Numbers out of range, or not as many counts as nodes.
+            TypeError, ValueError: Not a View or not numbers, values out of range, or a wrong number of counts.
         """
         budget = check_count("budget", budget, minimum=0)
         counts = self.counts if counts is None else self._check_counts(counts)
         finest = check_positive("finest", finest, allow_zero=True)
         gaps = self.pixels(view, self.spacings)
         seen = np.flatnonzero(self._in_view(view) & (counts > 0))
-        # what the node above already shows finer than that is left out: its own spacing is twice as wide
+        # omit nodes that the parent already resolves: its spacing is twice as large
         seen = seen[(2 * gaps[seen] > finest) | (self.levels[seen] == 0)]
         ranked = seen[np.argsort(-gaps[seen], kind="stable")]
         taken = int(np.searchsorted(np.cumsum(counts[ranked]), budget, side="right"))
         return ranked[: max(taken, min(1, budget))].tolist()
 
     def pixels(self, view: View, lengths: Any) -> NDArray[np.float64]:
-        """How long lengths appear at most in a view, where each node's cell is nearest to it.
+        """Maximum projected size of lengths in a view, where each node's cell is nearest to the camera.
 
         Args:
-            view: Where it is taken from, in world coordinates.
-            lengths: One a node, shape [m], or one for all [m].
+            view: View in world coordinates.
+            lengths: One per node, shape (m,), or one for all [m].
 
         Returns:
-            Shape [m] [px].
+            Sizes [px], shape (m,).
 
         Raises:
-            TypeError: No View, or not numbers.
-            ValueError: Not as many lengths as nodes, or such as are not finite.
+            TypeError, ValueError: Not a View or not numbers, a wrong number of lengths, or non-finite lengths.
         """
         T, halves = check_view(view).T_world_camera, self._level_halves
         lengths = check_finite("lengths", check_numeric("lengths", lengths))
@@ -92,15 +89,7 @@ class NodesInView:
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
 
     def _are_refined(self, nodes: Sequence[int]) -> NDArray[np.bool_]:
-        """Of nodes that are drawn, within which the next level is drawn too, bool [k].
-
-        Args:
-            nodes: Those that are drawn, such as `select` gives.
-
-        Raises:
-            TypeError: Not whole numbers.
-            IndexError: There is no such node.
-        """
+        """For each drawn node, True if the next level within it is drawn, too; bool (k,)."""
         names = self._names[self._check_nodes(nodes)]
         return np.isin(names, names >> 3)
 
@@ -118,14 +107,14 @@ class NodesInView:
         return numbers.astype(np.int64, copy=False)
 
     def _in_view(self, view: View) -> NDArray[np.bool_]:
-        """Which nodes' cubes reach into the pyramid that a view shows."""
+        """True for nodes whose cubes intersect the view pyramid."""
         normals = inward(view)
         heights = (self.middles - view.T_world_camera[:3, 3]) @ normals.T
         return (heights + self.halves[:, None] * np.abs(normals).sum(axis=1) >= 0).all(axis=1)
 
 
 def inward(view: View) -> NDArray[np.float64]:
-    """Normals of the five planes about the pyramid that a view shows, shape [5, 3]; what is inside is above all."""
+    """Inward normals of the 5 planes of the view pyramid, shape (5, 3)."""
     camera, R = view.intrinsic, view.T_world_camera[:3, :3]
     right, left = (camera.width - 0.5 - camera.cx) / camera.fx, (camera.cx + 0.5) / camera.fx
     down, up = (camera.height - 0.5 - camera.cy) / camera.fy, (camera.cy + 0.5) / camera.fy

@@ -1,6 +1,6 @@
-"""The panel beside the scene: colours, sizes, what is shown, the view; the same for all pages: `Panel`.
+"""The panel of all pages: colors, sizes, visibility, view.
 
-Names and labels reach the page as plain text of its controls, never as HTML or Markdown.
+Names and labels are sent as plain text, never as HTML or Markdown.
 """
 
 from __future__ import annotations
@@ -34,27 +34,21 @@ if TYPE_CHECKING:
 
 
 OWN = "own colours"
-TICKS = 5  # of a colour bar, beside its ends
-APART = 0.08  # of the bar's length: a tick nearer to an end would run into its number
+TICKS = 5  # of a color bar, besides its ends
+APART = 0.08  # of the bar's length: nearer ticks would overlap the number at an end
 
-# Where the parts of the panel are, from its top.
+# Order of the sections of the panel, from the top.
 LINE, TOOL, TOOLS, COLOUR, SCENE, POINTS, VIEW = 0, 0.5, 1, 2, 3, 4, 5
 
 
 class Panel:
-    """The controls of a viewer.
-
-    Args:
-        viewer: The viewer, whose server is there already.
-    """
-
     def __init__(self, viewer: Viewer):
         self._viewer, self.actions = viewer, Actions(viewer)
         gui = self._gui = viewer.server.pages.gui
-        self._choices, self._is_told = Choices(), False  # whether choices and legend are those of the items
+        self._choices, self._is_told = Choices(), False  # choices; whether choices and legend match the items
         self._legend: Shown | None = None
-        self._told: Any = None  # what the legend says
-        self._colored: dict[str, Item] = {}  # items whose colours mean something
+        self._told: Any = None  # content of the legend
+        self._colored: dict[str, Item] = {}  # items with a coloring
         self._add_colors(gui)
         with gui.add_folder("Scene", order=SCENE):
             self._tree = gui.add_tree(lambda client, names, shown: self.actions.set_visible(client, names, shown))
@@ -63,7 +57,7 @@ class Panel:
         self._commands = bind_keys(gui, self)
 
     def bind_key(self, key: str, label: str, callback: Callable[[int], None]) -> Command:
-        """Have a key call a program, and nothing else."""
+        """Bind a key to a callback of the program only."""
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
             command.remove()
@@ -72,20 +66,14 @@ class Panel:
         self._commands.append(add_key(self._gui, key, label, self.actions.calling(callback)))
         return self._commands[-1]
 
-    # -- pages --------------------------------------------------------------------------------------------------------
-
     def add_line(self, client: PageClient) -> Any:
-        """The line of a page that says how many points and triangles it draws."""
+        """Add the line with the drawn number of points and triangles to a page."""
         return client.gui.add_words("", order=LINE, visible=False)
 
     def add_tools(self, session: Session) -> Any:
-        """The tools of a page."""
         return Toolbox(session, session.client.gui.add_folder("Tools", order=TOOLS))
 
-    # -- what the panel says ------------------------------------------------------------------------------------------
-
     def put_item(self, item: Item) -> None:
-        """A geometry has come, or is another one, or shown or hidden now."""
         self._is_told = False
         self._choices.put(item)
         if has_meaning(item):
@@ -96,19 +84,17 @@ class Panel:
         self._tree.put(item.name, item.name, item.visible, color)
 
     def drop_item(self, name: str) -> None:
-        """A geometry has gone."""
         self._is_told = False
         self._choices.drop(name)
         self._colored.pop(name, None)
         self._tree.drop(name)
 
     def catch_up(self) -> None:
-        """Tell what the colours mean, where items have come, changed or gone since."""
+        """Update the legend if items have changed."""
         if not self._is_told:
             self._tell_colors()
 
     def show_legend(self) -> None:
-        """Tell what the colours mean, where those of any items have changed."""
         self._colored = {item.name: item for item in self._viewer.shown.values() if has_meaning(item)}
         self._tell_colors()
 
@@ -129,7 +115,7 @@ class Panel:
         self._put_legend(None if coloring is None else legend_of(coloring, items))
 
     def _put_legend(self, told: tuple[str, Any] | None) -> None:
-        """Have a colour bar, or a legend, at the edge of the picture; none where there is nothing to tell."""
+        """Show a color bar or a legend at the edge of the image; None removes it."""
         if told == self._told:
             return
         self._told = told
@@ -145,20 +131,17 @@ class Panel:
                 self._legend = self._gui.add_legend(told[1])
 
     def _show_limits(self, low: float, high: float) -> None:
-        """The range to as many digits as it takes to tell its hundredths apart."""
+        """Show the range with enough digits to distinguish its hundredths."""
         digits = 2 - math.floor(math.log10(high - low)) if high > low else 2
         for control, value in ((self._low, low), (self._high, high)):
             control.step, control.precision = 10.0**-digits, max(0, digits)
             control.value = round(value, digits + 1)
 
     def show_state(self) -> None:
-        """The sizes and switches that keys have changed."""
         viewer = self._viewer
         self._size.value = min(20.0, viewer.point_size)
         self._back.value = tuple(int(value) for value in np.rint(viewer.background * 255))
         self._normals.value, self._wireframe.value = viewer.normals, viewer.wireframe
-
-    # -- controls -----------------------------------------------------------------------------------------------------
 
     def _add_colors(self, gui: Gui) -> None:
         with gui.add_folder("Colour", order=COLOUR):
@@ -206,7 +189,7 @@ class Panel:
 
 
 def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
-    """What a legend says: ("bar", title, ticks and colour map), or ("labels", rows of name, colour and count)."""
+    """Content of a legend: ("bar", title, ticks and colormap), or ("labels", rows of name, color and count)."""
     if coloring.limits is not None and coloring.colormap is not None:
         title, ticks = bar_ticks(coloring)
         return "bar", (title, ticks, coloring.colormap)
@@ -218,7 +201,7 @@ def legend_of(coloring: Coloring, items: Any) -> tuple[str, Any]:
 
 
 def bar_ticks(coloring: Coloring) -> tuple[str, tuple[tuple[float, str], ...]]:
-    """The title of a colour bar, with the unit, and its ticks as shares of its length: round numbers, and both ends."""
+    """Title with unit of a color bar, and ticks (round numbers and both ends) as fractions of its length."""
     assert coloring.limits is not None
     ticks = with_ends(choose_ticks(*coloring.limits, TICKS), APART)
     span = ticks.high - ticks.low
@@ -227,7 +210,6 @@ def bar_ticks(coloring: Coloring) -> tuple[str, tuple[tuple[float, str], ...]]:
 
 
 def counts_of(coloring: Coloring, items: Any) -> dict[int, int]:
-    """How many points of the clouds that are seen have each label."""
     counts: dict[int, int] = {}
     for item in items:
         if item.coloring is None or item.coloring.kind != "labels" or not item.visible:
@@ -241,11 +223,11 @@ log = logging.getLogger("pointloom.viewer")
 
 
 def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
-    """Show what goes wrong in the page that asked for it; the viewer goes on."""
+    """Decorator: show errors in the page that caused them."""
 
     @functools.wraps(action)
     def run(self: Any, client: int | None, *arguments: Any) -> None:
-        if client is None or self.viewer.closed:  # the program itself has set what the page shows
+        if client is None or self.viewer.closed:  # the program itself has set the value
             return
         try:
             with asked_by_page():
@@ -259,24 +241,15 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
 
 
 class Actions:
-    """The actions of a viewer's panel.
-
-    Args:
-        viewer: The viewer.
-    """
-
     def __init__(self, viewer: Viewer):
         self.viewer = viewer
 
     def tell(self, client: int, text: str, *, error: bool = False) -> None:
-        """Show a message in a page."""
         session = self.viewer.sessions.get(client)
         if session is not None:
             session.client.notify("pointloom", text, error=error)
 
     def calling(self, callback: Callable[[int], None]) -> Callable[[int | None], None]:
-        """A program's function as an action."""
-
         @told_to_page
         def call(_: Actions, client: int) -> None:
             callback(client)
@@ -285,55 +258,45 @@ class Actions:
 
     @told_to_page
     def reset_view(self, client: int) -> None:
-        """Look from where the page began."""
         with self.viewer.lock:
             self._session(client).go_home()
 
     @told_to_page
     def shrink_points(self, client: int) -> None:
-        """Smaller points."""
         self._scale_points(1 / STEP)
 
     @told_to_page
     def grow_points(self, client: int) -> None:
-        """Larger points."""
         self._scale_points(STEP)
 
     @told_to_page
     def set_point_size(self, client: int, size: float) -> None:
-        """Points of a size [px]."""
         self.viewer.point_size = size
 
     @told_to_page
     def toggle_normals(self, client: int) -> None:
-        """Show or hide normals."""
         self.set_normals(client, not self.viewer.normals)
 
     @told_to_page
     def set_normals(self, client: int, shown: bool) -> None:
-        """Show or hide normals."""
         self.viewer.show_normals(shown)
         if shown and not any(item.cloud is not None and item.cloud.has_normals for item in self._items()):
             self.tell(client, "No cloud here has normals; estimate_normals() makes them.")
 
     @told_to_page
     def toggle_wireframe(self, client: int) -> None:
-        """Show or hide edges."""
         self.set_wireframe(client, not self.viewer.wireframe)
 
     @told_to_page
     def set_wireframe(self, client: int, shown: bool) -> None:
-        """Show or hide edges."""
         self.viewer.show_wireframe(shown)
 
     @told_to_page
     def set_background(self, client: int, color: tuple[int, int, int]) -> None:
-        """Another colour behind it all, 0 to 255."""
         self.viewer.background = [value / 255 for value in color]
 
     @told_to_page
     def set_visible(self, client: int, names: Iterable[str], visible: bool) -> None:
-        """Show or hide geometries."""
         with self.viewer.lock, self.viewer.batch():
             for name in names:
                 if name in self.viewer.shown:
@@ -341,12 +304,10 @@ class Actions:
 
     @told_to_page
     def color(self, client: int, by: str | None, colormap: str | None, limits: Any) -> None:
-        """Colour the clouds by what is known of their points."""
         self.viewer.color_by(by, colormap=colormap, limits=limits)
 
     @told_to_page
     def next_coloring(self, client: int) -> None:
-        """The next thing that clouds can be coloured by."""
         names: list[str | None] = [None]
         for item in self._items():
             names += [name for name in choices_of(item.cloud) if name not in names] if item.cloud is not None else []
@@ -356,43 +317,37 @@ class Actions:
 
     @told_to_page
     def color_as_given(self, client: int) -> None:
-        """The clouds' own colours."""
         self.viewer.color_by(None)
 
     @told_to_page
     def color_by_rgb(self, client: int) -> None:
-        """The clouds' colours."""
         self.viewer.color_by("rgb")
 
     @told_to_page
     def color_by_x(self, client: int) -> None:
-        """Colours by x."""
         self.viewer.color_by("x", colormap=self.viewer.coloring.colormap)
 
     @told_to_page
     def color_by_y(self, client: int) -> None:
-        """Colours by y."""
         self.viewer.color_by("y", colormap=self.viewer.coloring.colormap)
 
     @told_to_page
     def color_by_height(self, client: int) -> None:
-        """Colours by z."""
         self.viewer.color_by("height", colormap=self.viewer.coloring.colormap)
 
     @told_to_page
     def color_by_normal(self, client: int) -> None:
-        """Colours by direction."""
         self.viewer.color_by("normal")
 
     @told_to_page
     def take_screenshot(self, client: int) -> None:
-        """Have the page save a picture of what it shows, drawn here."""
+        """Render the page's view and let the page save it."""
         picture = self.viewer.screenshot(client=client)
         self._send(client, "pointloom.png", encode_png(picture), "image/png")
 
     @told_to_page
     def save_view(self, client: int) -> None:
-        """Have the page save its view as Open3D's JSON."""
+        """Let the page save its view as Open3D's JSON."""
         with self.viewer.lock:
             view, bounds = self._session(client).camera_view(), self.viewer.bounds
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
@@ -402,7 +357,6 @@ class Actions:
 
     @told_to_page
     def load_view(self, client: int, content: bytes) -> None:
-        """Look from where a file of Open3D's view JSON says."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             path = Path(folder) / "view.json"
             path.write_bytes(content)

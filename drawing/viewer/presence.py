@@ -1,4 +1,4 @@
-"""Whether somebody still looks at a viewer, and what is said on stderr when the last page goes: `Presence`."""
+"""Detection of open pages, with messages on stderr when the last one closes: `Presence`."""
 
 from __future__ import annotations
 
@@ -13,18 +13,17 @@ from ...core.standard_streams import write_to_stderr
 if TYPE_CHECKING:
     from .viewer import Viewer
 
-LOOK = 0.2  # [s] between looks
-LINGER = 60.0  # [s] after the last page has gone: pages that load again over a slow line, or after a gap, come back
+LOOK = 0.2  # [s] between checks
+LINGER = 60.0  # [s] after the last page has closed: pages may reload over a slow connection
 
 
 class Presence:
-    """The pages of a viewer as those who wait for them see them."""
+    """The pages of a viewer from the point of view of a waiting program."""
 
     def __init__(self, viewer: Viewer):
         self._viewer, self._told, self._lock = viewer, False, threading.Lock()
 
     def wait(self, seconds: float | None, linger: float) -> bool:
-        """What `Viewer.wait` does."""
         linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
         end = math.inf if seconds is None else time.monotonic() + check_positive("seconds", seconds, allow_zero=True)
         viewer = self._viewer
@@ -37,13 +36,7 @@ class Presence:
         return True
 
     def _is_over(self, is_open: bool, seen: float | None, linger: float) -> bool:
-        """Whether the last page has been gone for so long; says so when it goes, and when one comes back.
-
-        Args:
-            is_open: Whether a page is connected.
-            seen: When one was last connected or asked for (`time.monotonic`); None where there was none yet.
-            linger: How long pages may be gone [s].
-        """
+        """True if no page was connected for `linger` [s] since `seen`; prints when the last closes or one returns."""
         with self._lock:
             if is_open or seen is None:
                 if self._told:

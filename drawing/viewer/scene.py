@@ -1,4 +1,4 @@
-"""What a viewer shows and to whom: `Scene`, which keeps the pages in step with the items."""
+"""Scene of a viewer, synchronized with its pages: `Scene`."""
 
 from __future__ import annotations
 
@@ -44,21 +44,17 @@ log = logging.getLogger("pointloom.viewer")
 
 HINT = 'Nothing is shown yet. In the program, viewer.add("name", geometry) shows something here.'
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
-OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds by which a view of everything is found; of each one at least
-_NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # what is looked at where there is nothing
+OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds for the view of everything; minimum number per cloud
+_NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 
 
 class Scene(Hooks):
-    """The items, where they stand in the pages, and the pages themselves; `Viewer` is what programs use.
+    """The items of a viewer, their nodes and the pages. Programs use `Viewer`.
 
-    Whoever changes something holds `lock`: programs call from any thread, and pages from threads of theirs.
+    Changes require `lock`: programs call from any thread, pages from their own threads.
 
     Args:
-        port, host, title: Of the server.
-        max_points: Of all clouds together in one page.
-        point_size: Of points without one of their own [px].
-        background: Red, green and blue, 0 to 1.
-        size: Of pictures [px].
+        port, host, title, max_points, point_size, background, size: See `Viewer`.
     """
 
     def __init__(
@@ -72,22 +68,22 @@ class Scene(Hooks):
         size: tuple[int, int],
     ):
         self.max_points, self._size, self._background = max_points, size, background
-        self._has_own_background = bool((background != 1).any())  # a white one may follow a dark mode
+        self._has_own_background = bool((background != 1).any())  # a white background may follow dark mode
         self._point_size, self.has_own_point_size = point_size, point_size != POINT_SIZE
         self.lock = threading.RLock()
-        self.shown: dict[str, Item] = {}  # what pages see; `items` is what the program has
+        self.shown: dict[str, Item] = {}  # state of the pages; `items` is the state of the program
         self.sessions: dict[int, Session] = {}
         self.frame, self.coloring = Frame(np.zeros(3)), ColoringChoice()
         self.wireframe = self.normals = False
         self._view: View | dict[str, Any] | None = None
         self._nodes: dict[str, ItemNodes] = {}
         self._next_number = 0
-        self._last_seen: float | None = None  # when a page went
+        self._last_seen: float | None = None  # time when the last page closed
         self._ended = threading.Event()
         self._levels = LevelBuilder(self)  # type: ignore[arg-type]  # a Viewer
         self._extents = Extents()
         self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
-        self._with_unit: dict[str, Any] = {}  # geometries that had one when they came
+        self._with_unit: dict[str, Any] = {}  # geometries that had a unit when added
         self._later = Later(self._catch_up, self.take_lock, self.lock.release)
         self._shares_changed, self._arrivals = False, Arrivals(self)
         self.server = ViewerServer(host, port, title=title)
@@ -105,23 +101,23 @@ class Scene(Hooks):
 
     if not TYPE_CHECKING:
 
-        def __getattr__(self, name: str) -> Any:  # asked only where there is none
+        def __getattr__(self, name: str) -> Any:  # called only for missing attributes
             remedy = "" if name.startswith("_") else told(row_of(name, ("Visualizer",)))
             remedy = remedy or nearest_name(name, dir(type(self)))
             raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
 
     @property
     def closed(self) -> bool:
-        """Whether `close` was called."""
+        """True after `close`."""
         return self._ended.is_set()
 
     _up: Triple | None = None
 
     @property
     def up(self) -> Triple | None:
-        """What is up where pages look from at first: "x", "y", "z" or a direction is assigned.
+        """Up axis of the initial view; assign "x", "y", "z" or a direction.
 
-        None takes that of the first mesh that says so, as those of .glb and .gltf, else z.
+        If None, that of the first mesh that defines one (.glb, .gltf), else z.
         """
         return self._up
 
@@ -130,7 +126,7 @@ class Scene(Hooks):
         self._up = None if value is None else check_up(value)
 
     def home(self) -> View:
-        """Where pages look from at first: what `set_view` said, else what shows all of the scene."""
+        """Initial view of pages: that of `set_view`, else the complete scene."""
         if isinstance(self._view, View):
             return self._view
         if self._view is not None:
@@ -141,23 +137,22 @@ class Scene(Hooks):
 
     @property
     def _has_own_view(self) -> bool:
-        """Whether `set_view` has said where pages look from at first."""
+        """True if `set_view` defined the initial view."""
         return self._view is not None
 
     @property
     def bounds(self) -> Bounds:
-        """The lowest and highest corner of what is in the scene [m]; a box of 2 m where nothing is."""
+        """Lowest and highest corner of the scene [m]; a 2 m box if it is empty."""
         found = self._extents.union()
         return _NOTHING if found is None else found
 
     def _surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
-        """The surfaces of a geometry and their nodes, which all pages share; none of what is not in the scene."""
         with self.lock:
             nodes = self._nodes.get(name)
             return [] if nodes is None else nodes.surfaces()
 
     def take_lock(self) -> bool:
-        """Take `lock`, for threads that `close` waits for, perhaps holding it; false once the viewer is closed."""
+        """Take `lock` in a thread that `close` may wait for. False if the viewer is closed."""
         while not self.closed:
             if self.lock.acquire(timeout=0.05):
                 if not self.closed:
@@ -166,15 +161,12 @@ class Scene(Hooks):
         return False
 
     def _clip_of(self, client: int | None) -> Any:
-        """The clip planes of a page, as `get_view` finds it; None without a page."""
         with self.lock:
             session = next(iter(self.sessions.values()), None) if client is None else self.sessions.get(client)
             return None if session is None else session.clip
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
     def _budget_of(self, item: Item) -> int:
-        """Points of a cloud that a page may hold: its share of `max_points`."""
+        """Number of points of a cloud in a page: its part of `max_points`."""
         if item.cloud is None or self._point_count <= self.max_points:
             return self.max_points
         share = max(1, self.max_points * item.point_count // self._point_count)
@@ -211,19 +203,18 @@ class Scene(Hooks):
             raise PointloomError("the viewer is closed; open another one")
 
     def _check_units(self, named: list[Named]) -> None:
-        """Warn where the scene will have lengths in two units once these are in it."""
+        """Warn if the scene would have two length units."""
         coming = {name for name, _, _ in named}
         there = next((geometry for name, geometry in self._with_unit.items() if name not in coming), None)
         check_units([*([] if there is None else [there]), *(geometry for _, geometry, _ in named)])
 
     def _page_unit(self) -> str | None:
-        """What a length of the page is in; None where nobody knows, or not all of the scene is in one unit."""
+        """Length unit of the page; None if unknown or mixed."""
         units = {geometry.unit for geometry in self._with_unit.values()} - {None}
         unit = units.pop() if len(units) == 1 and self.frame.unit == 1 else None
         return None if unit is None or unit.metres is None else unit.symbol
 
     def _take_in(self, item: Item) -> None:
-        """Have an item stand under its name, in place of the one before."""
         before = self.shown.get(item.name)
         self._count(before, -1)
         self.shown[item.name] = item
@@ -234,7 +225,7 @@ class Scene(Hooks):
         self._extents.put(item.name, item.world_bounds())
 
     def _count(self, item: Item | None, sign: int) -> None:
-        """Points more or less, and whether clouds have other shares of what a page may hold then."""
+        """Update the point and triangle counts; detect changed budgets of clouds."""
         if item is None:
             return
         self.triangle_count += sign * item.triangle_count
@@ -244,7 +235,6 @@ class Scene(Hooks):
             self._shares_changed |= was_over or self._point_count > self.max_points
 
     def _show(self, item: Item) -> None:
-        """Send a geometry to all pages."""
         nodes = self._nodes.get(item.name)
         if nodes is None:
             nodes = self._nodes[item.name] = ItemNodes(self.server.pages, self.frame, item, wireframe=self.wireframe)
@@ -256,7 +246,7 @@ class Scene(Hooks):
                 session.show(item)
 
     def _let_go(self) -> list[Any]:
-        """Close the pages and forget the scene; what is to be joined when the server is closed."""
+        """Close the pages and clear the scene. Returns the objects to join after the server is closed."""
         with self.lock:
             sessions, builders = list(self.sessions.values()), self._levels.let_go()
             for session in sessions:
@@ -268,7 +258,7 @@ class Scene(Hooks):
         return [*sessions, *builders, self._later, *hooks]
 
     def _show_levels(self, item: Item) -> None:
-        """The levels of a cloud are there; the lock is held."""
+        """Show the levels of a cloud after they were built; requires the lock."""
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.show(item)
@@ -288,7 +278,7 @@ class Scene(Hooks):
                 session.hide(name)
 
     def _changed(self, look: bool) -> None:
-        """After the scene has changed: what follows from it comes within a frame, once for many changes."""
+        """Schedule one update for all changes within a frame."""
         if look:
             self._aim_first_camera()
             self._reach()
@@ -299,7 +289,7 @@ class Scene(Hooks):
         self._later.ask()
 
     def _catch_up(self) -> None:
-        """What follows from changes: shares of large clouds, what is drawn near and far, what panel and tools say."""
+        """Update budgets of large clouds, clipping planes, panel and tools."""
         shares, self._shares_changed = self._shares_changed, False
         self.panel.catch_up()
         self.server.pages.set_hint("" if self.shown else HINT)
@@ -314,12 +304,12 @@ class Scene(Hooks):
                 session.refresh_tools()
 
     def catch_up(self) -> None:
-        """Do at once what would follow from changes within a frame."""
+        """Apply scheduled updates at once."""
         with self.lock:
             self._later.now()
 
     def _settle(self) -> None:
-        """Choose the page's coordinates when the first geometry is there."""
+        """Choose the page's coordinates at the first geometry."""
         found = self._extents.union()
         if found is not None:
             self.frame = Frame.around(found)
@@ -327,7 +317,7 @@ class Scene(Hooks):
                 self._take_nodes(item)
 
     def _take_nodes(self, item: Item) -> None:
-        """Nodes in other coordinates go; those of geometries without points, that is."""
+        """Replace the item's nodes, made in old coordinates, and hide it in all pages."""
         nodes = self._nodes.pop(item.name, None)
         if nodes is not None:
             nodes.close()
@@ -343,11 +333,7 @@ class Scene(Hooks):
         return NORMAL_LENGTH * diagonal(self.bounds) if self.normals else None
 
     def _take_view(self, given: Any) -> View:
-        """Look from there from now on, where that can be drawn; what pages look from at first.
-
-        Raises:
-            TypeError, ValueError: It cannot; the view stays as it was.
-        """
+        """Set the initial view; if it cannot be drawn, raise TypeError or ValueError without a change."""
         before, self._view = self._view, read_parameters(given)
         try:
             with np.errstate(all="ignore"):
@@ -358,12 +344,12 @@ class Scene(Hooks):
             raise kind(f"view of {', '.join(given)}: {error}") from error
 
     def _outline(self) -> NDArray[np.float64]:
-        """Points that a view of everything has to show: some of each cloud, and the corners of all else."""
+        """Points that define the complete scene: samples of clouds, corners of all other geometries."""
         if not len(self._extents):
             return np.stack(_NOTHING)
         clouds = [item for item in self.shown.values() if item.cloud is not None and item.bounds is not None]
         each = OUTLINE // max(len(clouds), 1)
-        if each < LEAST_OUTLINE:  # of so many that their boxes tell as much
+        if each < LEAST_OUTLINE:  # so few that their boxes suffice
             return self._extents.corners()
         found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
         boxes = Extents()
@@ -373,7 +359,6 @@ class Scene(Hooks):
         return np.vstack([*found, boxes.corners()])
 
     def _reach(self) -> None:
-        """Pages draw all of the scene; their wheels go as near and as far as makes sense."""
         self.server.pages.set_bounds(*map(self.frame.to_page, self.bounds))
         for session in self._open_sessions():
             with session.as_it_lasts():
@@ -388,29 +373,21 @@ class Scene(Hooks):
 
 
 def check_color(color: Any) -> NDArray[np.float64]:
-    """A background's red, green and blue, cut to 0 to 1."""
     return np.clip(check_finite("background", check_shape("background", color, (3,))), 0, 1)
 
 
 def check_size(size: Any) -> float:
-    """A size of points [px], cut to what can be seen."""
+    """Point size [px], clipped to the visible range."""
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)
 
 
 MOST_NORMALS = 10_000
-NORMAL_LENGTH = 0.01  # of the scene's diagonal
+NORMAL_LENGTH = 0.01  # over the scene's diagonal
 NORMAL_COLOR = (0, 0, 0)
 
 
 class ItemNodes:
-    """The nodes of an item's parts other than points; all pages are shown them, those that come later as well.
-
-    Args:
-        pages: Who is shown them.
-        frame: The page's coordinates.
-        item: What is shown.
-        wireframe: Whether the edges of surfaces are shown.
-    """
+    """Nodes of an item except points, shared by all pages."""
 
     def __init__(self, pages: PageServer, frame: Frame, item: Item, *, wireframe: bool = False):
         self._pages, self._frame, self._wireframe = pages, frame, wireframe
@@ -419,7 +396,7 @@ class ItemNodes:
         self.show(item)
 
     def show(self, item: Item) -> None:
-        """Show this in place of what was shown, in one picture."""
+        """Replace the displayed item within one frame."""
         self._item = item
         with self._pages.atomic():
             for _, node in self._nodes:
@@ -427,11 +404,9 @@ class ItemNodes:
             self._nodes = [(part, node) for part in item.parts if (node := self._add(part)) is not None]
 
     def surfaces(self) -> list[tuple[Triangles, Node]]:
-        """The surfaces that are shown and their nodes."""
         return [(part, node) for part, node in self._nodes if isinstance(part, Triangles)]
 
     def set_pose(self) -> None:
-        """Move the nodes to where the item stands."""
         with self._pages.atomic():
             for part, node in self._nodes:
                 node.place(*self._frame.place(part.origin, self._item.pose_of(part)))
@@ -440,14 +415,12 @@ class ItemNodes:
                 self._normals.place(*self._frame.place(part.origin, self._item.pose_of(part)))
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide them."""
         for _, node in self._nodes:
             node.visible = visible
         if self._normals is not None:
             self._normals.visible = visible
 
     def set_wireframe(self, shown: bool) -> None:
-        """Show edges over the faces."""
         self._wireframe = shown
         for part, node in self.surfaces():
             node.set(wireframe=shown or part.wireframe)
@@ -469,7 +442,6 @@ class ItemNodes:
             self._normals = self._pages.scene.add_lines(ends, plain=NORMAL_COLOR, **self._placed(part))
 
     def close(self) -> None:
-        """Take them out of the page."""
         with self._pages.atomic():
             for _, node in self._nodes:
                 node.remove()
@@ -490,22 +462,15 @@ class ItemNodes:
         return scene.add_surface(**surface, wireframe=self._wireframe or part.wireframe, **placed)
 
     def _placed(self, part: Part) -> dict[str, Any]:
-        """Where a part stands in the page, and whether it is seen."""
         return {**self._frame.placing(part.origin, self._item.pose_of(part)), "visible": self._item.visible}
 
 
-FRAME = 1 / 30  # [s] between two times
-IDLE = 0.5  # [s] without anything to do, after which the thread ends
+FRAME = 1 / 30  # [s] minimum time between two runs
+IDLE = 0.5  # [s] without a request after which the thread ends
 
 
 class Later:
-    """Has a job done soon, in a thread of its own, once for all who ask meanwhile.
-
-    Args:
-        job: Done with the lock held.
-        take_lock: Takes the lock; false once all is over.
-        release_lock: Gives it back.
-    """
+    """Runs a job once per frame in its own thread, with the lock held, if it was requested meanwhile."""
 
     def __init__(self, job: Callable[[], None], take_lock: Callable[[], bool], release_lock: Callable[[], None]):
         self._job, self._take_lock, self._release_lock = job, take_lock, release_lock
@@ -513,25 +478,23 @@ class Later:
         self._thread: threading.Thread | None = None
 
     def ask(self) -> None:
-        """Have the job done within a frame; the lock is held."""
         self._asked.set()
         if self._thread is None and not self._ended.is_set():
             self._thread = threading.Thread(target=self._run, name="pointloom-later", daemon=True)
             self._thread.start()
 
     def now(self) -> None:
-        """Do what was asked for and is not done yet; the lock is held."""
+        """Run a requested job at once; requires the lock."""
         if self._asked.is_set():
             self._asked.clear()
             self._job()
 
     def close(self) -> None:
-        """What is left is not done any more."""
         self._ended.set()
-        self._asked.set()  # so that nobody waits
+        self._asked.set()  # wake all waiting threads
 
     def join(self) -> None:
-        """Wait for the thread, after `close`; without the lock."""
+        """Wait for the thread after `close`; without the lock."""
         thread = self._thread
         if thread is not None and thread is not threading.current_thread():
             thread.join(timeout=5.0)
@@ -542,13 +505,13 @@ class Later:
             if self._ended.is_set() or not self._take_lock():
                 return
             try:
-                if self._ended.is_set():  # while the lock was waited for
+                if self._ended.is_set():  # closed while waiting for the lock
                     return
                 if not was_asked and not self._asked.is_set():
-                    self._thread = None  # who asks from now on starts another
+                    self._thread = None  # the next request starts a new thread
                     return
                 self.now()
-            except Exception:  # a fault of ours: the viewer goes on
+            except Exception:  # an internal error must not stop the viewer
                 log.warning("what follows from a change of the scene", exc_info=True)
             finally:
                 self._release_lock()
@@ -557,11 +520,7 @@ class Later:
 
 
 class LevelBuilder:
-    """Builds levels in threads of its own; pages are told so, and shown them when they are there.
-
-    Args:
-        viewer: Whose lock is held by who calls.
-    """
+    """Builds levels of detail in threads and shows them when done. The caller holds the viewer's lock."""
 
     def __init__(self, viewer: Viewer):
         self._viewer = viewer
@@ -569,11 +528,11 @@ class LevelBuilder:
         self._threads: list[threading.Thread] = []
 
     def __contains__(self, name: str) -> bool:
-        """Whether the levels of an item are being built."""
+        """True if the levels of an item are being built."""
         return name in self._coming
 
     def build(self, item: Item) -> None:
-        """Build the levels of a cloud, if it is too large to be sent whole."""
+        """Build the levels of a cloud that is too large to be sent completely."""
         if item.cloud is None or len(item.cloud) <= self._viewer.max_points:
             return
         self._coming[item.name] = item
@@ -584,12 +543,11 @@ class LevelBuilder:
         thread.start()
 
     def forget(self, name: str) -> None:
-        """An item has gone, or is another one now."""
         if self._coming.pop(name, None) is not None:
             self._tell()
 
     def let_go(self) -> list[threading.Thread]:
-        """Forget all; the threads that are to be waited for."""
+        """Cancel all builds. Returns the threads to wait for."""
         threads, self._threads = self._threads, []
         self._coming.clear()
         return threads
@@ -599,7 +557,7 @@ class LevelBuilder:
         try:
             assert item.cloud is not None
             tree = None if viewer.closed else DetailTree.from_cloud(item.cloud)
-        except Exception:  # no memory for it: an even share is what can be shown
+        except Exception:  # out of memory: show an even sample
             log.warning("%s is shown without levels of detail", item.name, exc_info=True)
             tree = None
         if not viewer.take_lock():
@@ -614,7 +572,6 @@ class LevelBuilder:
             viewer.lock.release()
 
     def _tell(self) -> None:
-        """Say in the pages which clouds are being prepared."""
         coming = list(self._coming)
         others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
         text = f"a first look; preparing all points of {coming[0]}{others}" if coming else ""

@@ -1,4 +1,4 @@
-"""A server for the viewer's page: on this machine alone unless asked, behind the guard, on a port that it says."""
+"""Server of the viewer: local unless requested otherwise, guarded, on a free port."""
 
 from __future__ import annotations
 
@@ -15,45 +15,31 @@ from .guard import RequestGuard, is_loopback
 if TYPE_CHECKING:
     from .link import PageServer
 
-MOST_PORTS = 20  # that are tried, from the one asked for
+MOST_PORTS = 20  # number of ports that are tried
 
 
 class ViewerError(PointloomError, RuntimeError):
-    """The viewer cannot listen where it was asked to."""
+    """Raised if the viewer cannot listen on the address."""
 
 
 class ViewerExtraError(PointloomError, ImportError):
-    """The viewer's extra is not installed."""
+    """Raised if the viewer's extra is not installed."""
 
 
 class ViewerServer:
-    """A server for the viewer's page that is safe to leave open beside a browser.
+    """A web server for the viewer that is safe to keep open beside a browser.
 
-    It answers only requests that name this machine and hold its token, and only the page that it served itself may
-    connect (`guard.py`); what a page says is checked before anything acts on it (`link/wire.py`). Nothing is printed.
-
-    Args:
-        host: The address to listen on. 127.0.0.1 is reached from this machine alone; any other by whoever reaches the
-            port, and what goes over is not encrypted. The page is for those alone who know the URL with its token.
-        port: The port; where it is taken, the next free one of 20. 0 takes any.
-        title: Of the page.
+    It answers only requests that name this machine and contain its token; only its own page may connect (`guard.py`),
+    and messages are validated (`link/wire.py`). A `host` beyond 127.0.0.1 is reachable from the network, unencrypted,
+    for everyone with the URL. The port is the next free one of 20; 0 takes any. Accepts up to 32 pages and messages of
+    up to 1 MiB, and closes a page that does not read for a minute. Raises ValueError, ViewerError or ImportError.
 
     Attributes:
-        pages: The link to all pages that look.
-        port: The port that it listens on.
-        moved_from: The port asked for where that was taken, else None: to be said to the user.
-        url: Where the page is, with the token without which it is not shown.
-        ssh_line: What to run on one's own machine to reach it there, under the same URL.
-        exposed: Whether others than this machine may reach it.
-
-    Raises:
-        ValueError: a port outside 0 to 65535.
-        ViewerError: the address is not this machine's, or no port is free there.
-        ImportError: the extra is not installed; with the line that installs it.
-
-    Notes:
-        Takes up to 32 pages at once, messages of theirs of up to 1 MiB, and drops one that does not read for a
-        minute. Threads and port are given back by `close`, which the end of the process does as well.
+        pages: Connection to all pages.
+        moved_from: Requested port if it was in use, else None.
+        url: Address of the page with the token.
+        ssh_line: Command for the local machine to reach the page under the same URL.
+        exposed: True if other machines can reach it.
     """
 
     def __init__(self, host: str = "127.0.0.1", port: int = 8080, *, title: str = "pointloom"):
@@ -87,23 +73,23 @@ class ViewerServer:
 
     @property
     def pages(self) -> PageServer:
-        """The link to all pages that look; an error after `close`."""
+        """Connection to all pages; raises an error after `close`."""
         if self._pages is None:
             raise ViewerError("the viewer is closed: open another")
         return self._pages
 
     @property
     def last_request(self) -> float:
-        """When the page was last asked for (`time.monotonic`); minus infinity when closed."""
+        """Time of the last request for the page (`time.monotonic`); minus infinity when closed."""
         return -math.inf if self._pages is None else self._pages.last_asked
 
     @property
     def closed(self) -> bool:
-        """Whether `close` was called, or this is a forked child."""
+        """True after `close`, or in a forked child."""
         return self._pages is None or self._pages.is_child
 
     def close(self) -> None:
-        """Send the pages away and free port, threads and memory; twice is no error."""
+        """Disconnect the pages and free port, threads and memory. A second call has no effect."""
         pages, self._pages = self._pages, None
         if pages is not None:
             pages.stop()
@@ -116,7 +102,6 @@ class ViewerServer:
 
 
 def _bind(host: str, port: int) -> socket.socket:
-    """A listening socket on the port, or on the next free one."""
     try:
         family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
         if host == "localhost":
@@ -127,7 +112,7 @@ def _bind(host: str, port: int) -> socket.socket:
     taken: OSError | None = None
     for one in ports:
         try:
-            # 200 connections at once wait here rather than being turned away
+            # queues 200 simultaneous connections instead of refusing them
             return socket.create_server((address[0], one), family=family, backlog=256)
         except OSError as error:
             if error.errno not in (errno.EADDRINUSE, errno.EACCES):
@@ -139,19 +124,18 @@ def _bind(host: str, port: int) -> socket.socket:
 
 
 def _guard(host: str) -> RequestGuard:
-    """For a server that others reach: under any address of it, and under its own names."""
+    """Guard for a server reachable by others: under any of its addresses and its own names."""
     names = {host, socket.gethostname(), socket.getfqdn()}
     return RequestGuard(frozenset(name.lower().rstrip(".") for name in names), any_address=True)
 
 
 def _shown_host(host: str, address: str) -> str:
-    """The host to put into a browser on this machine."""
     shown = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}.get(address, address if is_loopback(address) else host)
     return f"[{shown}]" if ":" in shown and not shown.startswith("[") else shown
 
 
 def _ssh_line(address: str, port: int) -> str:
-    """The line for the user's own machine; inside an SSH session with the server that it was opened to."""
+    """Command for the local machine; inside an SSH session with the server it connected to."""
     session = os.environ.get("SSH_CONNECTION", "").split()  # client, its port, server, its port
     server, server_port = (session[2], session[3]) if len(session) == 4 else (socket.gethostname(), "22")
     try:

@@ -1,4 +1,4 @@
-"""One page that looks at the viewer: its camera, its clouds, and what happens when the camera rests: `Session`."""
+"""Connection of one page to the viewer: its camera, clouds and tools (`Session`)."""
 
 from __future__ import annotations
 
@@ -22,43 +22,39 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 
-POINT_SIZE = 3.0  # [px] of points that have no size of their own, until the panel says another
-REST = 0.25  # [s] without motion after which a camera rests
+POINT_SIZE = 3.0  # [px] default size of points
+REST = 0.25  # [s] without motion until the camera is at rest
 log = logging.getLogger("pointloom.viewer")
 
 
 class Session:
-    """A page from when it connects until it goes; one that connects again is another.
-
-    Args:
-        viewer: The viewer.
-        client: The page.
+    """A page while it is connected; a reconnected page is a new session.
 
     Attributes:
-        streams: The clouds of the page by the names of their items.
+        streams: Clouds of the page by item name.
     """
 
     def __init__(self, viewer: Viewer, client: PageClient):
         self.viewer, self.client, self.closed = viewer, client, False
         self.streams: dict[str, Any] = {}
         self._budgets: dict[str, int] = {}
-        self._unfinished: dict[str, WholeCloud] = {}  # of which steps are left to send
-        self._in_levels: set[str] = set()  # whose number of points goes with the view
-        self._counts: dict[str, tuple[int, int]] = {}  # points that are drawn and that there are, as far as was told
+        self._unfinished: dict[str, WholeCloud] = {}  # with steps left to send
+        self._in_levels: set[str] = set()  # point count depends on the view
+        self._counts: dict[str, tuple[int, int]] = {}  # last reported drawn and total number of points
         self._drawn = self._total = 0
         self._moved, self._timer = time.monotonic(), None
-        self._put, self._put_shape = np.zeros(3), 0  # where the camera was put, and the shape of the page then
+        self._put, self._put_shape = np.zeros(3), 0  # last camera position that was set, and the page's shape then
         self._homes = Homes()
         self._line: Any = None
         self._toolbox: Any = None
         self._pace = Pace(client.ask_for_sign)
         self._feeder: threading.Thread | None = None
-        self._leaving: list[Any] = []  # what goes once the page has what comes in its place
+        self._leaving: list[Any] = []  # removed once the page has the replacement
         self._state: Any = None
         self._reach: dict[str, float] = {}
 
     def start(self) -> None:
-        """Show the scene to the page; the viewer's lock is held."""
+        """Show the scene; requires the viewer's lock."""
         with self.client.atomic():
             self.go_home()
             self._line = self.viewer.panel.add_line(self.client)
@@ -71,25 +67,21 @@ class Session:
         self.feed()
 
     def camera_view(self) -> View:
-        """What the page shows, in the world's coordinates and the pixels of its picture."""
         return self.view_of(self.client.camera.state)
 
     def view_of(self, camera: Any) -> View:
-        """What the page shows with its camera so."""
         return view_of(camera, self.viewer.frame, self.viewer.bounds, camera.size)
 
     def go_home(self) -> None:
-        """Look from where the viewer was told to, or from where all is seen."""
         self._look_from(self.viewer.home())
         self._homes.put(self._put)
 
     def go_home_if_still(self) -> None:
-        """See all of what has come, where nobody has moved the camera since it saw all, and no tool is at work."""
+        """Show the complete scene again, unless the user has moved the camera or uses a tool."""
         if self._homes.are_at(self.client.camera.position) and getattr(self._toolbox, "tool", None) is None:
             self.go_home()
 
     def look_from(self, view: View) -> None:
-        """Put the camera there."""
         self._homes.leave()
         self._look_from(view)
 
@@ -98,20 +90,18 @@ class Session:
         self._put_camera(camera_of(view, self.viewer.frame, self.viewer.bounds, width / height))
 
     def look_as(self, state: Any) -> None:
-        """Put the camera as it was at some time (`client.camera.state`)."""
+        """Restore a camera state (`client.camera.state`)."""
         self._reach = reach_of(state, self.viewer.frame, self.viewer.bounds)
         fields = {name: getattr(state, name) for name in ("position", "rotation", "fov", "pivot", "orthographic")}
         self.client.camera.put(**fields, **self._reach)
 
     def set_reach(self) -> None:
-        """Have the page draw all of the scene, and let its wheel go as near and as far as makes sense."""
         reach = reach_of(self.client.camera, self.viewer.frame, self.viewer.bounds)
         if reach != self._reach:
             self._reach = reach
             self.client.camera.put(**reach)
 
     def show(self, item: Item) -> None:
-        """Show a cloud, or other points in place of it."""
         stream, name = self.streams.get(item.name), item.name
         same = self._budgets.get(name) == self.viewer._budget_of(item)
         if item.cloud is None:
@@ -128,75 +118,67 @@ class Session:
         self.feed()
 
     def set_pose(self, item: Item) -> None:
-        """An item stands somewhere else."""
         stream = self.streams.get(item.name)
         if stream is not None:
             stream.set_pose(item.pose_of(item.parts[0]))
 
     def set_visible(self, item: Item) -> None:
-        """An item is shown or hidden."""
         stream = self.streams.get(item.name)
         if stream is not None:
             stream.set_visible(item.visible)
             self._note(item.name)
 
     def set_colors(self, item: Item) -> None:
-        """An item has other colours."""
         stream = self.streams.get(item.name)
         if stream is not None:
             stream.set_colors(item.colors_of)
 
     def feed(self) -> None:
-        """Send what is left of clouds step by step, as fast as the page takes it; the viewer's lock is held."""
+        """Send remaining parts of clouds at the page's speed; requires the viewer's lock."""
         if self._feeder is None and self._unfinished and not self.closed:
             self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
             self._feeder.start()
 
     @property
     def clip(self) -> Any:
-        """What the page's clip planes leave; None before it has tools."""
+        """Clip planes of the page; None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
     def idle_stage(self) -> Any:
-        """What picks in the page; None while a tool is at work, which has the clicks, and before there are tools."""
+        """Stage for picks; None while a tool is active or before tools exist."""
         return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
 
     def give_up_key(self, key: str) -> None:
-        """A key calls the program from now on."""
+        """Release a key that the program now uses."""
         if self._toolbox is not None and not self.closed:
             self._toolbox.give_up_key(key)
 
     def refresh_tools(self) -> None:
-        """The scene has changed: clip planes cut it, tools offer what there is."""
         if self._toolbox is not None and not self.closed:
             self._toolbox.refresh()
 
     def share_anew(self) -> None:
-        """Give clouds their shares of the points that a page may hold, where those have changed."""
         for item in self.viewer.shown.values():
             if item.name in self.streams and self._budgets[item.name] != self.viewer._budget_of(item):
                 self.show(item)
 
     def hide(self, name: str) -> None:
-        """Take a cloud out of the page."""
         stream = self.streams.pop(name, None)
         if stream is not None:
             stream.close()
         self._note(name)
 
     def resize_points(self) -> None:
-        """Give points the size that the panel says."""
         for name, stream in self.streams.items():
             stream.set_point_size(*self._size_of(self.viewer.shown[name]))
 
     def count_anew(self) -> None:
-        """Note how many points of each cloud are drawn, where much has changed."""
         for name in list(self.streams):
             self._note(name)
 
     @contextlib.contextmanager
     def as_it_lasts(self) -> Iterator[None]:
-        """Nothing that goes wrong with one page reaches the program, or the other pages."""
+        """Log errors instead of passing them to the program or other pages."""
         try:
             yield
         except Exception:
@@ -206,7 +188,6 @@ class Session:
                 self.closed = True
 
     def tell(self) -> None:
-        """Say what is drawn: points of how many, triangles."""
         if self._line is not None and not self.closed:
             for name in self._in_levels:
                 self._note(name)
@@ -214,7 +195,6 @@ class Session:
             self._line.value, self._line.visible = text, bool(text)
 
     def close(self) -> None:
-        """The page has gone."""
         self.closed = True
         if self._timer is not None:
             self._timer.cancel()
@@ -226,24 +206,22 @@ class Session:
         self._leaving.clear()
 
     def join(self) -> None:
-        """Wait for the page's thread, after `close`; without the viewer's lock."""
+        """Wait for the page's thread after `close`; without the viewer's lock."""
         feeder = self._feeder
         if feeder is not None and feeder is not threading.current_thread():
             feeder.join(timeout=5.0)
-
-    # -- what is sent -------------------------------------------------------------------------------------------------
 
     def _feed(self) -> None:
         while self._pace.wait() and self.viewer.take_lock():
             try:
                 name = None if self.closed else next(iter(self._unfinished), None)
                 if name is None:
-                    self._feeder = None  # what comes from now on starts another
+                    self._feeder = None  # later work starts another thread
                     return
                 self._unfinished[name].send_next()
                 self._note(name)
                 self.tell()
-            except Exception:  # of one page: the viewer goes on
+            except Exception:  # an error of one page must not stop the viewer
                 log.debug("a page's next step", exc_info=True)
                 self._feeder = None
                 return
@@ -251,7 +229,7 @@ class Session:
                 self.viewer.lock.release()
 
     def _note(self, name: str) -> None:
-        """Keep up what is told of a cloud: whether it is whole, and how many points of it are drawn."""
+        """Update whether a cloud is complete, and its drawn number of points."""
         stream = self.streams.get(name)
         before = self._counts.pop(name, (0, 0))
         now = (0, 0) if stream is None else (stream.drawn, stream.total)
@@ -268,7 +246,7 @@ class Session:
             self._in_levels.add(name)
 
     def _pause(self) -> bool:
-        """Between the steps of a stream."""
+        """Pause between the steps of a stream. False if the page has gone."""
         if not self.viewer.take_lock():
             return False
         try:
@@ -277,8 +255,6 @@ class Session:
         finally:
             self.viewer.lock.release()
         return self._pace.wait()
-
-    # -- the camera ---------------------------------------------------------------------------------------------------
 
     def _open(self, item: Item) -> Any:
         budget, frame = self.viewer._budget_of(item), self.viewer.frame
@@ -302,7 +278,7 @@ class Session:
         return item.tree is not None and self.viewer.frame.unit == 1
 
     def _size_of(self, item: Item) -> tuple[float | None, bool]:
-        """The diameter of an item's points and whether it is in metres; None of levels that close gaps."""
+        """Point diameter of an item, and whether it is in meters; None for levels that close gaps."""
         part, viewer = item.points, self.viewer
         assert part is not None
         if part.metric and part.size is not None:
@@ -324,7 +300,7 @@ class Session:
             self._wait(REST)
 
     def _fit_anew(self) -> None:
-        """Show all again where the page has another shape since, and nobody has moved the camera."""
+        """Fit the view again if the page's aspect ratio changed and the camera was not moved."""
         shape = _shape(self.client.camera.size)
         if shape != self._put_shape:
             if np.allclose(self.client.camera.position, self._put, rtol=1e-4, atol=0):
@@ -332,7 +308,6 @@ class Session:
             self._put_shape = shape
 
     def _wait_anew(self, seconds: float) -> None:
-        """Rest after so long, whatever was waited for."""
         if self._timer is not None:
             self._timer.cancel()
         self._moved = time.monotonic() - REST
@@ -353,7 +328,7 @@ class Session:
         self._timer = None
         try:
             self._at_rest()
-        except Exception:  # a page that goes in the midst of it, or a tool's fault: the viewer goes on
+        except Exception:  # the page has gone, or a tool failed: continue
             log.debug("a page's camera rested", exc_info=True)
 
     def _at_rest(self) -> None:
@@ -363,7 +338,7 @@ class Session:
             self._fit_anew()
             view = self.camera_view()
             streams = [self.streams[name] for name in self._in_levels]
-        for stream in streams:  # sends for a while: the program goes on meanwhile
+        for stream in streams:  # sends for a while, without the lock
             stream.look(view)
         with self.viewer.lock:
             for stream in self._leaving:
@@ -374,12 +349,10 @@ class Session:
 
 
 def _shape(size: tuple[int, int]) -> int:
-    """Width by height, coarse enough for rounding."""
     return round(50 * size[0] / size[1]) if size[1] else 0
 
 
 def told(drawn: int, total: int, triangles: int = 0) -> str:
-    """What is drawn, in words: points where there are clouds, triangles where there are surfaces."""
     words = []
     if total >= 1_000_000:
         millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
@@ -395,18 +368,15 @@ def _counted(count: int, name: str) -> str:
     return f"{count:,} {name}{'' if count == 1 else 's'}"
 
 
-PATIENCE = 3.0  # [s] after which a page that gives no sign is sent the next step all the same
-SIGNS = 3  # frames of the page between two steps: it prepares one or two ahead of what is on the screen
+PATIENCE = 3.0  # [s] after which the next step is sent without a signal
+SIGNS = 3  # frames between two steps: a page prepares one or two frames ahead
 PAUSE = 0.1  # [s] more
 
 
 class Pace:
-    """A sign from a page between one step and the next, so that it draws each before it has to take another.
+    """Waits for a signal from a page between steps, so that it draws each step before the next.
 
-    A page works off its messages once for each frame that it draws: one that draws slowly answers slowly.
-
-    Args:
-        ask: Asks the page for a sign.
+    A page handles messages once per frame: a page that draws slowly answers slowly.
     """
 
     def __init__(self, ask: Callable[[], None]):
@@ -414,11 +384,10 @@ class Pace:
         self._answered, self._ended = threading.Event(), threading.Event()
 
     def answer(self) -> None:
-        """The page has given a sign."""
         self._answered.set()
 
     def wait(self) -> bool:
-        """Until the page has taken what it was sent; false where it has gone."""
+        """Wait until the page has drawn what it was sent. False if it has gone."""
         end = time.monotonic() + PATIENCE
         for _ in range(SIGNS):
             self._answered.clear()
@@ -430,6 +399,5 @@ class Pace:
         return not self._ended.wait(PAUSE)
 
     def close(self) -> None:
-        """Nobody has to wait any more."""
         self._ended.set()
         self._answered.set()

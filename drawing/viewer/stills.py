@@ -1,4 +1,4 @@
-"""A viewer's scene as a picture and as a page of its own."""
+"""Screenshots and standalone pages of a viewer's scene."""
 
 from __future__ import annotations
 
@@ -27,18 +27,14 @@ from .whole_cloud import even_share
 if TYPE_CHECKING:
     from .viewer import Viewer
 
-SIZE = (1280, 960)  # [px] that a page's first view is fitted to
-MOST_DRAWN = 20_000_000  # points of a picture, where they are copied for it
+SIZE = (1280, 960)  # [px] of the fitted initial view
+MOST_DRAWN = 20_000_000  # points of an image if they must be copied
 
 
 def draw_scene(
     viewer: Viewer, view: View, path: str | os.PathLike[str] | None, clip: Clip | None = None
 ) -> NDArray[np.uint8]:
-    """The scene as `loom.render` draws it from there, cut by clip planes, and as a .png file where a path is given.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
+    """Render the scene with clip planes, and write a .png file if a path is given."""
     from ..render.render import render
 
     if path is not None:
@@ -55,11 +51,6 @@ def draw_scene(
 
 
 def write_scene(viewer: Viewer, path: str | os.PathLike[str], *, overwrite: bool) -> None:
-    """The scene as one page that needs no server, with at most `max_points` points.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
     shown, background = shown_geometries(viewer, viewer._clip_of(None)), viewer.background.tolist()
     view = viewer.get_view()
     write_geometries(path, shown, viewer.max_points, view=view, background=background, overwrite=overwrite)
@@ -76,23 +67,10 @@ def write_geometries(
     overwrite: bool = True,
     up: Triple | None = None,
 ) -> dict[str, tuple[int, int]]:
-    """Geometries as one page that needs no server.
+    """Write geometries as a standalone .html page.
 
-    Args:
-        path: The .html file.
-        named: Names, geometries and styles.
-        max_points: Of all together; each has its share.
-        view: Where from; None shows all.
-        background: Red, green and blue, 0 to 1.
-        title: Of the page.
-        overwrite: Replace a file that exists.
-        up: What is up where no view is given; None takes that of the first mesh that says so, else z.
-
-    Returns:
-        Of each name how many points and vertices the page holds, and how many there are.
-
-    Raises:
-        FileError: The place cannot be written.
+    `max_points` is shared by all. Returns the displayed and total number of points and vertices of each name. Without a
+    view, everything is shown with `up` (None: that of the first mesh that defines one, else z).
     """
     from ..recording.film import view_frames
     from ..recording.page import write_page
@@ -120,19 +98,17 @@ def write_geometries(
 
 
 def as_entry(named: Named) -> dict[str, Any]:
-    """A geometry as `loom.render` takes it."""
     name, geometry, style = named
     given = {field.name: getattr(style, field.name) for field in dataclasses.fields(style)}
     return {"geometry": geometry, "name": name, **{key: value for key, value in given.items() if value is not None}}
 
 
 def shown_geometries(viewer: Viewer, clip: Clip | None = None) -> list[Named]:
-    """What the viewer shows, in the styles that it shows it in; clouds and meshes as clip planes leave them."""
+    """Displayed geometries with their displayed styles, clipped."""
     return [shown_geometry(viewer, item, clip) for item in viewer.shown.values() if item.visible]
 
 
 def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Named:
-    """A geometry of the viewer in the style that it is shown in, as clip planes leave it."""
     geometry, style = item.geometry if item.cloud is None else with_colors(item), _style(viewer, item)
     if clip is not None:
         geometry = clipped(geometry, clip, style.pose)
@@ -140,7 +116,7 @@ def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Name
 
 
 def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
-    """What clip planes leave of a cloud or a mesh at a pose; of other kinds all."""
+    """Clip a cloud or mesh at a pose; other types are returned unchanged."""
     if not clip.cuts:
         return geometry
     if isinstance(geometry, TriangleMesh):
@@ -151,7 +127,7 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
 
 
 def with_colors(item: Item) -> PointCloud:
-    """The cloud of an item; of a file whose colours its levels of detail hold, at most 20 million points with them."""
+    """The cloud of an item; for a file with colors in its tree, a sample of at most 20 million points with colors."""
     cloud = item.cloud
     assert cloud is not None
     if not item.has_colors_in_tree:

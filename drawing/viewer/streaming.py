@@ -1,9 +1,8 @@
-"""What of a cloud a client of the viewer is sent: the nodes that matter for where its camera rests.
+"""Streaming of a cloud to a page: the nodes that matter for the current camera.
 
-A node is one point cloud of the page's scene, below a frame that carries the cloud's pose. Nodes come coarse first in
-batches that are swapped in at once, each hiding what the view no longer needs, so the browser never holds much more
-than its budget in view. Hidden nodes stay in the browser, twice the budget of points, and come back without being
-sent again.
+A node is a point cloud below a frame with the cloud's pose. Nodes are sent coarse first in batches; each batch replaces
+nodes that the view no longer needs, so the browser draws little more than its budget. Hidden nodes, up to twice the
+budget of points, stay in the browser and return without being sent again.
 """
 
 from __future__ import annotations
@@ -30,25 +29,25 @@ Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
 @dataclasses.dataclass
 class Wish:
-    """What the client should see."""
+    """Requested state of the client."""
 
     view: View | None = None
     colors_of: ColorsOf | None = None
     keep: Keep | None = None
     size: float | None = None
-    metric: bool = False  # whether that is in metres
-    coloring: int = 0  # which of all colours so far
-    keeping: int = 0  # and which rule of what is kept
+    metric: bool = False  # sizes in meters
+    coloring: int = 0  # version of the colors
+    keeping: int = 0  # version of the mask
 
     @property
     def is_metric(self) -> bool:
-        """Whether sizes are in metres; those that close gaps are."""
+        """True if sizes are in meters; always for sizes that close gaps."""
         return self.size is None or self.metric
 
 
 @dataclasses.dataclass
 class Sent:
-    """A node in the page: what it was made with; no node where nothing of it is kept."""
+    """A node in the page and its properties; `node` is None if none of its points is kept."""
 
     node: Any
     count: int
@@ -61,44 +60,38 @@ class Sent:
     visible: bool = True
 
 
-PLAIN = (89, 128, 158)  # of clouds without colours, as in pictures
+PLAIN = (89, 128, 158)  # of clouds without colors
 
-# Of one batch: two megabytes.
+# Per batch: two megabytes.
 _BATCH_POINTS, _BATCH_NODES = 200_000, 24
-_FIRST_POINTS = 100_000  # of a view of which nothing is there yet
+_FIRST_POINTS = 100_000  # of the first batch of an empty view
 
-_HIDDEN = 2  # budgets of points that stay in the browser unseen
+_HIDDEN = 2  # budgets of hidden points in the browser
 
-# Half a step of float16 at the far end of a node: eleven bits of half its side; below 2^-14 steps shrink no more.
+# Half a step of float16 at the far end of a node: 11 bits of half its side. Below 2^-14, steps are constant.
 _HALF_STEP, _LEAST_HALF_STEP = 2.0**-12, 2.0**-25
 _FLOAT16_MAX = 60_000.0
-_MOST_ERROR = 0.25  # [px] that positions may be off
+_MOST_ERROR = 0.25  # [px] maximum error of positions
 
-_FILLING = 1.5  # spacings wide, discs leave few gaps
-_RESIZED = 1.25  # a size that differs by less is left
+_FILLING = 1.5  # discs of this many spacings leave few gaps
+_RESIZED = 1.25  # smaller changes of size are ignored
 
-_NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # of what is to do after a batch
+_NOTHING, _MORE, _OVERTAKEN = "nothing", "more", "overtaken"  # remaining work after a batch
 
-_PASSES = 6  # over a view of which parts are hidden, until the budget is used
+_PASSES = 6  # over a view with hidden parts, until the budget is used
 
 
 class CloudStream:
-    """One cloud for one client.
+    """One cloud for one client; thread-safe: a newer request replaces an older one.
 
     Args:
-        client: The page; one that connects again needs a new stream.
-        tree: The cloud.
-        origin: World position of the scene's zero [m], shape [3].
-        budget: Points at most.
-        point_size: Diameter [px], or with `metric` [m]; None for one that closes most gaps, anew for each view, and
-            larger where coarse nodes are all there is.
-        metric: See `point_size`.
-        pause: Called between the batches of a view, until the client can take the next; says whether it is still
-            there. None sends them one after the other.
-
-    Notes:
-        Safe from several threads: whoever asks last is served, and who is overtaken returns. A page that has gone is
-        sent nothing more. A cloud within the budget is sent whole.
+        client: The page; a reconnected page needs a new stream.
+        origin: World position of the scene's origin [m], shape (3,).
+        budget: Maximum number of points; a smaller cloud is sent completely.
+        point_size: Diameter [px], or [m] if `metric`. If None, chosen for each view to close most gaps, larger for
+            coarse nodes without children.
+        pause: Called between batches until the client can take the next; returns False if the client has gone. If None,
+            batches are sent without a pause.
     """
 
     def __init__(
@@ -118,8 +111,8 @@ class CloudStream:
         self._wish = Wish(size=_checked_size(point_size), metric=metric)
         self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
-        self._sent: dict[int, Sent] = {}  # hidden ones in the order in which they were hidden
-        self._kept: NDArray[np.int64] = tree.counts  # points of each node that count
+        self._sent: dict[int, Sent] = {}  # hidden ones in the order of hiding
+        self._kept: NDArray[np.int64] = tree.counts  # number of kept points of each node
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
         self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
         self._steps[tree.halves > _FLOAT16_MAX] = np.inf
@@ -127,52 +120,40 @@ class CloudStream:
 
     @property
     def drawn(self) -> int:
-        """Points that are drawn for the view."""
         return self._drawn
 
     @property
     def total(self) -> int:
-        """Points of the cloud."""
         return self._tree.count
 
     @property
     def point_size(self) -> float:
-        """The diameter that most points are drawn with: of one that was set, its own; else [m]; 0 before a view."""
+        """Diameter of most points: as set, else [m]; 0 before the first view."""
         return self._size
 
     def look(self, view: View) -> None:
-        """The camera rests: send what matters for its view and hide the rest."""
+        """Send what matters for a view and hide the rest."""
         self._ask(self._pause, view=check_view(view))
 
     def set_colors(self, colors_of: ColorsOf | None) -> None:
-        """Colour all points anew.
-
-        Args:
-            colors_of: The colours, uint8 [k, 3], of points by index, int64 [k]; None for the cloud's own.
-        """
+        """Set a function from point indices (k,) to uint8 colors (k, 3); None restores the cloud's own."""
         self._ask(colors_of=colors_of, coloring=self._wish.coloring + 1)
 
     def set_keep(self, keep: Keep | None) -> None:
-        """Hide points.
-
-        Args:
-            keep: Which points stay, bool [k], by position in the cloud's own coordinates (before its pose), float64
-                [k, 3] [m]; None keeps all.
-        """
+        """Set a function from positions (k, 3) [m] in cloud coordinates to a mask of visible points; None shows all."""
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
     def set_point_size(self, size: float | None, metric: bool = False) -> None:
-        """The diameter of points [px], or with `metric` [m]; None for one that closes most gaps."""
+        """Set the diameter of points [px], or [m] if `metric`; None closes most gaps."""
         self._ask(size=_checked_size(size), metric=metric)
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide the cloud."""
         with self._working:
             if not self._is_closed:
                 self._frame.visible = bool(visible)
 
     def set_pose(self, T: Any) -> None:
-        """Move the cloud: T_world_cloud, 4x4; what is near enough is chosen anew."""
+        """Set T_world_cloud, 4x4, and select nodes again."""
         pose = check_rigid("T", T)
         with self._working:
             self._pose = pose
@@ -181,7 +162,6 @@ class CloudStream:
         self._ask()
 
     def close(self) -> None:
-        """Take the cloud out of the scene; twice is no error."""
         with self._asking:
             self._version += 1
         with self._working:
@@ -190,8 +170,6 @@ class CloudStream:
             self._frame.remove()
             self._is_closed, self._drawn = True, 0
             self._sent.clear()
-
-    # ------------------------------------------------------------------------------------------ whoever asks last
 
     def _ask(self, pause: Callable[[], bool] | None = None, **wishes: Any) -> None:
         with self._asking:
@@ -202,14 +180,14 @@ class CloudStream:
         while True:
             with self._working:
                 is_unfinished = self._serve(version, in_steps=pause is not None)
-            if not is_unfinished or pause is None or not pause():  # others may ask meanwhile, and overtake
+            if not is_unfinished or pause is None or not pause():  # a newer request may arrive during the pause
                 return
 
     def _is_overtaken(self, version: int) -> bool:
         return self._is_closed or version != self._version or not self._client.is_open
 
     def _serve(self, version: int, *, in_steps: bool) -> bool:
-        """Do what is wished, or the next step of it; whether there is more to do."""
+        """Do the next step toward the requested state. True if more steps remain."""
         with self._asking:
             wish = dataclasses.replace(self._wish)
         if self._is_overtaken(version) or wish.view is None:
@@ -225,23 +203,20 @@ class CloudStream:
         return False
 
     def _choose(self, view: View) -> list[int]:
-        """Nodes to draw, coarse first."""
         if int(self._kept.sum()) > self._budget:
             return self._tree.select(view, self._budget, counts=self._kept)
         gaps = self._tree.pixels(view, self._tree.spacings)
         return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._kept[i]]
 
     def _forget_masks(self, wish: Wish) -> None:
-        """What of each node counts, where another rule says what is kept."""
+        """Reset the masks of nodes after a change of `keep`."""
         self._kept = self._tree.counts.copy()
         for i, sent in self._sent.items():
             if sent.keeping == wish.keeping:
                 self._kept[i] = sent.count
 
-    # ------------------------------------------------------------------------------------------ the swap
-
     def _show(self, nodes: list[int], view: View, wish: Wish, version: int, in_steps: bool) -> str:
-        """Bring the client from what it sees to these nodes, or one batch nearer; what is left to do."""
+        """Show these nodes, or one batch of them. Returns the remaining work."""
         sizes = self._sizes(nodes, view, wish)
         errors = self._tree.pixels(view, self._steps)
         chosen = set(nodes)
@@ -267,7 +242,7 @@ class CloudStream:
         return _NOTHING
 
     def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: Wish) -> Iterator[list[int]]:
-        """Nodes that are not there as they should be, some at a time."""
+        """Batches of nodes that are missing or outdated."""
         batch: list[int] = []
         points = 0
         for i in nodes:
@@ -283,12 +258,11 @@ class CloudStream:
             yield batch
 
     def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
-        """Whether a node in the browser may stay as it is."""
         is_near_enough = sent.is_exact or not error > _MOST_ERROR
         return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
 
     def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:
-        """What to do for a node, made ready: None to show what is there, else what sends it, or its colours, anew."""
+        """Prepare the update of a node: a function that sends it or its colors, or None to show it as is."""
         sent = self._sent.get(i)
         if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
             if sent.coloring == wish.coloring or sent.node is None:
@@ -353,7 +327,6 @@ class CloudStream:
         self._sent[i] = sent
 
     def _drop_hidden(self) -> None:
-        """Forget what was hidden longest."""
         hidden = [(i, sent) for i, sent in self._sent.items() if not sent.visible]
         room = _HIDDEN * self._budget
         for i, sent in reversed(hidden):
@@ -363,10 +336,8 @@ class CloudStream:
                     sent.node.remove()
                 del self._sent[i]
 
-    # ------------------------------------------------------------------------------------------ sizes and places
-
     def _sizes(self, nodes: list[int], view: View, wish: Wish) -> dict[int, float]:
-        """The diameter of each node's points: one for all, but that coarse ends of what is drawn have wider gaps."""
+        """Point diameter of each node: uniform, but larger for coarse nodes without drawn children."""
         if wish.size is not None or not nodes:
             self._size = wish.size or self._size
             return dict.fromkeys(nodes, self._size)
@@ -375,9 +346,11 @@ class CloudStream:
         return dict(zip(nodes, np.maximum(wide, self._size).tolist(), strict=True))
 
     def _fitting_size(self, nodes: list[int], view: View) -> float:
-        """A diameter that closes most gaps: by the level that half the points in view are of or above."""
+        """A diameter that closes most gaps: the spacing at the median level of the points in view."""
         spacings = self._tree.spacings[nodes]
-        counts = self._kept[nodes] * (self._tree.shares_in_view(view, nodes) + 1e-6)  # of none in view all are alike
+        counts = self._kept[nodes] * (
+            self._tree.shares_in_view(view, nodes) + 1e-6
+        )  # breaks ties if no point is in view
         ranks = np.argsort(-spacings, kind="stable")
         half = np.searchsorted(np.cumsum(counts[ranks]), counts.sum() / 2)
         size = _FILLING * float(spacings[ranks[min(half, len(nodes) - 1)]])
@@ -391,7 +364,6 @@ class CloudStream:
                 sent.node.set(size=size, metric=is_metric)
 
     def _placing(self) -> dict[str, Any]:
-        """Where the frame is as the pose has it."""
         return {"R": self._pose[:3, :3], "t": self._pose[:3, :3] @ self._tree.origin + self._pose[:3, 3] - self._origin}
 
 

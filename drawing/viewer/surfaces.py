@@ -1,4 +1,4 @@
-"""Triangles and lines as a page takes them: plain arrays, all of them finite."""
+"""Triangles and lines as finite arrays for pages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .items import to_bytes
 
 
 def surface_arrays(part: Triangles) -> dict[str, Any] | None:
-    """The surface about its origin as `add_surface` takes it; None where there is no triangle of finite corners."""
+    """Arguments of `add_surface` relative to the part's origin; None without finite triangles."""
     positions, faces = finite_surface(part)
     if not len(faces):
         return None
@@ -32,7 +32,7 @@ def surface_arrays(part: Triangles) -> dict[str, Any] | None:
 
 
 def finite_surface(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
-    """Positions about the part's origin, all finite, and the triangles between those that were."""
+    """Finite positions relative to the part's origin, and the triangles between them."""
     positions = np.asarray(download(part.positions), np.float32).reshape(-1, 3)
     faces = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
     finite = np.isfinite(positions)
@@ -43,7 +43,7 @@ def finite_surface(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
 
 
 def line_arrays(part: Lines) -> dict[str, Any] | None:
-    """The segments about the part's origin as `add_lines` takes them; None where there is none."""
+    """Arguments of `add_lines` relative to the part's origin; None without segments."""
     positions = np.asarray(download(part.positions), np.float32).reshape(-1, 3)
     ends = positions[download(part.indices).reshape(-1, 2)]
     finite = np.isfinite(ends).all(axis=(1, 2))
@@ -58,7 +58,7 @@ def line_arrays(part: Lines) -> dict[str, Any] | None:
 def _with_corners(
     part: Triangles, columns: dict[str, NDArray[Any]], faces: NDArray[np.int32]
 ) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:
-    """Every corner a vertex of its own, with its place in the texture; the page's v runs down."""
+    """Duplicate vertices per corner with texture coordinates; in the page v runs down."""
     indices = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
     uvs = np.asarray(download(part.uvs), np.float32).reshape(-1, 3, 2)
     if len(faces) != len(indices):

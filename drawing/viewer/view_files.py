@@ -1,4 +1,4 @@
-"""Files as the viewer shows them: `read_scene` for `pointloom view`."""
+"""Read files for the viewer: `read_scene` for `pointloom view`."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from .copc_tree import CopcTree
 from .detail_files import sample_file
 from .detail_tree import DetailTree
 
-_COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # what no attribute has to be kept for
+_COORDINATES = ("rgb", "normal", "height", "x", "y", "z", "label")  # properties that need no attribute
 
 
 def read_scene(
@@ -51,21 +51,12 @@ def read_scene(
     frame: str | None = None,
     columns: Sequence[Sequence[str] | None] | None = None,
 ) -> tuple[list[Named], dict[str, Any]]:
-    """What files hold, each under its name, and the levels of detail of clouds that are too large to be sent whole.
+    """Read files into named geometries and the levels of detail of large clouds; raises FileError.
 
-    Args:
-        paths: Clouds, meshes, trajectories, TSDF volumes, polygon volumes, recordings.
-        style: Of all.
-        max_points: Larger clouds are read in parts where their format allows, into levels of detail.
-        color_by: The attribute that such a cloud keeps.
-        progress: As of `DetailTree.from_file`, while a large file is read.
-        device: Where it is computed.
-        in_parts: Whether of such a cloud in a COPC file only the coarse levels are read, and a `CopcTree` is given.
-        topic, frame: Of recordings, as `read_recording` takes them.
-        columns: The names of the columns of each file, which is read at once then; None takes those of the file.
-
-    Raises:
-        FileError: A file that is missing, damaged or of no kind that is shown.
+    Reads clouds, meshes, trajectories, TSDF volumes, polygon volumes and recordings. Clouds of more than `max_points`
+    are read in parts into levels of detail, if the format allows it, and keep the attribute `color_by`. With
+    `in_parts`, only the coarse levels of a large COPC file are read and a `CopcTree` is returned. See `read_recording`
+    for `topic` and `frame`. Files with given `columns` are read at once.
     """
     entries: dict[str, Any] = {}
     trees: dict[str, Any] = {}
@@ -83,7 +74,7 @@ def read_scene(
             entries[name] = read_geometry(path, device=device, columns=names)
         else:
             entries[name], trees[name] = _cloud_of(tree, path), tree
-    if len(entries) > 1:  # several clouds without colours get different ones
+    if len(entries) > 1:  # several clouds without colors get different ones
         named = named_geometries([{"geometry": geometry, "name": name, **style} for name, geometry in entries.items()])
     else:
         named = [(name, geometry, Style(**style)) for name, geometry in entries.items()]
@@ -91,31 +82,18 @@ def read_scene(
 
 
 def open_octree(path: Path, max_points: int) -> CopcTree | None:
-    """The octree of a COPC file with more points, of which nodes are read when they are wanted; None of anything else.
-
-    Raises:
-        FileError: It cannot be read.
-    """
+    """The octree of a COPC file with more points; None for other files."""
     if path.suffix.lower() != ".laz" or not path.is_file() or not says_copc(path, more_than=max_points):
         return None
     return CopcTree(path)
 
 
 def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Named]:
-    """Points taken evenly from the large files among some, to be shown while they are read.
-
-    Args:
-        paths: Files.
-        count: Points of each, at most.
-        larger_than: Files of up to so many points are read at once and need none.
-
-    Raises:
-        FileError: A file that cannot be read.
-    """
+    """Read an even sample of up to `count` points from each large file, to show while it is being read."""
     found: list[Named] = []
     for path, name in zip(paths, _names(paths), strict=True):
         if path.suffix.lower() == ".laz" and path.is_file() and says_copc(path, more_than=larger_than):
-            continue  # whose coarse levels are there at once
+            continue  # its coarse levels are available at once
         sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
         if sample is not None:
             found.append((f"{name}: a first look", sample, Style()))
@@ -123,11 +101,7 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
 
 
 def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: Sequence[str] | None = None) -> Any:
-    """What a file holds, by its name and content; a cloud if its columns are named.
-
-    Raises:
-        FileError: A file that is missing, damaged or of no kind that is shown.
-    """
+    """Read a file by its name and content; a cloud if `columns` is given. Raises FileError."""
     path, suffix = path_of(path), Path(path).suffix.lower()
     restore_folder(path)
     if path.is_dir():
@@ -151,17 +125,12 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: 
 
 
 def read_recording(path: Path, topic: str | None, frame: str | None, *, device: Any = None) -> PointCloud:
-    """The clouds of a topic of a recording brought together in a frame; the first cloud where no frame is named.
-
-    Raises:
-        FileError: As `Recording.scans`.
-    """
     scans = open_recording(path).scans(topic, frame=frame, device=device)
     return next(scans) if frame is None else PointCloud.concatenate(list(scans))
 
 
 def _names(paths: list[Path]) -> list[str]:
-    """The name of each file, with its folder and then a number where that is taken."""
+    """Unique names of files: file name, then with folder, then with a number."""
     names: list[str] = []
     for path in paths:
         name = path.name if path.name not in names else str(path)
@@ -174,7 +143,7 @@ def _names(paths: list[Path]) -> list[str]:
 
 
 def _open_large(path: Path, max_points: int) -> Any:
-    """The file of a cloud with more points, to be read in parts; None of anything else."""
+    """Open a cloud file with more points for reading in parts; None for other files."""
     if path.suffix.lower() not in tables.READERS or not path.is_file():
         return None
     if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
@@ -186,7 +155,7 @@ def _open_large(path: Path, max_points: int) -> Any:
 def _read_large(
     path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: Any
 ) -> DetailTree | None:
-    """The levels of detail of a cloud with more points; None of anything else."""
+    """Levels of detail of a cloud with more points; None for other files."""
     if _open_large(path, max_points) is None:
         return None
     kept = [color_by] if color_by is not None and color_by not in _COORDINATES else []
@@ -194,7 +163,7 @@ def _read_large(
 
 
 def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
-    """The cloud of a file whose levels these are, in the same memory; its colours stay with the tree."""
+    """The cloud of a file's levels, shared; its colors stay in the tree."""
     place = resolve_device("cpu")
     arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
     cloud = PointCloud._from_device_arrays(arrays, tree.origin)
@@ -206,14 +175,13 @@ def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
 
 
 def _is_volume(path: Path) -> bool:
-    """Whether an .npz file holds a TSDF volume."""
     with contextlib.suppress(OSError, zipfile.BadZipFile), zipfile.ZipFile(path) as archive:
         return {"keys.npy", "distances.npy", "sizes.npy"} <= set(archive.namelist())
     return False
 
 
 def _is_trajectory(path: Path) -> bool:
-    """Whether a text holds poses: rows of 8 (TUM) or 12 numbers (KITTI), which clouds do not have."""
+    """True if a text file contains poses: rows of 8 (TUM) or 12 numbers (KITTI), unlike clouds."""
     lines = read_lines(path)
     return bool(lines) and len(lines[0][1]) in (8, 12) and all(is_number(word.encode()) for word in lines[0][1])
 

@@ -31,14 +31,14 @@ from .sessions import POINT_SIZE
 
 
 class Looks(Scene):
-    """Sizes, colours and edges of a scene, the same for all pages; changes in one message; stills."""
+    """Appearance of a scene in all pages, batched changes and screenshots."""
 
     @contextlib.contextmanager
     def batch(self) -> Iterator[None]:
-        """Have pages take many changes as one, which they show in one picture.
+        """Apply several changes in all pages at once.
 
-        Within another it is part of that one. While one is open, what other threads change waits for its end as well,
-        but no longer than a second. What raises within it ends it, and what was changed until then is shown.
+        Batches may be nested. Changes by other threads are delayed until the batch ends, at most one second. An
+        exception ends the batch; changes made before it are displayed.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -53,31 +53,28 @@ class Looks(Scene):
             yield
 
     def tell_progress(self, text: str, share: float | None = None) -> None:
-        """Say in the pages what the program is doing.
+        """Show progress of the program in the pages.
 
         Args:
-            text: In a few words; "" once it is done.
-            share: How much of it is done, 0 to 1; None where nobody knows.
-
-        Raises:
-            TypeError, ValueError: No text, or no share.
+            text: Short description; "" when done. Raises `TypeError` if not a string.
+            share: Fraction done, 0 to 1; None if unknown. Raises `TypeError` or `ValueError` otherwise.
         """
         with self.lock:
             self._check_open()
             self.server.pages.set_progress(check_name("text", text), share)
 
     def screenshot(self, path: str | os.PathLike[str] | None = None, *, client: int | None = None) -> NDArray[np.uint8]:
-        """A picture of the scene as a page shows it, drawn here: no page needs to be open.
+        """Render the scene as a page shows it. No page needs to be open.
 
         Args:
-            path: A .png file to write; None writes none.
-            client: The page whose view it is, as of `get_view`.
+            path: A .png file to write, or None.
+            client: Number of the page, see `get_view`.
 
         Returns:
-            Shape [h, w, 3], uint8.
+            Image of shape (h, w, 3), uint8.
 
         Raises:
-            FileError: The place cannot be written.
+            FileError: The file cannot be written.
         """
         from .stills import draw_scene
 
@@ -86,11 +83,7 @@ class Looks(Scene):
             return draw_scene(viewer, viewer.get_view(client), path, self._clip_of(client))
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the scene as one page that needs neither server nor network, with at most `max_points` points.
-
-        Raises:
-            FileError: The place cannot be written.
-        """
+        """Write the scene as a standalone HTML file with at most `max_points` points. Raises `FileError`."""
         from .stills import write_scene
 
         with self.lock:
@@ -98,7 +91,7 @@ class Looks(Scene):
 
     @property
     def point_size(self) -> float:
-        """Diameter of points without one of their own [px]; others grow and shrink alike. Assign another."""
+        """Diameter [px] of points without a size of their own; others scale with it. Assignable."""
         return self._point_size
 
     @point_size.setter
@@ -112,7 +105,7 @@ class Looks(Scene):
 
     @property
     def background(self) -> NDArray[np.float64]:
-        """Red, green and blue, 0 to 1; assign another."""
+        """Background color: red, green and blue, 0 to 1; assignable."""
         return self._background.copy()
 
     @background.setter
@@ -123,15 +116,15 @@ class Looks(Scene):
             self.panel.show_state()
 
     def color_by(self, by: str | None, *, colormap: str | None = None, limits: Any = None) -> None:
-        """Colour the clouds by what is known of their points.
+        """Color the clouds by a property of their points.
 
         Args:
-            by: "rgb", "height", "normal", "label" or an attribute; None for their own colours. Clouds that have no such
-                thing keep theirs.
-            colormap, limits: Of values, as of `loom.render`.
+            by: "rgb", "height", "normal", "label" or an attribute; None for the original colors. Clouds without the
+                property are not changed.
+            colormap, limits: See `loom.render`.
 
         Raises:
-            ValueError: No cloud has such a thing, or values out of range.
+            ValueError: No cloud has the property, or values are out of range.
         """
         with self.lock, self.batch():
             for name, value in {"by": by, "colormap": colormap}.items():
@@ -154,7 +147,7 @@ class Looks(Scene):
             self.panel.show_state()
 
     def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds that have them, as lines; of more than 10,000 points, of some."""
+        """Show the normals of all clouds as lines; at most 10,000 per cloud."""
         with self.lock:
             self.normals = bool(shown)
             with self.batch():
@@ -167,31 +160,31 @@ MOST_POINTS = 2_000_000
 
 
 class Viewer(Looks):
-    """A scene in the browser, kept up to date by a program: on this machine, or over SSH on another one.
+    """A scene in the browser that a program updates, on this machine or over SSH.
 
-    What Open3D's `Visualizer` does with add_geometry, update_geometry, poll_events and update_renderer is
-    `viewer.update(name, geometry)`: from any thread, and the page shows it without a flicker.
+    `viewer.update(name, geometry)` from any thread replaces Open3D's sequence of update_geometry, poll_events and
+    update_renderer.
 
     Args:
-        port: Of the server; where it is taken, the next free one. 0 takes any.
-        host: The address that it listens on. With another than 127.0.0.1 the network reaches it too.
-        title: Of the page.
-        max_points: Of all clouds together in one page; of more, levels of detail are sent, as the camera rests.
-        point_size: Diameter of points that have none of their own [px].
+        port: Port of the server; if it is in use, the next free one. 0 takes any.
+        host: Address to listen on. Any address except 127.0.0.1 makes the viewer reachable from the network.
+        title: Title of the page.
+        max_points: Maximum number of points of all clouds in a page; larger scenes are sent in levels of detail.
+        point_size: Diameter of points without a size of their own [px].
         background: Red, green and blue, 0 to 1.
-        size: Columns and rows of pictures where no page is open, and the height of the frame in a notebook [px].
+        size: Width and height of screenshots if no page is open, and height of the frame in a notebook [px].
 
     Attributes:
-        url: Where the page is.
-        ssh_line: What to run on one's own machine where this one is reached over SSH.
-        items: What is in the scene, by name.
+        url: Address of the page.
+        ssh_line: Command to run on the local machine if this machine is reached over SSH.
+        items: Geometries of the scene by name.
 
     Raises:
-        PointloomError: The extra is not installed, with the line that installs it; or no port is free.
+        PointloomError: The extra is not installed, or no port is free.
 
     Notes:
-        Takes the memory of what is shown, once more for each page, and a few threads; `close` gives all of it back.
-        All methods may be called from any thread.
+        Needs memory for the displayed geometries, once more for each page, and a few threads; `close` frees all of it.
+        All methods are thread-safe.
 
     Example:
         >>> import pointloom as loom
@@ -230,7 +223,7 @@ class Viewer(Looks):
         return f"Viewer({self.url}, {len(self.shown)} geometries{', closed' if self.closed else ''})"
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """The page in a frame over a still of it, for notebooks."""
+        """For notebooks: the page in a frame, with a static image as fallback."""
         if self.closed:
             return {"text/plain": repr(self)}
         return live_output(repr(self), self.url, self.ssh_line, self.screenshot(), self._size[1] * 2 // 3)
@@ -241,35 +234,32 @@ class Viewer(Looks):
     def __exit__(self, *_: Any) -> None:
         self.close()
 
-    # -- the scene ----------------------------------------------------------------------------------------------------
-
     def add(self, name: str, geometry: Any, **style: Any) -> None:
-        """Add a geometry to the scene; one of the same name goes. Of many, `batch` makes one message.
+        """Add a geometry to the scene, replacing one of the same name. Use `batch` to add many at once.
 
         Args:
-            name: What it is called, in the page's list too; those with a "/" are listed in groups: "cars/7".
-            geometry: A cloud, mesh, box, line set, trajectory, voxel grid, frustum or another that `loom.render` draws.
+            name: Unique name. Names with "/" are listed in groups: "cars/7".
+            geometry: A cloud, mesh, box, line set, trajectory, voxel grid, frustum or another type that `loom.render`
+                draws.
             style: color, color_by, colormap, limits, point_size, metric, line_width, wireframe, back_faces, shaded,
-                pose, as of `loom.render`.
+                pose, see `loom.render`.
 
         Raises:
-            TypeError: A geometry of no known kind, or a key of style that there is none.
+            TypeError: Unsupported geometry, or unknown style key.
         """
         check_name("name", name)
         colormap = {name: check_name(name, style[name]) for name in ("colormap",) if style.get(name) is not None}
         self.add_named(named_geometries([{"geometry": geometry, "name": name, **style, **colormap}]))
 
     def add_all(self, geometries: Any) -> None:
-        """Add several geometries at once: all of them or, where one cannot be drawn, none.
+        """Add several geometries atomically, replacing those of the same names.
 
         Args:
-            geometries: A mapping of names to geometries, or a list of geometries or of dictionaries as `loom.draw`
-                takes them: {"geometry": g, "name": "floor", "color": (1, 0, 0)}. Several clouds without colours get
-                different ones. What has the name of one goes.
+            geometries: A mapping of names to geometries, or a list of geometries or of dictionaries as in `loom.draw`:
+                {"geometry": g, "name": "floor", "color": (1, 0, 0)}. Several clouds without colors get different ones.
 
         Raises:
-            TypeError: A geometry of no known kind.
-            ValueError: A key of style that there is none, or a value out of range.
+            TypeError, ValueError: Unsupported geometry, unknown style key, or a value out of range; nothing is added.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -281,22 +271,22 @@ class Viewer(Looks):
         self.add_named(named_geometries(geometries))
 
     def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
-        """Add a COPC file (.copc.laz) of any size: what a view needs of it is read when it is looked at.
+        """Add a COPC file (.copc.laz) of any size; only the visible parts are read.
 
-        Tools (picking, measuring, cropping) work on the coarse levels, 250,000 points, which are `items[name]`.
+        Tools (picking, measuring, cropping) use the coarse levels, 250,000 points, available as `items[name]`.
 
         Args:
-            name: What it is called, as of `add`.
-            path: The file; it must stay as it is while the viewer is open.
-            style: As of `add`.
+            name: See `add`.
+            path: The file; it must not change while the viewer is open.
+            style: See `add`.
 
         Raises:
-            FileError: No COPC file, or one of which no coarse node can be read. A node that is damaged is told by a
-                warning of the logger "pointloom.viewer" when it is looked at, and the others are shown.
-            TypeError: A key of style that there is none.
+            FileError: Not a COPC file, or no coarse node is readable. Nodes that are damaged are skipped with a warning
+                of the logger "pointloom.viewer".
+            TypeError: Unknown style key.
 
         Notes:
-            Takes 256 MB at most for unpacked nodes, and what a page is sent.
+            Needs at most 256 MB for decoded nodes, plus the data sent to a page.
         """
         tree = CopcTree(path)
         self.add_named(
@@ -305,7 +295,7 @@ class Viewer(Looks):
 
     @logged
     def add_named(self, named: list[Named], trees: Mapping[str, Any] = MappingProxyType({})) -> None:
-        """Add what `named_geometries` gives, some perhaps with levels of detail by name."""
+        """Add the result of `named_geometries`, with optional level-of-detail trees by name."""
         with self.lock, self.batch():
             self._check_open()
             self._check_units(named)
@@ -330,15 +320,7 @@ class Viewer(Looks):
 
     @logged
     def update(self, name: str, geometry: Any) -> None:
-        """Show another geometry under a name, all at once and without a flicker; style, pose and visibility stay.
-
-        Args:
-            name: Of a geometry in the scene.
-            geometry: What is shown from now on; what was shown is let go.
-
-        Raises:
-            KeyError: There is none of that name; names those that there are.
-        """
+        """Replace a geometry without flicker, keeping style, pose and visibility. Raises `KeyError`."""
         with self.lock:
             self._check_open()
             old = self._find(name)
@@ -356,11 +338,7 @@ class Viewer(Looks):
 
     @logged
     def remove(self, name: str) -> None:
-        """Take a geometry out of the scene.
-
-        Raises:
-            KeyError: There is none of that name.
-        """
+        """Remove a geometry from the scene. Raises `KeyError` for an unknown name."""
         with self.lock:
             self._check_open()
             self._find(name)
@@ -369,7 +347,7 @@ class Viewer(Looks):
 
     @logged
     def clear(self) -> None:
-        """Take all out of the scene; what comes next is looked at anew."""
+        """Remove all geometries; the view is fitted again to the next one."""
         with self.lock, self.batch():
             self._check_open()
             for name in list(self.shown):
@@ -379,20 +357,19 @@ class Viewer(Looks):
 
     @logged
     def set_pose(self, name: str, T: Any) -> None:
-        """Move a geometry: 84 bytes for each page, whatever its size.
+        """Move a geometry; sends 84 bytes to each page, independent of its size.
 
         Args:
-            name: Of a geometry in the scene.
-            T: T_world_geometry, a rigid 4x4 [m].
+            name: Name of a geometry in the scene.
+            T: T_world_geometry, rigid transformation [m], shape (4, 4).
 
         Raises:
-            KeyError: There is none of that name.
-            ValueError: No rigid motion.
+            KeyError, ValueError: Unknown name, or not a rigid transformation.
         """
         with self.lock:
             self._check_open()
             item = self._find(name)
-            item.pose = check_rigid("T", T).copy()  # the caller may go on with its own
+            item.pose = check_rigid("T", T).copy()  # the caller may change its array later
             self._nodes[name].set_pose()
             for session in self._open_sessions():
                 with session.as_it_lasts():
@@ -402,11 +379,7 @@ class Viewer(Looks):
 
     @logged
     def set_visible(self, name: str, visible: bool) -> None:
-        """Show or hide a geometry.
-
-        Raises:
-            KeyError: There is none of that name.
-        """
+        """Show or hide a geometry. Raises `KeyError` for an unknown name."""
         with self.lock:
             self._check_open()
             item = self._find(name)
@@ -418,18 +391,16 @@ class Viewer(Looks):
             self.panel.put_item(item)
             self._changed(False)
 
-    # -- where from ---------------------------------------------------------------------------------------------------
-
     def set_view(self, view: Any = None, **parameters: Any) -> None:
-        """Look from somewhere, in all pages and those that come later; R in the page comes back to it.
+        """Set the camera of all current and later pages; the key R in a page resets to it.
 
         Args:
-            view: A `View`, a file of Open3D's view JSON, a mapping of Open3D's parameters, or None to see all.
-            parameters: zoom, front, lookat, up, field_of_view, as of Open3D's `draw_geometries`.
+            view: A `View`, the path of an Open3D view JSON, a mapping of Open3D's parameters, or None to show the
+                complete scene.
+            parameters: zoom, front, lookat, up, field_of_view, as in Open3D's `draw_geometries`.
 
         Raises:
-            TypeError: Something else, or both.
-            ValueError: A parameter out of range.
+            TypeError, ValueError: Unsupported `view`, both are given, or a parameter is out of range.
         """
         if parameters and view is not None:
             raise TypeError("view: expected a view or Open3D's parameters, not both")
@@ -445,14 +416,10 @@ class Viewer(Looks):
                     session.look_from(home)
 
     def get_view(self, client: int | None = None) -> View:
-        """What a page shows.
+        """Current view of a page, given by its number in `sessions`.
 
-        Args:
-            client: The number of the page in `sessions`; None for the one that has been there longest, or where there
-                is none, what the next one will show.
-
-        Raises:
-            KeyError: No such page.
+        If `client` is None: the oldest page, or the initial view if no page is open. Raises `KeyError` for an unknown
+        page.
         """
         with self.lock:
             if client is None:
@@ -462,30 +429,27 @@ class Viewer(Looks):
                 raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
             return self.sessions[client].camera_view()
 
-    # -- its end ------------------------------------------------------------------------------------------------------
-
     def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
-        """Wait until the last page has been gone for a while, after one was there, or the viewer is closed.
+        """Wait until all pages were closed for a while, or the viewer is closed.
 
-        When the last page goes, stderr says so and what ends the wait at once; a page that comes back, or is loaded
-        again, keeps it going.
+        When the last page closes, a message on stderr tells how to end the wait at once. Reopening or reloading a page
+        continues it.
 
         Args:
-            seconds: At most so long, and then the answer is False; None has no end, and the answer is True.
-            linger: How long the pages may be gone [s]; `math.inf` waits for another page without end.
+            seconds: Timeout [s]; the result is False if it expires, else True. None: no timeout.
+            linger: Time without a page after which the wait ends [s]; `math.inf`: wait for another page forever.
 
         Raises:
             KeyboardInterrupt: Ctrl-C.
-            ValueError: A time below zero.
+            ValueError: Negative time.
         """
         return self._presence.wait(seconds, linger)
 
     def close(self) -> None:
-        """Free port, threads and memory; pages say that the viewer is closed, and how to start it again."""
+        """Free port, threads and memory. Pages show that the viewer is closed and how to restart it."""
         self._close(farewell())
 
     def _close(self, words: str) -> None:
-        """Close; pages say these words."""
         if not self.closed and not self.server.closed:
             self.server.pages.end(words)
         self._ended.set()
@@ -499,20 +463,20 @@ _open: weakref.WeakSet[Viewer] = weakref.WeakSet()
 
 
 def close_at_exit(viewer: Viewer) -> None:
-    """Close a viewer at the end of the process, where nobody has done so before."""
+    """Close a viewer at the end of the process if it is still open."""
     _open.add(viewer)
 
 
 @atexit.register
 def _close_all() -> None:
     for viewer in list(_open):
-        if not viewer.server.closed:  # as a forked child's copy is, which has no page
-            with contextlib.suppress(Exception):  # the interpreter is going
+        if not viewer.server.closed:  # closed in the copy of a forked child, which has no page
+            with contextlib.suppress(Exception):  # the interpreter is shutting down
                 viewer.close()
 
 
 def farewell() -> str:
-    """That the program has ended, and how to start it again."""
+    """Shutdown notice: the program has ended, and how to restart it."""
     if in_notebook():
         again = "Run the cell again to see it again."
     else:
@@ -522,7 +486,7 @@ def farewell() -> str:
 
 
 def _command(arguments: list[str]) -> str:
-    """The command line that this program was started by; "" where there was none, as in an interpreter."""
+    """Command line of this program; "" if unknown, as in an interpreter."""
     name = Path(arguments[0]).name if arguments else ""
     if name in ("", "-", "-c", "-m"):
         return ""

@@ -1,4 +1,4 @@
-"""A cloud that one page holds whole, or an even share of it, sent in a few steps: `WholeCloud`."""
+"""A cloud that a page stores completely, or as an even sample: `WholeCloud`."""
 
 from __future__ import annotations
 
@@ -19,27 +19,17 @@ if TYPE_CHECKING:
 
 Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
-# Points that a page draws in well under a second even in software; they come first, the others in steps.
+# A page draws this number well within a second even in software.
 FIRST = 125_000
 STEP = 250_000
-AT_ONCE = 200_000  # points up to which steps would show nothing sooner
+AT_ONCE = 200_000  # steps would not be faster up to this number of points
 
 
 class WholeCloud:
-    """The points of an item in one page; of more than the budget, an even share.
+    """The points of an item in one page, or an even sample within the budget. Same interface as `CloudStream`.
 
-    Of many points an even part comes first, and `send_next` adds the others to it. What takes the place of points that
-    are there comes all at once.
-
-    Has the methods of `CloudStream`, which serves clouds that do not fit.
-
-    Args:
-        client: The page.
-        item: The cloud.
-        frame: The page's coordinates.
-        budget: Points that may be sent.
-        point_size: Diameter of points [px], or with `metric` [m].
-        metric: See `point_size`.
+    Large clouds start with an even sample, and `send_next` adds more. Replacements are sent at once. `point_size` is
+    the diameter of points [px], or [m] if `metric`.
     """
 
     def __init__(
@@ -50,13 +40,12 @@ class WholeCloud:
         self._keep, self._visible = None, item.visible
         self._colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]] = item.colors_of
         self._nodes: list[Node] = []
-        self._sent: list[NDArray[np.int64]] = []  # which points each of them holds
+        self._sent: list[NDArray[np.int64]] = []  # point indices of each step
         self._steps: list[NDArray[np.int64]] = []
         self._is_lit = False
         self.replace(item)
 
     def replace(self, item: Item) -> None:
-        """Show other points under the same name, all at once."""
         part = item.points
         assert part is not None
         is_lit = bool(part.shaded and part.lit and part.normals.size)
@@ -82,64 +71,56 @@ class WholeCloud:
 
     @property
     def drawn(self) -> int:
-        """Points that the page has."""
         return sum(map(len, self._sent)) if self._visible else 0
 
     @property
     def waits(self) -> bool:
-        """Whether there are steps that the page does not have yet."""
         return len(self._nodes) < len(self._steps)
 
     def send_next(self) -> None:
-        """Send the next step."""
         if self.waits:
             self._send_step(len(self._nodes))
 
     def look(self, view: Any) -> None:
-        """Nothing to do: the page has it all."""
+        """No effect: the page has all points."""
 
     def set_colors(self, colors_of: Callable[[NDArray[np.int64]], NDArray[np.uint8]]) -> None:
-        """Show other colours; 3 B a point."""
         self._colors_of = colors_of
         with self._client.atomic():
             for node, sent in zip(self._nodes, self._sent, strict=True):
                 node.set(colors=colors_of(sent))
 
     def set_keep(self, keep: Keep | None) -> None:
-        """Show only points for which this is true; None shows all."""
+        """Set a mask function of visible points; None shows all."""
         self._keep = keep
         self._send(len(self._nodes))
 
     def set_point_size(self, size: float, metric: bool = False) -> None:
-        """The diameter of points [px], or with `metric` [m]."""
         self._size = {"size": size, "metric": metric}
         with self._client.atomic():
             for node in self._nodes:
                 node.set(**self._size)
 
     def set_visible(self, visible: bool) -> None:
-        """Show or hide it."""
         self._visible = visible
         with self._client.atomic():
             for node in self._nodes:
                 node.visible = visible
 
     def set_pose(self, T: Matrix | None) -> None:
-        """Move it: the item's pose is what counts."""
         R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         with self._client.atomic():
             for node in self._nodes:
                 node.place(R, t)
 
     def close(self) -> None:
-        """Take it out of the page."""
         with self._client.atomic():
             for node in self._nodes:
                 node.remove()
         self._nodes, self._sent, self._steps = [], [], []
 
     def _send(self, count: int) -> None:
-        """Send so many steps, all at once, in place of those that are there."""
+        """Replace all points by the first `count` steps at once."""
         with self._client.atomic():
             for number in range(count):
                 self._send_step(number)
@@ -148,7 +129,7 @@ class WholeCloud:
         del self._nodes[count:], self._sent[count:]
 
     def _send_step(self, number: int) -> None:
-        """Send what is kept of a step; points and colours arrive together."""
+        """Send the visible points of a step with their colors."""
         rows = self._steps[number]
         positions, sent = self._positions[rows], self._indices[rows]
         if self._keep is not None and len(positions):
@@ -157,7 +138,7 @@ class WholeCloud:
         R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
         looks = {"positions": positions, "colors": self._colors_of(sent), **self._light(sent)}
         for array in looks.values():
-            array.flags.writeable = False  # made for the page alone: nobody has to copy it
+            array.flags.writeable = False  # made for the page only, so it need not be copied
         looks |= self._size
         if number < len(self._nodes):
             self._sent[number] = sent
@@ -177,12 +158,11 @@ class WholeCloud:
         self._sent.append(sent)
 
     def _light(self, sent: NDArray[np.int64]) -> dict[str, NDArray[Any]]:
-        """Normals, where light falls on them."""
         return {"normals": download(self._part.normals).reshape(-1, 3)[sent]} if self._is_lit else {}
 
 
 def in_steps(count: int) -> list[NDArray[np.int64]]:
-    """Rows of a cloud in parts that are each spread over all of it, the first one small; one part of few rows."""
+    """Rows of a cloud in parts that each cover all of it, a small one first; one part for few rows."""
     if count <= AT_ONCE:
         return [np.arange(count)]
     first = spread_rows(count, FIRST).astype(np.int64)
@@ -194,5 +174,5 @@ def in_steps(count: int) -> list[NDArray[np.int64]]:
 
 
 def even_share(count: int, budget: int) -> NDArray[np.int64] | None:
-    """Rows from all parts of a cloud, the same each time, ascending; None for all."""
+    """Reproducible even sample of rows, ascending; None for all."""
     return None if count <= budget else spread_rows(count, budget).astype(np.int64)

@@ -1,4 +1,4 @@
-"""Colours of a mesh from pictures, under Open3D's names."""
+"""Color map optimization under Open3D's names."""
 
 from ....public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""Colours of a mesh from posed RGB-D images."""
+"""Color map optimization of a mesh from posed RGB-D images."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...settings import Settings
 
 @dataclass(eq=False, repr=False)
 class RigidOptimizerOption(Settings):
-    """How `run_rigid_optimizer` works; nothing is written to `debug_output_dir`."""
+    """Options of `run_rigid_optimizer`; nothing is written to `debug_output_dir`."""
 
     _kind = options.RigidOptimizerOption
     maximum_iteration: Any = 0
@@ -39,8 +39,6 @@ class RigidOptimizerOption(Settings):
 
 @dataclass(eq=False, repr=False, init=False)
 class NonRigidOptimizerOption(RigidOptimizerOption):
-    """How `run_non_rigid_optimizer` works."""
-
     _kind = options.NonRigidOptimizerOption
     number_of_vertical_anchors: int = 16
     non_rigid_anchor_point_weight: float = 0.316
@@ -61,7 +59,7 @@ class NonRigidOptimizerOption(RigidOptimizerOption):
 def run_rigid_optimizer(
     mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
-    """Colour a mesh, with the poses moved so that the pictures agree: the coloured mesh and the cameras."""
+    """Color a mesh with optimized poses. Returns the mesh and the cameras."""
     chosen = ours(option, RigidOptimizerOption, "option")
     return _run(optimizers.run_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
 
@@ -69,7 +67,7 @@ def run_rigid_optimizer(
 def run_non_rigid_optimizer(
     mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
-    """As `run_rigid_optimizer`, with each picture bent besides."""
+    """Like `run_rigid_optimizer`, with image deformation."""
     chosen = ours(option, NonRigidOptimizerOption, "option")
     return _run(optimizers.run_non_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
 

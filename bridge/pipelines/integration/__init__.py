@@ -1,4 +1,4 @@
-"""Surfaces fused from depth images, under Open3D's names."""
+"""TSDF integration under Open3D's names."""
 
 from ....public_names import attach  # pyright: ignore[reportMissingImports]
 

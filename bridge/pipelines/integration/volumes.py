@@ -1,4 +1,4 @@
-"""TSDF volumes under Open3D's names: surfaces are made wherever a voxel was seen at all, as there."""
+"""TSDF volumes under Open3D's names; as there, surfaces include all voxels that were seen at least once."""
 
 from __future__ import annotations
 
@@ -16,19 +16,17 @@ from ...camera import PinholeCameraIntrinsic
 from ...geometry import PointCloud, RGBDImage, TriangleMesh
 from ...held import Held, column, ours
 
-SEEN = 0.0  # a voxel that one frame saw makes surface
+SEEN = 0.0  # a voxel seen by one frame is enough
 
 
 class TSDFVolumeColorType(enum.Enum):
-    """What a volume keeps of colours."""
-
     NoColor = 0
     RGB8 = 1
     Gray32 = 2
 
 
 class TSDFVolume(Held):
-    """A surface fused from posed depth images; one of the two below."""
+    """Base class of both TSDF volumes."""
 
     _kind = tsdf.TSDFVolume
 
@@ -47,17 +45,15 @@ class TSDFVolume(Held):
     voxel_length = property(lambda self: self._voxel_length, doc="Edge of a voxel [m].")
 
     def reset(self) -> None:
-        """Forget all frames."""
         colored = self._color_type is TSDFVolumeColorType.RGB8
         self._held = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
 
     def integrate(self, image: Any, intrinsic: Any, extrinsic: ArrayLike) -> None:
-        """Fold in an RGBDImage; `extrinsic` is world to camera."""
+        """Integrate an RGBDImage; `extrinsic` is world to camera."""
         frame = ours(image, RGBDImage, "image"), ours(intrinsic, PinholeCameraIntrinsic, "intrinsic")
         self._held.integrate(*frame, extrinsic)
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        """The surface as a mesh."""
         return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN))
 
     def extract_point_cloud(self) -> PointCloud:
@@ -83,7 +79,7 @@ class TSDFVolume(Held):
 
 
 class ScalableTSDFVolume(TSDFVolume):
-    """A volume that grows where there is depth. How it is parted and how densely depth is looked at are our own."""
+    """A volume that grows with the data. Block size and depth sampling are pointloom's."""
 
     def __init__(
         self,
@@ -102,7 +98,7 @@ class ScalableTSDFVolume(TSDFVolume):
 
 
 class UniformTSDFVolume(TSDFVolume):
-    """A cube of `resolution` voxels an edge: what lies outside is cut off."""
+    """A cube of `resolution` voxels per edge; data outside is ignored."""
 
     def __init__(
         self,
@@ -123,11 +119,9 @@ class UniformTSDFVolume(TSDFVolume):
     resolution = property(lambda self: self._resolution, doc="Voxels an edge.")
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        """The surface as a mesh, of triangles in the cube."""
         return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN).crop(self._cube()))
 
     def extract_point_cloud(self) -> PointCloud:
-        """The surface as points with normals."""
         return PointCloud._of(self._held.extract_point_cloud(SEEN).crop(self._cube()))
 
     def _cube(self) -> boxes.AxisAlignedBoundingBox:

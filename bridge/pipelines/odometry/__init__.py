@@ -1,4 +1,4 @@
-"""The motion between RGB-D images, under Open3D's names."""
+"""RGB-D odometry under Open3D's names."""
 
 from ....public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""Open3D's odometry of RGB-D images, by its own weights."""
+"""Open3D's RGB-D odometry with its weights."""
 
 from __future__ import annotations
 
@@ -20,8 +20,6 @@ IDENTITY = np.eye(4)
 
 @dataclass(eq=False, repr=False)
 class OdometryOption(Settings):
-    """How `compute_rgbd_odometry` works."""
-
     _kind = options.OdometryOption
     iteration_number_per_pyramid_level: Any = field(default_factory=lambda: IntVector([20, 10, 5]))
     depth_diff_max: float = 0.03
@@ -45,19 +43,19 @@ class OdometryOption(Settings):
 
 
 class RGBDOdometryJacobian(Settings):
-    """What two images are compared by; one of the two below."""
+    """Base class of the two terms."""
 
 
 @dataclass(eq=False, repr=False)
 class RGBDOdometryJacobianFromColorTerm(RGBDOdometryJacobian):
-    """Brightness alone."""
+    """Intensity only."""
 
     _kind = options.RGBDOdometryJacobianFromColorTerm
 
 
 @dataclass(eq=False, repr=False)
 class RGBDOdometryJacobianFromHybridTerm(RGBDOdometryJacobian):
-    """Brightness and depth."""
+    """Intensity and depth."""
 
     _kind = options.RGBDOdometryJacobianFromHybridTerm
 
@@ -70,10 +68,10 @@ def compute_rgbd_odometry(
     jacobian: Any = None,
     option: Any = None,
 ) -> tuple[bool, NDArray[np.float64], NDArray[np.float64]]:
-    """The motion between two images: (success, T_target_source, information).
+    """Motion between two images: (success, T_target_source, information).
 
-    Uses Open3D's weights and does not check reliability. `loom.odometry.compute_rgbd_odometry` weights by the noise and
-    reports failures.
+    Uses Open3D's weights without reliability checks; `loom.odometry.compute_rgbd_odometry` weights by noise and reports
+    failures.
     """
     camera = PinholeCameraIntrinsic() if pinhole_camera_intrinsic is None else pinhole_camera_intrinsic
     term = RGBDOdometryJacobianFromHybridTerm() if jacobian is None else jacobian

@@ -1,4 +1,4 @@
-"""What brings clouds together, under Open3D's names."""
+"""Registration under Open3D's names."""
 
 from ....public_names import attach  # pyright: ignore[reportMissingImports]
 

@@ -1,4 +1,4 @@
-"""Tests of a sample of correspondences and its pose; their thresholds are assigned, as in Open3D."""
+"""Checks of sampled correspondences and their pose; thresholds are assignable, as in Open3D."""
 
 from __future__ import annotations
 
@@ -12,20 +12,18 @@ from ...settings import Settings
 
 
 class CorrespondenceChecker(Settings):
-    """What all checkers have."""
-
     _kind = checkers.CorrespondenceChecker
-    require_pointcloud_alignment_ = True  # whether the pose is looked at
+    require_pointcloud_alignment_ = True  # the check uses the pose
 
     def Check(self, source: Any, target: Any, corres: Any, transformation: Any) -> bool:
-        """Whether a few correspondences and a pose pass."""
+        """True if correspondences and pose pass."""
         clouds = ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
         return self._ours.Check(*clouds, as_array(corres), transformation)
 
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
-    """Lengths between the sampled points are similar in both clouds."""
+    """Distances between the sampled points are similar in both clouds."""
 
     _kind = checkers.CorrespondenceCheckerBasedOnEdgeLength
     require_pointcloud_alignment_ = False
@@ -37,7 +35,7 @@ class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
-    """The sampled points lie close together under the pose."""
+    """The sampled points are close under the pose."""
 
     _kind = checkers.CorrespondenceCheckerBasedOnDistance
     distance_threshold: Any
@@ -48,7 +46,7 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
-    """The normals at the sampled points agree under the pose."""
+    """Normals at the sampled points agree under the pose."""
 
     _kind = checkers.CorrespondenceCheckerBasedOnNormal
     normal_angle_threshold: Any
@@ -59,7 +57,7 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
 
 @dataclass(eq=False, repr=False)
 class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
-    """The pose does not turn the source too far about its axes."""
+    """The rotation angles of the pose are limited."""
 
     _kind = checkers.CorrespondenceCheckerBasedOnSourceRotation
     rotation_threshold: Any

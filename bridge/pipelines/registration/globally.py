@@ -1,4 +1,4 @@
-"""Registration without a starting pose: RANSAC and fast global registration."""
+"""Registration without an initial pose (RANSAC, fast global registration), local ICP, features, kernels and results."""
 
 from __future__ import annotations
 
@@ -26,10 +26,7 @@ from ...vectors import Vector2iVector
 
 @dataclass(eq=False, repr=False)
 class RANSACConvergenceCriteria(Settings):
-    """When to stop drawing hypotheses.
-
-    A confidence outside 0..1 is the nearest of both, as in Open3D: before 0.12 the second number was a count.
-    """
+    """Limits of RANSAC. A confidence outside 0 to 1 is clipped, as in Open3D: before 0.12 it was a count."""
 
     _kind = ransac.RANSACConvergenceCriteria
     max_iteration: Any = 100000
@@ -48,7 +45,7 @@ class RANSACConvergenceCriteria(Settings):
 
 @dataclass(eq=False, repr=False)
 class FastGlobalRegistrationOption(Settings):
-    """How the cost is minimised. `decrease_mu` is False in an option, and True where no option is given."""
+    """Options of fast global registration. `decrease_mu` is False here, but True if no option is given."""
 
     _kind = fast_global.FastGlobalRegistrationOption
     division_factor: Any = 1.4
@@ -77,7 +74,6 @@ def registration_ransac_based_on_feature_matching(
     checkers: Sequence[Any] = (),
     criteria: Any = None,
 ) -> RegistrationResult:
-    """From points whose features are alike."""
     found = ransac.registration_ransac_based_on_feature_matching(
         *clouds_of(source, target),
         rows_of(source_feature, "source_feature"),
@@ -100,7 +96,6 @@ def registration_ransac_based_on_correspondence(
     checkers: Sequence[Any] = (),
     criteria: Any = None,
 ) -> RegistrationResult:
-    """From correspondences of which most may be wrong."""
     found = ransac.registration_ransac_based_on_correspondence(
         *clouds_of(source, target),
         as_array(corres),
@@ -114,7 +109,6 @@ def registration_ransac_based_on_correspondence(
 def registration_fgr_based_on_feature_matching(
     source: Any, target: Any, source_feature: Any, target_feature: Any, option: Any = None
 ) -> RegistrationResult:
-    """From points whose features are alike, all at once."""
     found = fast_global.registration_fgr_based_on_feature_matching(
         *clouds_of(source, target),
         rows_of(source_feature, "source_feature"),
@@ -128,7 +122,6 @@ def registration_fgr_based_on_feature_matching(
 def registration_fgr_based_on_correspondence(
     source: Any, target: Any, corres: Any, option: Any = None
 ) -> RegistrationResult:
-    """From correspondences, all at once."""
     found = fast_global.registration_fgr_based_on_correspondence(
         *clouds_of(source, target), as_array(corres), _option(option), seed=next_seed()
     )
@@ -155,7 +148,7 @@ IDENTITY = np.eye(4)
 
 @dataclass(eq=False, repr=False)
 class ICPConvergenceCriteria(Settings):
-    """When iterations end: both changes below their limits, or the iterations used up."""
+    """ICP ends if both changes are below their limits, or after `max_iteration`."""
 
     _kind = icp.ICPConvergenceCriteria
     relative_fitness: Any = 1e-6
@@ -175,7 +168,6 @@ def registration_icp(
     estimation_method: Any = None,
     criteria: Any = None,
 ) -> RegistrationResult:
-    """Bring a source onto a target from a pose nearby."""
     method = TransformationEstimationPointToPoint() if estimation_method is None else estimation_method
     return _register(source, target, max_correspondence_distance, init, method, criteria, TransformationEstimation)
 
@@ -188,7 +180,7 @@ def registration_colored_icp(
     estimation_method: Any = None,
     criteria: Any = None,
 ) -> RegistrationResult:
-    """By planes and colours: both clouds need colours, the target normals."""
+    """Colored ICP: both clouds need colors, the target normals."""
     kind = TransformationEstimationForColoredICP
     method = kind() if estimation_method is None else estimation_method
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
@@ -202,7 +194,6 @@ def registration_generalized_icp(
     estimation_method: Any = None,
     criteria: Any = None,
 ) -> RegistrationResult:
-    """By both clouds' planes as thin Gaussians."""
     kind = TransformationEstimationForGeneralizedICP
     method = kind() if estimation_method is None else estimation_method
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
@@ -216,7 +207,7 @@ def registration_symmetric_icp(
     estimation_method: Any = None,
     criteria: Any = None,
 ) -> RegistrationResult:
-    """By both clouds' planes: both need normals."""
+    """Symmetric point-to-plane ICP: both clouds need normals."""
     kind = TransformationEstimationSymmetric
     method = kind() if estimation_method is None else estimation_method
     return _register(source, target, max_correspondence_distance, init, method, criteria, kind)
@@ -225,7 +216,6 @@ def registration_symmetric_icp(
 def evaluate_registration(
     source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike = IDENTITY
 ) -> RegistrationResult:
-    """Fitness, rmse and correspondences under a pose."""
     clouds = clouds_of(source, target)
     return RegistrationResult._of(
         evaluation.evaluate_registration(*clouds, max_correspondence_distance, transformation)
@@ -235,13 +225,13 @@ def evaluate_registration(
 def get_information_matrix_from_point_clouds(
     source: Any, target: Any, max_correspondence_distance: float, transformation: ArrayLike
 ) -> NDArray[np.float64]:
-    """How firmly the correspondences hold each of the six motions, shape [6, 6]."""
+    """Information matrix of the correspondences, shape (6, 6)."""
     clouds = clouds_of(source, target)
     return evaluation.get_information_matrix_from_point_clouds(*clouds, max_correspondence_distance, transformation)
 
 
 def clouds_of(source: Any, target: Any) -> tuple[Any, Any]:
-    """Our two clouds."""
+    """The two pointloom clouds."""
     return ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
 
 
@@ -266,7 +256,7 @@ def _register(
 
 
 class Feature(KnownNames):
-    """Features of the points of a cloud: `data` has a column a point, float64 [dimension, points]."""
+    """Features of the points of a cloud: `data` has one column per point, float64 (dimension, n)."""
 
     _data: NDArray[np.float64]
 
@@ -275,14 +265,13 @@ class Feature(KnownNames):
 
     @classmethod
     def _of_rows(cls, rows: Any) -> Feature:
-        """Features that are a row a point, as ours are."""
+        """Features from one row per point, as in pointloom."""
         made = cls()
         made.data = np.asarray(rows).T
         return made
 
     @property
     def data(self) -> NDArray[np.float64]:
-        """The columns; assign others."""
         return self._data
 
     @data.setter
@@ -293,19 +282,18 @@ class Feature(KnownNames):
         self._data = values.astype(np.float64)
 
     def dimension(self) -> int:
-        """Numbers a point."""
         return self._data.shape[0]
 
     def num(self) -> int:
-        """Points."""
+        """Number of points."""
         return self._data.shape[1]
 
     def resize(self, dim: int, n: int) -> None:
-        """Other numbers of both; all zero."""
+        """Set the shape and fill with zeros."""
         self._data = np.zeros((check_count("dim", dim, minimum=0), check_count("n", n, minimum=0)))
 
     def select_by_index(self, indices: Any, invert: bool = False) -> Feature:
-        """The features of these points, each once and in their order, or of the others."""
+        """Features of these points, each once and in ascending order, or of the others."""
         flags = flagged("indices", indices, self.num(), f"Feature of {self.num()} points")
         return Feature._of_rows(self._data.T[flags != invert])
 
@@ -315,18 +303,14 @@ class Feature(KnownNames):
 
 
 def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
-    """A row a point, as ours take them.
-
-    Raises:
-        TypeError: Something else than a `Feature`.
-    """
+    """One row per point, as in pointloom; raises TypeError if it is not a `Feature`."""
     if not isinstance(feature, Feature):
         raise TypeError(f"{name}: expected a Feature, got {type(feature).__name__}; Feature().data = array.T makes one")
     return np.ascontiguousarray(feature.data.T, np.float32)
 
 
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
-    """FPFH, 33 numbers a point; the cloud needs normals. With `indices`, of these points alone, each once."""
+    """FPFH with 33 numbers per point; requires normals. With `indices`, for these points only, each once."""
     rows = np.asarray(features.compute_fpfh_feature(ours(input, PointCloud, "input"), **keywords_of(search_param)))
     made = Feature._of_rows(rows)
     return made if indices is None else made.select_by_index(indices)
@@ -335,18 +319,17 @@ def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> 
 def correspondences_from_features(
     source_features: Any, target_features: Any, mutual_filter: bool = False, mutual_consistency_ratio: float = 0.1
 ) -> Vector2iVector:
-    """Pair each source point with the target point whose feature is nearest."""
+    """Match each source point with the target point of the nearest feature."""
     sides = rows_of(source_features, "source_features"), rows_of(target_features, "target_features")
     return Vector2iVector(matching.correspondences_from_features(*sides, mutual_filter, mutual_consistency_ratio))
 
 
 class RobustKernel(Settings):
-    """A weight as a function of the residual; the kernels below are its kinds."""
+    """Base class of robust kernels: weight as a function of the residual."""
 
     _kind = robust_kernels.RobustKernel
 
     def weight(self, residual: float) -> float:
-        """How much a residual counts."""
         return float(self._ours.weight(residual))
 
     def __repr__(self) -> str:
@@ -356,22 +339,16 @@ class RobustKernel(Settings):
 
 @dataclass(eq=False, repr=False)
 class L2Loss(RobustKernel):
-    """Least squares."""
-
     _kind = robust_kernels.L2Loss
 
 
 @dataclass(eq=False, repr=False)
 class L1Loss(RobustKernel):
-    """Least absolute residuals."""
-
     _kind = robust_kernels.L1Loss
 
 
 @dataclass(eq=False, repr=False)
 class HuberLoss(RobustKernel):
-    """Least squares up to k, absolute residuals beyond."""
-
     _kind = robust_kernels.HuberLoss
     k: float
 
@@ -386,7 +363,7 @@ class CauchyLoss(RobustKernel):
 
 @dataclass(eq=False, repr=False)
 class GMLoss(RobustKernel):
-    """Geman and McClure's, k a squared residual."""
+    """Geman-McClure; k is a squared residual."""
 
     _kind = robust_kernels.GMLoss
     k: float
@@ -401,12 +378,10 @@ class TukeyLoss(RobustKernel):
 
 
 class TransformationEstimation(Settings):
-    """How a pose follows from pairs; the estimations below are its kinds."""
-
     _kind = estimation.TransformationEstimation
 
     def _take_kernel(self, default: float) -> None:
-        """Sort a kernel that was given alone, in the place of the number that comes first."""
+        """Reassign a kernel that was given in place of the first number."""
         first, kernel = next(iter(self._keywords())), getattr(self, next(iter(self._keywords())))
         if isinstance(kernel, RobustKernel):
             self.kernel = kernel
@@ -415,18 +390,15 @@ class TransformationEstimation(Settings):
 
 @dataclass(eq=False, repr=False)
 class TransformationEstimationPointToPoint(TransformationEstimation):
-    """Least squared distances of the pairs."""
-
     _kind = estimation.TransformationEstimationPointToPoint
     with_scaling: bool = False
 
     def compute_transformation(self, source: Any, target: Any, corres: Any) -> NDArray[np.float64]:
-        """The motion [4, 4] that brings pairs (source, target) together best."""
+        """Least-squares transformation (4, 4) of pairs (source, target)."""
         p, q = _pairs(source, target, corres)
         return rigid.fit_pose(p, q, with_scaling=bool(self.with_scaling))
 
     def compute_rmse(self, source: Any, target: Any, corres: Any) -> float:
-        """The root of the mean squared distance of pairs."""
         p, q = _pairs(source, target, corres)
         return float(np.sqrt(((p - q) ** 2).sum(axis=1).mean())) if len(p) else 0.0
 
@@ -436,15 +408,13 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
 @dataclass(eq=False, repr=False)
 class TransformationEstimationPointToPlane(TransformationEstimation):
-    """Least squared distances from the target's planes."""
-
     _kind = estimation.TransformationEstimationPointToPlane
     kernel: RobustKernel = field(default_factory=L2Loss)
 
 
 @dataclass(eq=False, repr=False)
 class TransformationEstimationSymmetric(TransformationEstimation):
-    """Both clouds' planes at once."""
+    """Point to plane with the normals of both clouds."""
 
     _kind = estimation.TransformationEstimationSymmetric
     kernel: RobustKernel = field(default_factory=L2Loss)
@@ -452,7 +422,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 
 @dataclass(eq=False, repr=False)
 class TransformationEstimationForColoredICP(TransformationEstimation):
-    """Planes and colours; `(lambda_geometric)`, `(kernel)` or both."""
+    """Planes and colors; `(lambda_geometric)`, `(kernel)` or both."""
 
     _kind = estimation.TransformationEstimationForColoredICP
     lambda_geometric: Any = 0.968
@@ -468,7 +438,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 
 @dataclass(eq=False, repr=False)
 class TransformationEstimationForGeneralizedICP(TransformationEstimation):
-    """Both clouds' planes as thin Gaussians; `(epsilon)`, `(kernel)` or both."""
+    """Planes of both clouds as flat Gaussians; `(epsilon)`, `(kernel)` or both."""
 
     _kind = estimation.TransformationEstimationForGeneralizedICP
     epsilon: Any = 0.001
@@ -483,7 +453,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
 
 
 class RegistrationResult(Held):
-    """A pose, and how well the clouds lie on each other under it; its values are assigned, as in Open3D."""
+    """Result of a registration; fields are assignable, as in Open3D."""
 
     _kind = result.RegistrationResult
 
@@ -497,7 +467,7 @@ class RegistrationResult(Held):
 
     @property
     def transformation(self) -> NDArray[np.float64]:
-        """T_target_source, shape [4, 4]."""
+        """T_target_source, shape (4, 4)."""
         return self._held.transformation
 
     @transformation.setter
@@ -506,7 +476,7 @@ class RegistrationResult(Held):
 
     @property
     def fitness(self) -> float:
-        """The share of the source's points with a correspondence."""
+        """Fraction of source points with a correspondence."""
         return self._held.fitness
 
     @fitness.setter
@@ -515,7 +485,7 @@ class RegistrationResult(Held):
 
     @property
     def inlier_rmse(self) -> float:
-        """The root of the mean squared distance of the correspondences."""
+        """RMSE of the correspondences."""
         return self._held.inlier_rmse
 
     @inlier_rmse.setter
@@ -524,7 +494,6 @@ class RegistrationResult(Held):
 
     @property
     def correspondence_set(self) -> Vector2iVector:
-        """The correspondences (source, target)."""
         return Vector2iVector(np.asarray(self._held.correspondence_set))
 
     @correspondence_set.setter

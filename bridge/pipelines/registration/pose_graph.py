@@ -1,4 +1,4 @@
-"""Pose graphs: lists of nodes and edges that are appended to, and optimised in place."""
+"""Pose graphs as lists of nodes and edges, optimized in place."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...settings import Settings
 
 @dataclass(eq=False, repr=False)
 class PoseGraphNode(Settings):
-    """A place: `pose` is T_world_node, shape [4, 4]."""
+    """A node: `pose` is T_world_node, shape (4, 4)."""
 
     _kind = pose_graph.PoseGraphNode
     pose: Any = field(default_factory=lambda: np.eye(4))
@@ -27,7 +27,7 @@ class PoseGraphNode(Settings):
 
 @dataclass(eq=False, repr=False)
 class PoseGraphEdge(Settings):
-    """A measured motion between two nodes, T_target_source, and its information [6, 6]."""
+    """A measured transformation between two nodes, T_target_source, and its information (6, 6)."""
 
     _kind = pose_graph.PoseGraphEdge
     source_node_id: Any = -1
@@ -43,7 +43,7 @@ class PoseGraphEdge(Settings):
 
 
 class _CopyingList(list[Any]):
-    """A list that keeps copies of what is put into it, as Open3D's vectors do."""
+    """A list that copies its elements, as Open3D's vectors do."""
 
     _element: ClassVar[type[Settings]]
 
@@ -56,15 +56,12 @@ class _CopyingList(list[Any]):
         return copy.copy(value)
 
     def append(self, x: Any) -> None:
-        """Add one at the end."""
         super().append(self._taken(x))
 
     def extend(self, L: Iterable[Any]) -> None:
-        """Add some at the end."""
         super().extend(map(self._taken, L))
 
     def insert(self, i: SupportsIndex, x: Any) -> None:
-        """Put one before another."""
         super().insert(i, self._taken(x))
 
     def __setitem__(self, index: Any, value: Any) -> None:
@@ -72,19 +69,15 @@ class _CopyingList(list[Any]):
 
 
 class PoseGraphNodeVector(_CopyingList):
-    """The nodes of a graph."""
-
     _element = PoseGraphNode
 
 
 class PoseGraphEdgeVector(_CopyingList):
-    """The edges of a graph."""
-
     _element = PoseGraphEdge
 
 
 class PoseGraph(Held):
-    """Nodes, and edges between them: `graph.nodes.append(node)`, `graph.edges.append(edge)`."""
+    """Nodes and edges: `graph.nodes.append(node)`, `graph.edges.append(edge)`."""
 
     _kind = pose_graph.PoseGraph
     _nodes: PoseGraphNodeVector
@@ -109,7 +102,6 @@ class PoseGraph(Held):
 
     @property
     def nodes(self) -> PoseGraphNodeVector:
-        """The places; assign others."""
         return self._nodes
 
     @nodes.setter
@@ -118,7 +110,6 @@ class PoseGraph(Held):
 
     @property
     def edges(self) -> PoseGraphEdgeVector:
-        """The measured motions; assign others."""
         return self._edges
 
     @edges.setter
@@ -140,7 +131,7 @@ class PoseGraph(Held):
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationOption(Settings):
-    """What is optimised. As in Open3D the distance is 0.075 where nothing is given, and 0.03 where anything is."""
+    """Options. As in Open3D, the distance is 0.075 without arguments and 0.03 if any argument is given."""
 
     _kind = pose_graph_optimization.GlobalOptimizationOption
     max_correspondence_distance: Any = None
@@ -162,8 +153,6 @@ class GlobalOptimizationOption(Settings):
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationConvergenceCriteria(Settings):
-    """When the optimisation stops."""
-
     _kind = pose_graph_optimization.GlobalOptimizationConvergenceCriteria
     max_iteration: Any = 100
     min_relative_increment: float = 1e-6
@@ -179,31 +168,26 @@ class GlobalOptimizationConvergenceCriteria(Settings):
 
 
 class GlobalOptimizationMethod(Settings):
-    """How steps are taken; one of the two below."""
+    """Base class of the two optimizers."""
 
     _kind = pose_graph_optimization.GlobalOptimizationMethod
 
     def OptimizePoseGraph(self, pose_graph: PoseGraph, criteria: Any, option: Any) -> None:
-        """`global_optimization` by this method."""
         global_optimization(pose_graph, self, criteria, option)
 
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
-    """Full steps."""
-
     _kind = pose_graph_optimization.GlobalOptimizationGaussNewton
 
 
 @dataclass(eq=False, repr=False)
 class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
-    """Steps that are damped until they lower the residual."""
-
     _kind = pose_graph_optimization.GlobalOptimizationLevenbergMarquardt
 
 
 def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, option: Any) -> None:
-    """Move the nodes of a graph so that they fit its edges best; drop edges that contradict the rest. In place."""
+    """Optimize the nodes in place and remove contradicting edges."""
     solved = pose_graph_optimization.global_optimization(
         ours(pose_graph, PoseGraph, "pose_graph"),
         ours(method, GlobalOptimizationMethod, "method"),
@@ -216,12 +200,10 @@ def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, optio
 
 
 def read_pose_graph(filename: Any) -> PoseGraph:
-    """Read a graph from JSON."""
     return PoseGraph._of(pose_graph_files.read_pose_graph(filename))
 
 
 def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
-    """Write a graph as JSON."""
     pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))
     return True
 

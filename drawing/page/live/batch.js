@@ -1,6 +1,6 @@
 /**
- * One binary message of the program: a JSON text and arrays behind it, which become views of the message, not copies.
- * `f2` are read as 16-bit words: the card knows halves, JavaScript need not.
+ * A binary message of the program: JSON and arrays, which become views of the message without a copy. `f2` arrays are
+ * read as 16-bit words, as the GPU supports half floats.
  */
 const PROTOCOL = "pointloom.1";
 const VIEW_TYPES = {
@@ -8,7 +8,7 @@ const VIEW_TYPES = {
   u1: Uint8Array, u2: Uint16Array, u4: Uint32Array, i2: Int16Array, i4: Int32Array,
 };
 
-/** The operations of a message and its arrays; an error says what is wrong with it. */
+/** Operations and arrays of a message; throws an error if malformed. */
 function readBatch(buffer) {
   if (buffer.byteLength < 4) throw new Error("a message of less than four bytes");
   const length = new DataView(buffer).getUint32(0, true);

@@ -1,6 +1,6 @@
 /**
- * What keys do: the program's commands, and the page's own behind them. A key that a control has a use for stays the
- * control's. Names of keys: "R", "7", "plus", "Shift+P", "escape", "arrowup".
+ * Key bindings: commands of the program, then of the page. Keys that a focused control uses stay with it. Key names:
+ * "R", "7", "plus", "Shift+P", "escape", "arrowup".
  */
 const KEY_NAMES = { " ": "space", "+": "plus" };
 const SHOWN_KEYS = {
@@ -16,7 +16,7 @@ const USED_BY = {
   box: (key) => key === "space",
 };
 
-/** How a key is written in `hotkey`; null for one that belongs to the browser. */
+/** Name of a key as in `hotkey`; null for keys of the browser. */
 function keyName(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return null;
   const { key } = event;
@@ -81,7 +81,7 @@ class Commands {
     run();
   }
 
-  /** Ctrl+K; other chords are the browser's. */
+  /** Ctrl+K; other chords belong to the browser. */
   onChord(event) {
     if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey || event.key.toLowerCase() !== "k") return;
     event.preventDefault();
@@ -92,7 +92,6 @@ class Commands {
     if (kind === "text" && name === "escape" && !event.defaultPrevented) event.target.blur();
   }
 
-  /** Whether the program has a key. */
   isTaken(key) {
     const name = key === "+" ? "plus" : key;
     return [...this.ofProgram.values()].some(({ keys }) => keys.some((one) => sameKey(one, name)));
@@ -142,7 +141,7 @@ function sameKey(key, name) {
   return key.toLowerCase() === name.toLowerCase();
 }
 
-/** A label without the key that it may name at its end: "Reset view (R)". */
+/** A label without a key name at its end: "Reset view (R)". */
 function plainLabel(label) {
   return label.replace(/\s*\((?:[^\s()]|Shift\+.)\)$/, "");
 }

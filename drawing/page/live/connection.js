@@ -1,16 +1,16 @@
 /**
- * The line to the program: it is opened again with growing pauses, and at once where the page comes back into sight or
- * the machine to its network. `told` hears of each change: "connecting", "open", "lost", "ended", "old".
+ * Connection to the program: reopened with growing pauses, and at once if the page becomes visible or the network
+ * returns. `told` is called with "connecting", "open", "lost", "ended", "old".
  */
-const PAUSES = [500, 1000, 2000, 3500, 5000]; // milliseconds before a try; the last one again and again
-const GIVEN_UP = 20_000; // milliseconds without an answer after which the program has ended, for all that one knows
-const MOST_BYTES = 60 * 1024; // of one message, except for files; the program takes 64 KiB
+const PAUSES = [500, 1000, 2000, 3500, 5000]; // [ms] before an attempt; the last one repeats
+const GIVEN_UP = 20_000; // [ms] without an answer after which the program is assumed to have ended
+const MOST_BYTES = 60 * 1024; // of one message, except for files; the program accepts 64 KiB
 const MOST_FILE = 1024 * 1024;
-const BUSY = 256 * 1024; // bytes that wait to be sent: the camera is not told then
-const OTHER_VERSION = 4001; // how the program ends a line to a page of another version
+const BUSY = 256 * 1024; // unsent bytes above which the camera is not sent
+const OTHER_VERSION = 4001; // close code for a page of another version
 
 class Connection {
-  /** `received` is given each message's bytes; `hello` gives what is said first. */
+  /** `received` is called with each message; `hello` returns the first message. */
   constructor({ received, told, hello }) {
     Object.assign(this, { received, told, hello });
     this.state = "connecting";
@@ -20,7 +20,7 @@ class Connection {
     this.wasOpen = false;
     this.lostAt = performance.now();
     this.ending = null;
-    this.syncs = new Map(); // by number: what to call when the program has answered
+    this.syncs = new Map(); // by number: callbacks for answers
     this.syncCount = 0;
     document.addEventListener("visibilitychange", () => this.onSight());
     window.addEventListener("online", () => this.onNetwork());
@@ -71,7 +71,7 @@ class Connection {
     this.retry();
   }
 
-  /** The program speaks another version than this page, which the browser has kept: only loading it again helps. */
+  /** The program has another version than this cached page: only reloading helps. */
   refuse() {
     const socket = this.socket;
     this.socket = null;
@@ -87,7 +87,6 @@ class Connection {
     this.timer = setTimeout(() => this.open(), pause);
   }
 
-  /** Tries at once. */
   hurry() {
     if (this.state === "old") return;
     this.tries = 0;
@@ -97,16 +96,16 @@ class Connection {
   onSight() {
     if (document.hidden) return;
     if (this.socket?.readyState === WebSocket.OPEN) return this.send({ say: "resume" });
-    if (this.socket?.readyState !== WebSocket.CONNECTING) this.socket = null; // closed while the page was put aside
+    if (this.socket?.readyState !== WebSocket.CONNECTING) this.socket = null; // closed while the page was suspended
     this.hurry();
   }
 
-  /** All is sent anew. */
+  /** Resets the state for a new connection. */
   startAgain() {
     this.onNetwork();
   }
 
-  /** A line that was there before the network went is of no use, whatever it seems. */
+  /** A connection from before a network change is unusable, whatever its state. */
   onNetwork() {
     const socket = this.socket;
     if (socket && this.isOpen) {
@@ -116,7 +115,7 @@ class Connection {
     this.hurry();
   }
 
-  /** The program said that it ends. */
+  /** The program reported its end. */
   end(text) {
     this.ending = text;
     this.tell("ended", { text });
@@ -128,7 +127,7 @@ class Connection {
     this.told(state, { before, ...more });
   }
 
-  /** Says something, if there is somebody to hear it; tells whether it went out. */
+  /** Sends a message if connected. True if sent. */
   send(message, most = MOST_BYTES) {
     if (!this.socket || this.socket.readyState !== WebSocket.OPEN) return false;
     const text = JSON.stringify(message);
@@ -137,12 +136,12 @@ class Connection {
     return true;
   }
 
-  /** Resolves when the program has acted on all that was said, and all that it sent until then has been applied. */
+  /** Resolves when the program has handled all messages, and its answers have been applied. */
   sync() {
     const n = (this.syncCount += 1);
     return new Promise((resolve) => {
       this.syncs.set(n, resolve);
-      this.send({ say: "sync", n }); // where nobody hears it, it is said when the line opens
+      this.send({ say: "sync", n }); // without a connection it is sent after opening
     });
   }
 

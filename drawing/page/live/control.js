@@ -1,6 +1,6 @@
-/** What all controls share: a row of the panel, its label, its state, and what is said when it is changed. */
+/** Base class of controls: a row of the panel, label, state, and sent values. */
 class Control {
-  /** `panel` offers `say`, `press`, `notify`; `build` makes the elements, `update` shows what the program set. */
+  /** `panel` offers `say`, `press`, `notify`; `build` makes the elements, `update` shows values of the program. */
   constructor(op, panel) {
     this.id = op.id;
     this.kind = op.kind;
@@ -17,9 +17,9 @@ class Control {
 
   update() {}
 
-  /** Takes what the program sets; fields that it does not name stay. */
+  /** Applies fields set by the program; missing fields are not changed. */
   set(changes) {
-    if (changes.value === undefined) delete changes.value; // it stays
+    if (changes.value === undefined) delete changes.value; // unchanged
     Object.assign(this.props, changes);
     const { label, visible, hint, disabled } = this.props;
     this.element.hidden = visible === false;
@@ -52,12 +52,11 @@ class Control {
     for (const element of this.inputs()) element.disabled = disabled;
   }
 
-  /** The elements that take the focus. */
   inputs() {
     return this.element.querySelectorAll("input, select, button, textarea");
   }
 
-  /** What the palette offers of this control: `[label, run]`. */
+  /** Entries for the palette: `[label, run]`. */
   actions() {
     return [];
   }
@@ -67,13 +66,13 @@ class Control {
     this.panel.sayValue(this.id, value);
   }
 
-  /** It goes: what it holds outside its element goes, too. */
+  /** Removes the control with what it has outside its element. */
   remove() {
     this.element.remove();
   }
 }
 
-/** A part of the panel that opens and closes; without a label it only holds others together. */
+/** A folder that opens and closes; without a label it only groups controls. */
 class FolderControl extends Control {
   build(op) {
     this.title = make("span", { class: "title" });
@@ -108,7 +107,7 @@ class FolderControl extends Control {
     this.details.open = this.isOpen;
   }
 
-  /** Where it lies, by labels: folders of the same place stay open when the page connects again. */
+  /** Path of labels: folders of the same path stay open after a reconnection. */
   path() {
     const parent = this.panel.controls.get(this.props.parent);
     return `${parent?.path?.() ?? ""}/${this.props.label ?? ""}`;

@@ -1,7 +1,7 @@
-/** Elements, icons, numbers as text: what the parts of the page share. Text is only ever set as text. */
+/** Elements, icons and number formatting. Text is only ever inserted as text. */
 const byId = (id) => document.getElementById(id);
 
-/** An element with attributes; what is given as a string becomes text. */
+/** An element with attributes; strings become text. */
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -49,7 +49,7 @@ function icon(name) {
   return svg;
 }
 
-/** A button that shows an icon alone; its name is told to who hovers and to who listens. */
+/** An icon button with an accessible name and tooltip. */
 function iconButton(name, label, run, attributes = {}) {
   const button = make("button", { type: "button", class: "icon", title: label, "aria-label": label, ...attributes }, icon(name));
   button.addEventListener("click", run);
@@ -60,7 +60,7 @@ function cssColor([r, g, b]) {
   return `rgb(${Math.round(r)} ${Math.round(g)} ${Math.round(b)})`;
 }
 
-/** A number in the digits that it needs: `precision` of them behind the point, or six in all. */
+/** Formats a number with `precision` decimals, or 6 significant digits. */
 function numberText(value, precision = null) {
   if (!Number.isFinite(value)) return "";
   if (precision !== null && precision !== undefined) return value.toFixed(clamp(precision, 0, 12));
@@ -69,7 +69,7 @@ function numberText(value, precision = null) {
   return String(Number(value.toPrecision(6)));
 }
 
-/** The digits behind the point that tell steps of this size apart. */
+/** Decimals that distinguish steps of this size. */
 function digitsOf(step) {
   if (!(step > 0)) return null;
   for (let digits = 0; digits < 9; digits++) {
@@ -82,7 +82,7 @@ function countText(count) {
   return count.toLocaleString("en");
 }
 
-/** Calls a function once before the next picture, however often it is asked; also in a page that is not seen. */
+/** Calls a function once before the next frame, also in a hidden page. */
 function onceAPicture(run) {
   let waiting = false;
   const go = () => {
@@ -98,7 +98,7 @@ function onceAPicture(run) {
   };
 }
 
-/** What the browser remembers between visits; where it may not, nothing. */
+/** Stored settings; empty if storage is not allowed. */
 const memory = {
   get(name) {
     try {
@@ -111,7 +111,7 @@ const memory = {
     try {
       localStorage.setItem(`pointloom.${name}`, value);
     } catch {
-      // a page in a frame without an origin of its own: it begins anew each time
+      // a page in a sandboxed frame without an origin: nothing is stored
     }
   },
 };

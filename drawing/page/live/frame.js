@@ -1,11 +1,11 @@
 /**
- * Where the panel stands: docked at the right, folded or dragged to a width; on a phone a sheet at the bottom that is
- * pulled up. The picture has what is left, and is never covered.
+ * Placement of the panel: docked at the right, folded or resized; on a phone a sheet at the bottom. It never covers the
+ * image.
  */
-const WIDTHS = { least: 240, most: 640, first: 320 }; // pixels
-const PULLED = 8; // pixels beyond which a press on the sheet's grip is a drag
-const SHEET_LEAST = 52; // pixels of the closed sheet: its grip
-const PICTURE_LEAST = 160; // pixels of the picture above an open sheet
+const WIDTHS = { least: 240, most: 640, first: 320 }; // [px]
+const PULLED = 8; // [px] beyond which a press on the sheet's grip is a drag
+const SHEET_LEAST = 52; // [px] of the closed sheet: its grip
+const PICTURE_LEAST = 160; // [px] of the image above an open sheet
 const STEP_OF_WIDTH = 16;
 
 class Frame {
@@ -42,8 +42,6 @@ class Frame {
     this.toggled(this.isShown);
   }
 
-  // -- the width of the docked panel ----------------------------------------------------------------------------------
-
   listenToEdge() {
     const { edge } = this;
     edge.setAttribute("aria-valuemin", WIDTHS.least);
@@ -69,8 +67,6 @@ class Frame {
     memory.set("width", this.width);
     this.apply();
   }
-
-  // -- the sheet of a phone -------------------------------------------------------------------------------------------
 
   listenToGrip() {
     const { grip } = this;
@@ -102,7 +98,7 @@ class Frame {
     grip.addEventListener("keydown", () => (this.dragged = false));
   }
 
-  /** Opens the sheet, to just over half of the window or as far as it was dragged, or closes it. */
+  /** Opens the sheet to just over half of the window or its last height, or closes it. */
   pull(open, height = 0.55 * innerHeight) {
     this.isPulled = open;
     this.body.classList.toggle("pulled", open);

@@ -1,11 +1,11 @@
-/** Joins the parts of a live page: what the program says goes to scene, panel and words; what is done goes back. */
+/** Connects the parts of a live page: messages of the program to scene, panel and texts, and user actions back. */
 const VERSION = 1;
 const ARRAYS_OF_NODES = ["positions", "colors", "normals", "indices", "uvs", "texture"];
-const KEPT_VIEW = 3000; // milliseconds after a new connection in which the page stays where it looked
-// Keys of the engine that programs have for tools, and what they are here.
+const KEPT_VIEW = 3000; // [ms] after a reconnection in which the page keeps its camera
+// Keys of the engine that programs use for tools, and their replacements.
 const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };
-const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // what programs do by these keys is the same for all pages: not offered twice
-const LONGEST_MOVE = 2000; // milliseconds after which a sign is given though the picture does not come to rest
+const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // programs apply these keys to all pages: not offered twice
+const LONGEST_MOVE = 2000; // [ms] after which a signal is sent even if the image is not complete
 const NO_WEBGL_HERE =
   "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
   "or Safari, and switch hardware acceleration on where it is off.";
@@ -61,9 +61,7 @@ class Live {
     }
   }
 
-  // -- what the program says ------------------------------------------------------------------------------------------
-
-  /** One message, applied whole before the next picture; an operation that fails takes none of the others with it. */
+  /** Applies one message before the next frame; a failing operation does not affect the others. */
   receive(buffer) {
     let batch;
     try {
@@ -124,7 +122,7 @@ class Live {
     this.setClicks(false);
   }
 
-  /** After a gap the page stays where it looked: the program only knows where pages begin. */
+  /** After a reconnection the page keeps its camera: the program only knows the initial one. */
   putCamera({ op, ...given }) {
     if (performance.now() < this.keptUntil) {
       for (const name of ["position", "rotation", "fov", "pivot", "up", "orthographic"]) delete given[name];
@@ -142,23 +140,21 @@ class Live {
     byId("picture").classList.toggle("clicks", this.clicks);
   }
 
-  /** Answered when the picture with all that came before is drawn. */
+  /** Answered when the image with all earlier messages is drawn. */
   async onSign(n) {
     const socket = this.connection.socket;
     if (this.engine) await Promise.race([this.engine.settled(), whileSeen(LONGEST_MOVE)]);
     if (socket === this.connection.socket) this.connection.send({ say: "sign", n });
   }
 
-  /** Resolves when the program has acted on all that was done here, and what it sent until then is drawn. */
+  /** Resolves when the program has handled all actions, and its answers are drawn. */
   async ready() {
     await this.engine?.ready();
-    await nextFrame(); // the camera is told once a picture
+    await nextFrame(); // the camera is sent once per frame
     this.panel.sayPending();
     await this.connection.sync();
     await this.engine?.ready();
   }
-
-  // -- what is said to the program ------------------------------------------------------------------------------------
 
   hello() {
     return { say: "hello", size: this.size(), version: VERSION };
@@ -180,19 +176,17 @@ class Live {
   onClick(x, y) {
     if (!this.clicks) return;
     this.panel.sayPending();
-    this.sayCamera(); // the program asks what is seen there from where the page looks now
+    this.sayCamera(); // the program evaluates clicks with the current camera
     this.connection.send({ say: "click", x: clamp(x, 0, 1), y: clamp(y, 0, 1) });
   }
 
   onState(state, { text, again, before }) {
-    if (state === "ended" && before === "ended" && !text) return; // what was said first stays
+    if (state === "ended" && before === "ended" && !text) return; // the first value counts
     this.notices.setState(state, { text, hadScene: this.connection.wasOpen });
     if (state !== "open") return this.notices.setProgress("");
     if (again) this.keptUntil = performance.now() + KEPT_VIEW;
     if (again) setTimeout(this.tellCamera, 0);
   }
-
-  // -- the page itself ------------------------------------------------------------------------------------------------
 
   onPanel() {
     document.body.classList.toggle("without-panel", byId("panel").children.length === 0);
@@ -229,7 +223,7 @@ class Live {
     }
   }
 
-  /** What is done most, in one row; all of it is in the palette as well. */
+  /** Most frequent actions in one row; all are in the palette, too. */
   fillToolbar() {
     const { engine } = this;
     const bar = new Toolbar(byId("tools"));
@@ -267,26 +261,26 @@ class Live {
     this.onLook();
   }
 
-  /** The icons say what is on, whoever switched it. */
+  /** Icons show the state, whoever changed it. */
   onLook() {
     this.meshButton?.setAttribute("aria-pressed", this.engine.looks.wireframe);
     this.lensButton?.setAttribute("aria-pressed", this.engine.camera().orthographic);
   }
 }
 
-/** Resolves after a time in which the page was to be seen: one that is not seen draws nothing. */
+/** Resolves after a time in which the page was visible: hidden pages do not draw. */
 async function whileSeen(milliseconds) {
   do {
     await new Promise((done) => setTimeout(done, milliseconds));
   } while (document.hidden);
 }
 
-/** What is given of a node, parted into plain values and arrays. */
+/** Splits properties of a node into plain values and arrays. */
 function splitArrays({ op, id, parent, kind, ...props }, arrays) {
   const given = {};
   for (const name of ARRAYS_OF_NODES) {
     if (typeof props[name] === "number") given[name] = arrays[props[name]].data;
-    else if (props[name] === null) given[name] = null; // taken away
+    else if (props[name] === null) given[name] = null; // removed
     delete props[name];
   }
   return [props, given];

@@ -1,6 +1,6 @@
-/** Words over the picture: notices that pass, how far reading is, that the line is lost, that the program has ended. */
+/** Texts over the image: notices, progress, lost connection, ended program. */
 const MOST_NOTICES = 4;
-const SLOW_LINE = 700; // milliseconds without an answer before the page says so
+const SLOW_LINE = 700; // [ms] without an answer before the page reports it
 
 class Notices {
   constructor({ list, progress, state, hint, tryNow }) {
@@ -16,7 +16,7 @@ class Notices {
     this.stateButton.addEventListener("click", () => (this.isOld ? location.reload() : tryNow()));
   }
 
-  /** A notice; it stays while the pointer is on it or the focus within. */
+  /** A notice; it stays while hovered or focused. */
   notify(title, text = "", seconds = 8, kind = "note") {
     const close = iconButton("close", "Close", () => remove());
     const words = make("div", {}, make("strong", {}, title), text ? make("p", {}, text) : null);
@@ -47,9 +47,9 @@ class Notices {
     this.hint.hidden = text === "";
   }
 
-  /** How the line to the program is; said only when it is not as it should be. */
+  /** Connection state; shown only if not open. */
   setState(name, { text = "", hadScene = true } = {}) {
-    if (this.told === name + text) return; // said already
+    if (this.told === name + text) return; // shown already
     this.told = name + text;
     clearTimeout(this.waiting);
     this.isOld = name === "old";

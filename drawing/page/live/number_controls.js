@@ -1,6 +1,6 @@
-/** Numbers: fields to type into, tracks with one or two thumbs. */
+/** Number fields and sliders with one or two thumbs. */
 
-/** A field for one number, which is told when it is a number within its limits. */
+/** A number field; reports numbers within its limits. */
 class NumberField {
   constructor(label, changed, id = null) {
     this.input = make("input", { type: "number", inputmode: "decimal", step: "any", class: "number", id, "aria-label": label });
@@ -13,7 +13,7 @@ class NumberField {
     this.input.addEventListener("keydown", (event) => this.onKey(event));
   }
 
-  /** What is typed and not yet told stays. */
+  /** Keeps unfinished input. */
   show(value) {
     this.value = value;
     if (!this.isTyping()) this.input.value = numberText(value, this.precision);
@@ -34,7 +34,7 @@ class NumberField {
       this.typed = true;
       return;
     }
-    event.preventDefault(); // the browser would count from a limit in whole steps, and forget digits
+    event.preventDefault(); // the browser would count whole steps from a limit and lose digits
     const start = Number.isFinite(this.input.valueAsNumber) ? this.input.valueAsNumber : this.value;
     const step = this.step ?? 10 ** Math.floor(Math.log10(Math.max(Math.abs(start), 1e-9)) - 1);
     this.tell(start + (event.key === "ArrowUp" ? 1 : -1) * step * (event.shiftKey ? 10 : 1));
@@ -56,7 +56,7 @@ class NumberField {
   }
 }
 
-/** Values from `low` to `high` in steps, as whole numbers for a range element: the last one is `high` itself. */
+/** Values from `low` to `high` in steps as integers of a range element; the last one is `high` itself. */
 class Steps {
   constructor(low, high, step) {
     Object.assign(this, { low, high, step: step > 0 ? step : (high - low) / 200 || 1 });
@@ -126,7 +126,7 @@ class SliderControl extends Control {
   }
 }
 
-/** Two thumbs over one track, and both numbers as fields; the thumbs do not pass each other. */
+/** Two thumbs on one track with number fields; the thumbs cannot pass each other. */
 class TwoThumbs {
   constructor(changed) {
     this.changed = changed;
@@ -174,7 +174,7 @@ class TwoThumbs {
       this.tracks[which].setAttribute("aria-valuetext", this.fields[which].input.value);
       return number / this.steps.count;
     });
-    // where both stand at the right end only the lower one can be moved: it lies above
+    // if both are at the right end, only the lower one can move: it is on top
     this.tracks[0].style.zIndex = shares[0] > 0.5 ? 2 : 1;
     this.tracks[1].style.zIndex = shares[0] > 0.5 ? 1 : 2;
     this.fill.style.left = `${100 * shares[0]}%`;

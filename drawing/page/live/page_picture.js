@@ -1,7 +1,7 @@
-/** The page's picture as a file that the page itself saves: the scene with its colour bars and legends beside it. */
+/** The page's image as a file saved by the page: the scene with color bars and legends. */
 const KEYS_TEXT = "13px system-ui, sans-serif";
 
-/** `scene` is a picture of the canvas; what lies in `keys` is drawn beside it, where it is seen. */
+/** `scene` is the canvas image; visible content of `keys` is drawn beside it. */
 async function composePicture(scene, keys) {
   const image = await createImageBitmap(scene);
   const host = byId("scene").getBoundingClientRect();
@@ -23,7 +23,6 @@ async function composePicture(scene, keys) {
   return new Promise((done) => canvas.toBlob(done, "image/png"));
 }
 
-/** What the elements show, where they show it. */
 function drawKeys(context, keys, ink) {
   for (const bar of keys.querySelectorAll("canvas")) {
     const { left, top, width, height } = bar.getBoundingClientRect();

@@ -1,4 +1,4 @@
-/** Ctrl+K: everything that can be done, found by a few letters. */
+/** Ctrl+K: searchable list of all commands. */
 class Palette {
   constructor(dialog, commands) {
     Object.assign(this, { dialog, commands });
@@ -27,7 +27,6 @@ class Palette {
     this.input.focus();
   }
 
-  /** What the program added or took away while somebody looks. */
   refresh() {
     if (!this.dialog.open) return;
     const chosen = this.found[this.active]?.command.label;
@@ -63,7 +62,7 @@ class Palette {
   }
 
   onKey(event) {
-    if (!this.dialog.open) return; // for a moment the focus is still here
+    if (!this.dialog.open) return; // the focus is still here for a moment
     const count = this.found.length;
     const moves = { ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8 };
     if (event.key in moves && count > 0) {
@@ -83,7 +82,7 @@ class Palette {
   }
 }
 
-/** How well a command fits: 0 not at all; all words must occur, those at the beginning of the label count most. */
+/** Match score of a command, 0 for none: all words must occur; matches at the start of the label score highest. */
 function rankOf({ label, group }, words) {
   const [name, home] = [label.toLowerCase(), group.toLowerCase()];
   let rank = 1;
@@ -97,7 +96,7 @@ function rankOf({ label, group }, words) {
   return rank;
 }
 
-/** H or ?: what mouse and fingers do, and all commands with their keys. */
+/** H or ?: mouse and touch gestures, and all commands with their keys. */
 const GESTURES = [
   ["drag", "turn"],
   ["right drag, Shift + drag, two fingers", "move"],
@@ -138,7 +137,6 @@ class Help {
     return make("section", {}, make("h3", {}, "Mouse and fingers"), make("dl", {}, ...rows));
   }
 
-  /** Those with keys first. */
   makeSection(group, commands) {
     const sorted = [...commands].sort((a, b) => (b.keys.length > 0) - (a.keys.length > 0));
     const rows = sorted.flatMap(({ label, keys }) => [

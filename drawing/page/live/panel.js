@@ -1,6 +1,5 @@
 /**
- * The panel: which controls there are, where they lie, and what is said when they change. A control that stands at the
- * edge of the picture or in the bar lies in no folder.
+ * The panel: its controls, their placement, and sent values. Controls at the image edge or in the bar are in no folder.
  */
 const CONTROL_KINDS = {
   folder: FolderControl, button: ButtonControl, checkbox: CheckboxControl, slider: SliderControl,
@@ -10,14 +9,14 @@ const CONTROL_KINDS = {
 };
 
 class Panel {
-  /** `root`, `keys`, `bar` are where controls lie; `send` says something; `notify` shows words; `changed` is told of new rooms. */
+  /** `root`, `keys`, `bar`: parents of controls; `send`, `notify`: functions; `changed`: called after a layout change. */
   constructor({ root, keys, bar, send, notify, changed, isBusy }) {
     Object.assign(this, { root, keys, bar, send, notify, changed, isBusy });
     this.controls = new Map();
-    this.folders = new Map(); // by path: whether somebody opened or closed it
+    this.folders = new Map(); // by path: opened or closed by the user
     this.pending = new Map();
-    this.held = null; // the control whose track somebody drags
-    this.late = new Map(); // what the program set meanwhile
+    this.held = null; // control being dragged
+    this.late = new Map(); // values set by the program meanwhile
     this.listenToTracks();
     this.flush = onceAPicture(() => this.sayPending());
   }
@@ -29,14 +28,12 @@ class Panel {
     for (const kind of ["pointerup", "pointercancel"]) document.addEventListener(kind, () => this.letGo());
   }
 
-  /** What the program set while a track was dragged is shown, where nothing was said after it. */
+  /** Shows values of the program that were set during a drag, unless the page sent a newer one. */
   letGo() {
     this.held = null;
     for (const [id, value] of this.late) this.controls.get(id)?.set({ value });
     this.late.clear();
   }
-
-  // -- what the program says ------------------------------------------------------------------------------------------
 
   add(op, arrays) {
     const type = CONTROL_KINDS[op.kind];
@@ -53,7 +50,7 @@ class Panel {
     const control = this.controls.get(op.id);
     if (!control) return;
     if ("value" in op && (this.held === op.id || this.pending.has(op.id))) {
-      if (this.held === op.id) this.late.set(op.id, op.value); // not while somebody drags it
+      if (this.held === op.id) this.late.set(op.id, op.value); // not while being dragged
       op = { ...op, value: undefined };
     }
     control.set(readArrays(op, arrays));
@@ -78,7 +75,7 @@ class Panel {
     for (const id of [...this.controls.keys()]) this.drop(id);
   }
 
-  /** Puts a control where its order says; without one, behind those that came before. */
+  /** Inserts a control by its order; without one, after the existing ones. */
   place(control) {
     const host = this.hostOf(control);
     const rank = ({ props, id }) => [props.order ?? Infinity, id];
@@ -108,9 +105,7 @@ class Panel {
     this.changed();
   }
 
-  // -- what the page says ---------------------------------------------------------------------------------------------
-
-  /** The last value of each control, once a picture. */
+  /** Sends the last value of each control once per frame. */
   sayValue(id, value) {
     this.pending.set(id, value);
     this.late.delete(id);
@@ -138,8 +133,6 @@ class Panel {
     return this.send({ say: "file", id, name, text }, MOST_FILE);
   }
 
-  // -- what controls ask for ------------------------------------------------------------------------------------------
-
   recallFolder(folder) {
     return this.folders.get(folder.path());
   }
@@ -158,12 +151,12 @@ class Panel {
     this.changed();
   }
 
-  /** The time line that keys move, where there is one to be seen. */
+  /** The visible timeline for keys, if any. */
   get timeline() {
     return [...this.controls.values()].find((control) => control.kind === "timeline" && !control.element.hidden && !control.props.disabled);
   }
 
-  /** What can be pressed, for the palette: `{ label, group, run }`. */
+  /** Actions for the palette: `{ label, group, run }`. */
   actions() {
     const found = [];
     for (const control of this.controls.values()) {
@@ -188,7 +181,7 @@ class Panel {
   }
 }
 
-/** `colors` names an array: replaced by the array itself. */
+/** Replaces the name in `colors` by the array. */
 function readArrays(op, arrays) {
   return typeof op.colors === "number" ? { ...op, colors: arrays[op.colors] } : { ...op };
 }

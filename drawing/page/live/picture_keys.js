@@ -1,4 +1,4 @@
-/** What lies at the edge of the picture: colour bars and legends. Their room is left free by the scene. */
+/** Color bars and legends at the edge of the image; the scene leaves space for them. */
 class ColorbarControl extends Control {
   build() {
     this.element = make("figure", { class: "colorbar" });
@@ -27,7 +27,7 @@ class ColorbarControl extends Control {
     this.panel.onKeysChanged();
   }
 
-  /** The highest value on top, or at the right where the picture is narrow. */
+  /** The highest value is at the top, or at the right if the image is narrow. */
   paint({ data, rows }) {
     const [upright, level] = this.bars;
     [upright.width, upright.height, level.width, level.height] = [1, rows, rows, 1];

@@ -1,4 +1,4 @@
-/** Buttons, boxes, fields, choices, colours, words, tables, files. */
+/** Buttons, checkboxes, text fields, dropdowns, colors, texts, tables, files. */
 class ButtonControl extends Control {
   build() {
     this.button = make("button", { type: "button", id: this.field, class: "wide" });
@@ -37,7 +37,7 @@ class CheckboxControl extends Control {
   }
 }
 
-const TYPING = 300; // milliseconds without a letter after which a text is told
+const TYPING = 300; // [ms] without typing after which a text is sent
 
 class TextControl extends Control {
   build() {
@@ -56,7 +56,7 @@ class TextControl extends Control {
     if (this.input.value !== this.props.value) this.say(this.input.value);
   }
 
-  /** What somebody is typing is not taken from under their fingers. */
+  /** Keeps unfinished input. */
   update({ value }) {
     if (value !== undefined && !this.timer) this.input.value = value;
   }
@@ -142,7 +142,7 @@ class UploadControl extends Control {
 
   async read() {
     const [file] = this.input.files;
-    this.input.value = ""; // so that the same file may be chosen again
+    this.input.value = ""; // so that the same file can be chosen again
     if (!file) return;
     if (file.size > MOST_FILE) return this.panel.notify("This file is too large", `${file.name}: at most 1 MB can be read here.`);
     try {

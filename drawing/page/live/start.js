@@ -1,7 +1,7 @@
-/** Begins, once all parts are there. */
-// The cell of a notebook opens its frame when the page in it says that it is there (drawing/notebook_output.py).
+/** Starts the page after all parts are loaded. */
+// A notebook cell opens its frame at this message (drawing/notebook_output.py).
 if (parent !== window) parent.postMessage("pointloom", "*");
 const live = new Live();
 live.start();
-// for whoever embeds the page, and for its tests
+// for embedding pages and tests
 window.pointloom = { ready: () => live.ready() };

@@ -1,12 +1,12 @@
 /**
- * Light or dark: as the system says, until somebody switches. The picture's ground follows, where the program left it
- * open; words that lie on the picture follow its ground.
+ * Light or dark theme: that of the system, until switched. The image background follows if the program did not set one;
+ * texts on the image follow its background.
  */
 const DARK_GROUND = [0.075, 0.086, 0.106];
 const THEMES = ["auto", "light", "dark"];
 
 class Theme {
-  /** `ground(rgb)` is called for the picture. */
+  /** `ground(rgb)` is called with the image background. */
   constructor(ground) {
     this.ground = ground;
     this.choice = THEMES.includes(memory.get("theme")) ? memory.get("theme") : "auto";
@@ -20,7 +20,7 @@ class Theme {
     return this.choice === "auto" ? this.system.matches : this.choice === "dark";
   }
 
-  /** To what it is not now; where that is the system's own way, back to following the system. */
+  /** Switches the theme; if the result is the system's theme, follows the system again. */
   toggle() {
     const wanted = this.isDark ? "light" : "dark";
     this.choice = (wanted === "dark") === this.system.matches ? "auto" : wanted;

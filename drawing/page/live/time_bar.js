@@ -1,4 +1,4 @@
-/** The time line in the bar at the bottom: a track, playing, steps, speed. The page plays; the program hears each value. */
+/** Timeline in the bottom bar: track, playback, steps, speed. The page plays and sends each value to the program. */
 const STEPS_A_SECOND = 10;
 
 class TimelineControl extends Control {

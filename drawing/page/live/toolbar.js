@@ -1,4 +1,4 @@
-/** The row of icons at the top: one stop of the Tab key, arrows within; menus open below their icons. */
+/** Row of icons at the top: one tab stop, arrow keys within; menus open below. */
 class Toolbar {
   constructor(root) {
     this.root = root;
@@ -45,7 +45,7 @@ class Toolbar {
   }
 }
 
-/** Choices below an icon; `entries` are `[label, run, isOn?]`, null is a line between them. */
+/** Menu below an icon; `entries` are `[label, run, isOn?]`, null is a separator. */
 class Menu {
   constructor(name, label, entries, { narrow = false } = {}) {
     this.entries = entries;

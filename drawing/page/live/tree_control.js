@@ -1,9 +1,9 @@
-/** The tree of names: a filter, all or none, and of thousands of rows elements for those in sight alone. */
-const TREE_ROW = 28; // pixels; the style says the same
+/** The tree of names: a filter, all or none, and elements only for the rows in view. */
+const TREE_ROW = 28; // [px]; as in the style sheet
 const TREE_ROW_TOUCH = 44;
-const MOST_ROWS = 13; // seen at once
-const SPARE = 6; // rows beyond both edges
-const MOST_KEYS = 48 * 1024; // bytes of the keys in one message
+const MOST_ROWS = 13; // rows visible at once
+const SPARE = 6; // extra rows beyond both edges
+const MOST_KEYS = 48 * 1024; // bytes of keys per message
 
 class TreeControl extends Control {
   build() {
@@ -72,11 +72,11 @@ class TreeControl extends Control {
     this.tell(this.rows.keysToSet(group, visible), visible);
   }
 
-  /** A message holds 64 KiB: thousands of keys go in several. */
+  /** A message is limited to 64 KiB: thousands of keys are sent in several. */
   tell(keys, visible) {
     if (keys.length === 0) return;
     this.rows.set(keys, visible);
-    this.render(); // at once: who listens to the page hears the new state with the press
+    this.render(); // at once: screen readers read the new state with the press
     let [part, size] = [[], 0];
     for (const key of keys) {
       const bytes = 3 * String(key).length + 4;
@@ -131,7 +131,7 @@ class TreeControl extends Control {
     else if (top + this.rowHeight > scrollTop + clientHeight) this.box.scrollTop = top + this.rowHeight - clientHeight;
   }
 
-  /** The elements of the rows in sight, those that are there already used again. */
+  /** Elements of the rows in view; existing ones are reused. */
   render() {
     const seen = this.rows.seen();
     const height = this.rowHeight;

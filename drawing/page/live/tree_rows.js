@@ -1,13 +1,13 @@
 /**
- * The rows of a tree, apart from how they are shown: labels are parted at "/", each part but the last is a group. What
- * is to be seen is one list; it is made anew when rows come and go, and counts are made anew when boxes are ticked.
+ * Rows of a tree without their display: labels are split at "/" into groups. Visible rows are one list, rebuilt when
+ * rows change; counts are rebuilt when checkboxes change.
  */
-const OPEN_UP_TO = 60; // rows in a group that is open at first
+const OPEN_UP_TO = 60; // maximum number of rows of an initially open group
 
 class TreeRows {
   constructor() {
     this.rows = new Map(); // by key: { key, label, visible, color }
-    this.opened = new Map(); // groups by path that somebody opened or closed
+    this.opened = new Map(); // groups by path, opened or closed by the user
     this.filter = "";
     this.root = null;
     this.list = null;
@@ -35,7 +35,7 @@ class TreeRows {
     this.list = null;
   }
 
-  /** The rows that the filter leaves. */
+  /** Rows that pass the filter. */
   matching() {
     const words = this.filter.split(/\s+/).filter(Boolean);
     const rows = [...this.rows.values()];
@@ -53,7 +53,7 @@ class TreeRows {
     this.list = null;
   }
 
-  /** What is seen from top to bottom: `{ depth, name, row }` or `{ depth, name, group }`. */
+  /** Displayed rows from top to bottom: `{ depth, name, row }` or `{ depth, name, group }`. */
   seen() {
     if (this.list) return this.list;
     const root = grow(this.matching());
@@ -73,7 +73,7 @@ class TreeRows {
     return this.list;
   }
 
-  /** Keys of a group whose rows are not as wanted. */
+  /** Keys of a group that differ from the wanted state. */
   keysToSet(group, visible) {
     const keys = [];
     const walk = ({ groups, leaves }) => {
@@ -112,7 +112,7 @@ function grow(rows) {
   return root;
 }
 
-/** How many rows each group holds, and how many of them are shown. */
+/** Number of rows and of visible rows per group. */
 function tally(group) {
   group.total = group.leaves.length;
   group.shown = 0;

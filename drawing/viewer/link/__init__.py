@@ -1,4 +1,4 @@
-"""The link between the program and the pages that look, over a websocket: docs/viewer-protocol.md."""
+"""Websocket connection between the program and its pages: docs/viewer-protocol.md."""
 
 from .camera import CameraState, PageCamera
 from .client import PageClient

@@ -1,4 +1,4 @@
-"""Arrays and numbers as they are sent: checked in the thread that gives them, and never changed afterwards."""
+"""Arrays and numbers for sending: validated in the calling thread and immutable afterwards."""
 
 from __future__ import annotations
 
@@ -14,16 +14,7 @@ SNORM = 32767
 
 
 def kept(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
-    """An array-like as rows of one of some types, that nobody changes: a read-only array itself, else a copy.
-
-    Args:
-        values: Shape [n, *tail].
-        dtypes: Which may stay; others become the first.
-        tail: The shape of a row.
-
-    Raises:
-        ValueError: another shape.
-    """
+    """Rows (n, *tail) of one of `dtypes` (others become the first): a read-only array itself, else a copy."""
     given = np.asarray(values)
     first, *others = map(np.dtype, dtypes)
     array = given if given.dtype in (first, *others) else given.astype(first)
@@ -38,7 +29,7 @@ def kept(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
 
 
 def normals_kept(values: Any) -> NDArray[np.int16]:
-    """Unit normals [n, 3] in 16-bit integers; int16 is taken as it is."""
+    """Unit normals (n, 3) as int16; int16 is returned as is."""
     given = np.asarray(values)
     if given.dtype != np.int16:
         given = np.rint(np.nan_to_num(np.clip(given, -1, 1)) * SNORM).astype(np.int16)
@@ -47,7 +38,7 @@ def normals_kept(values: Any) -> NDArray[np.int16]:
 
 
 def placing(R: Any, t: Any, scale: float) -> list[float]:
-    """Rotation [3, 3] (None: none), translation [3] (None: none) and scale as 12 numbers, rows of 3x4."""
+    """Rotation (3, 3), translation (3,) (None: identity) and scale as 12 numbers, rows of 3x4."""
     pose = np.zeros((3, 4))
     pose[:, :3] = np.eye(3) if R is None else check_finite("R", check_shape("R", R, (3, 3)))
     pose[:, :3] *= check_number("scale", scale)
@@ -57,11 +48,9 @@ def placing(R: Any, t: Any, scale: float) -> list[float]:
 
 
 def triple(name: str, values: Any) -> list[float]:
-    """Three finite numbers."""
     return check_finite(name, check_shape(name, values, (3,))).tolist()
 
 
 def color(name: str, values: Any) -> list[int]:
-    """Red, green and blue, 0 to 255."""
     numbers = check_shape(name, values, (3,))
     return np.clip(np.rint(check_finite(name, numbers)), 0, 255).astype(int).tolist()

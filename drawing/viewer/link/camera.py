@@ -1,4 +1,4 @@
-"""The camera of a page: `PageCamera`, and as it was at one time, `CameraState`."""
+"""The camera of a page (`PageCamera`) and its immutable state (`CameraState`)."""
 
 from __future__ import annotations
 
@@ -16,22 +16,16 @@ from .delivery import Channel
 
 FARTHEST = 1e12
 MOST_PIXELS = 16384
-LEAST_ANGLE = 1e-4  # that a field of view differs from 0 and from pi [rad]: its tangent is a divisor
-ORTHONORMAL = 1e-3  # that |R R^T - 1| of what a page says may be
+LEAST_ANGLE = 1e-4  # [rad] minimum distance of the field of view from 0 and pi: its tangent is a divisor
+ORTHONORMAL = 1e-3  # limit of |R R^T - 1| for a reported rotation
 _NUMBERS = ("near", "far", "closest", "farthest")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class CameraState:
-    """Where a page looks from, in its coordinates.
+    """Camera in page coordinates, with image `size` [px] and center of rotation `pivot`.
 
-    Attributes:
-        position: Shape [3].
-        rotation: From the camera (x right, y down, z forward) to the page, orthonormal [3, 3].
-        fov: Of the picture's height [rad].
-        size: Width and height of the picture [px].
-        pivot: What it turns about [3].
-        orthographic: Whether lines of sight are parallel.
+    `rotation` (3, 3) is camera (x right, y down, z forward) to page, `fov` the vertical field of view [rad].
     """
 
     position: NDArray[np.float64]
@@ -46,7 +40,7 @@ FIRST = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.arr
 
 
 def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
-    """The rotation that a matrix [3, 3] is up to rounding; None for one that is none."""
+    """The rotation closest to a matrix (3, 3) with rounding errors; None if it is no rotation."""
     values = np.asarray(matrix, np.float64)
     if not (np.isfinite(values).all() and np.abs(values).max() < 2):
         return None
@@ -57,15 +51,7 @@ def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
 
 
 class PageCamera:
-    """The camera of a page: the last that it said, or that it was put to.
-
-    Args:
-        channel: The way to the page.
-        state: Where it begins.
-
-    Attributes:
-        state: All of it at one time, which nothing changes.
-    """
+    """The camera of a page: the last one it reported or was set to, as an immutable `state`."""
 
     def __init__(self, channel: Channel, state: CameraState = FIRST):
         self._channel, self.state = channel, state
@@ -73,44 +59,33 @@ class PageCamera:
 
     @property
     def position(self) -> NDArray[np.float64]:
-        """Shape [3]."""
         return self.state.position
 
     @property
     def rotation(self) -> NDArray[np.float64]:
-        """From the camera to the page, shape [3, 3]."""
         return self.state.rotation
 
     @property
     def fov(self) -> float:
-        """Of the picture's height [rad]."""
         return self.state.fov
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height of the picture [px]."""
         return self.state.size
 
     @property
     def pivot(self) -> NDArray[np.float64]:
-        """What it turns about, shape [3]."""
         return self.state.pivot
 
     @property
     def orthographic(self) -> bool:
-        """Whether lines of sight are parallel."""
         return self.state.orthographic
 
     def put(self, **fields: Any) -> None:
-        """Move it; what is not given stays, and what is given is sent even where it is so already.
+        """Set fields of the camera; given fields are sent even if unchanged. Raises ValueError or TypeError.
 
-        Args:
-            fields: `position`, `pivot`, `up` [3]; `rotation` [3, 3] from the camera to the page; `fov` [rad]; `near`,
-                `far`, and the distances `closest` and `farthest` that its wheel goes to; `orthographic`.
-
-        Raises:
-            ValueError: a number or shape that is no camera's.
-            TypeError: another name.
+        Fields: `position`, `pivot`, `up`, `rotation` from camera to page, `fov` [rad], `near`, `far`, zoom limits
+        `closest` and `farthest`, `orthographic`.
         """
         sent = camera_fields(fields)
         with self._channel.delivery.lock:
@@ -118,17 +93,15 @@ class PageCamera:
             self._channel.send({"op": "camera", **sent})
 
     def on_update(self, callback: Callable[[PageCamera], Any]) -> Callable[[PageCamera], Any]:
-        """Call back when the page has moved it; of several moves that wait, once."""
+        """Add a callback for moves by the page; waiting moves are merged."""
         self._on_update.append(callback)
         return callback
 
     def update_callbacks(self) -> tuple[Callable[[PageCamera], Any], ...]:
-        """Who is called."""
         return tuple(self._on_update)
 
 
 def camera_fields(fields: dict[str, Any]) -> dict[str, Any]:
-    """What a camera is put to, as it is sent."""
     sent: dict[str, Any] = {}
     for name, value in fields.items():
         if value is None:
@@ -156,7 +129,6 @@ def camera_fields(fields: dict[str, Any]) -> dict[str, Any]:
 
 
 def moved(state: CameraState, sent: dict[str, Any]) -> CameraState:
-    """The camera after it was sent that."""
     changed: dict[str, Any] = {name: np.array(sent[name]) for name in ("position", "pivot") if name in sent}
     if "rotation" in sent:
         changed["rotation"] = np.array(sent["rotation"]).reshape(3, 3)

@@ -1,4 +1,4 @@
-"""A page that looks: `PageClient`, and the thread in which its callbacks run: `Worker`."""
+"""A connected page (`PageClient`) and the thread of its callbacks (`Worker`)."""
 
 from __future__ import annotations
 
@@ -17,17 +17,13 @@ from .gui import Gui
 from .scene import ClickEvent, Scene
 from .wire import camera_of
 
-MOST_WAITING = 64  # callbacks of one page; what comes while so many wait is dropped
+MOST_WAITING = 64  # callbacks per page; more are dropped
 
 log = logging.getLogger("pointloom.viewer")
 
 
 class Worker:
-    """Runs callbacks one after the other in a thread that it starts with the first; what they raise is logged.
-
-    Args:
-        name: Of the thread.
-    """
+    """Runs callbacks in order in its own thread, started by the first one; exceptions are logged."""
 
     def __init__(self, name: str):
         self._name = name
@@ -38,16 +34,9 @@ class Worker:
         self._ended = False
 
     def run(self, callback: Callable[..., Any], *arguments: Any, about: Hashable = None, always: bool = False) -> bool:
-        """Have a callback called.
+        """Queue a callback. False if it was dropped because too many wait, unless `always`.
 
-        Args:
-            callback: The callback.
-            arguments: Of its call.
-            about: What it tells of: a callback about the same that still waits is not called, this one is in its turn.
-            always: Whether it is called however many wait.
-
-        Returns:
-            Whether it will be called.
+        A waiting callback of the same key `about` is replaced.
         """
         with self._lock:
             key: Hashable = object() if about is None else (id(callback), about)
@@ -61,7 +50,7 @@ class Worker:
             return True
 
     def end(self) -> None:
-        """Take no more; the thread ends when those that wait were called."""
+        """Accept no more callbacks; the thread ends after the waiting ones."""
         with self._lock:
             self._ended = True
             self._wake.notify()
@@ -86,22 +75,9 @@ class Worker:
 
 
 class PageClient:
-    """A page from when it connects until it goes; one that connects again is another.
+    """A page while it is connected; a reconnected page is a new client. No method raises because the page has gone.
 
-    Nothing here raises because the page has gone.
-
-    Args:
-        channel: The way to it alone.
-        client_id: Its number.
-        first: Where its camera begins.
-        shared: The scene and the panel of all pages.
-
-    Attributes:
-        client_id: Its number.
-        scene: What it alone draws.
-        gui: What it alone has in its panel.
-        camera: Where it looks from.
-        is_open: Whether it is still connected.
+    It has its own scene, panel (`gui`) and camera.
     """
 
     def __init__(self, channel: Channel, client_id: int, first: CameraState, shared: tuple[Scene, Gui]):
@@ -114,33 +90,28 @@ class PageClient:
         self._signs = itertools.count(1)
 
     def atomic(self) -> contextlib.AbstractContextManager[None]:
-        """Have the page apply together what this thread does within; may be nested."""
+        """Context in which this thread's changes are applied together; may be nested."""
         return self._channel.delivery.atomic()
 
     def notify(self, title: str, text: str, seconds: float = 8.0, error: bool = False) -> None:
-        """Show a notice for some seconds."""
         kind = "error" if error else "note"
         op = {"op": "notify", "title": str(title), "text": str(text), "seconds": float(seconds), "kind": kind}
         self._channel.send(op)
 
     def download(self, name: str, content: bytes, mime: str = "application/octet-stream") -> None:
-        """Have the page save a file under that name, where its browser puts downloads."""
         data = np.frombuffer(bytes(content), np.uint8)[:, None]
         self._channel.send({"op": "download", "name": str(name), "mime": str(mime), "data": data})
 
     def ask_for_sign(self) -> None:
-        """Have the page say when it has drawn all that it was sent before; of several, the last counts."""
+        """Request a signal from the page after it has drawn everything sent before; the last request counts."""
         self._channel.send({"op": "sign", "n": next(self._signs)})
 
     def on_sign(self, callback: Callable[[PageClient], Any]) -> Callable[[PageClient], Any]:
-        """Call back with each sign."""
         self._on_sign.append(callback)
         return callback
 
-    # -- what the page says, in the server's thread -------------------------------------------------------------------
-
     def take(self, said: dict[str, Any]) -> None:
-        """Act on a checked message: nothing here waits or runs a callback."""
+        """Handle a checked message; never blocks or runs a callback."""
         handler = getattr(self, f"_take_{said['say']}", None)
         if handler is None:
             return

@@ -1,4 +1,4 @@
-"""Handles of what stands in the panel: `Handle` and its kinds."""
+"""Handles of panel controls: `Handle` and its subclasses."""
 
 from __future__ import annotations
 
@@ -20,12 +20,7 @@ Check = Callable[[Any], Any]
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PanelEvent:
-    """What a page did to a control.
-
-    Attributes:
-        client_id: Of which page.
-        value: What it was set to, or the `UploadedFile`; None of a button.
-    """
+    """A change of a control by page `client_id`; `value` is the new value or `UploadedFile`, None for a button."""
 
     client_id: int
     value: Any = None
@@ -33,40 +28,29 @@ class PanelEvent:
 
 @dataclasses.dataclass(frozen=True)
 class UploadedFile:
-    """A file that a page brings.
-
-    Attributes:
-        name: As the page says it: nothing to open a path by.
-        text: What is in it.
-    """
+    """A text file from a page; `name` is untrusted and must not be used as a path."""
 
     name: str
     text: str
 
     @property
     def content(self) -> bytes:
-        """The text in UTF-8."""
         return self.text.encode()
 
 
 def equal(a: Any, b: Any) -> bool:
-    """Whether two values of a field are the same, arrays as well."""
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         return isinstance(a, np.ndarray) and isinstance(b, np.ndarray) and a.dtype == b.dtype and np.array_equal(a, b)
     return type(a) is type(b) and a == b
 
 
 class Handle:
-    """Something in the panel. Its fields are set by assignment; what is equal already is not sent.
+    """A panel element. Its fields are set by assignment; unchanged values are not sent.
 
-    One that was removed, or whose page has gone, does nothing more.
-
-    Attributes:
-        id: Its number.
-        kind: As the page calls it.
+    Calls after removal, or after its page was closed, have no effect.
     """
 
-    # Fields beside `label`, `visible`, `disabled`, `hint`, `order`, each with what checks it.
+    # Fields besides `label`, `visible`, `disabled`, `hint`, `order`, with their checks.
     FIELDS: ClassVar[dict[str, Check]] = {}
     _COMMON: ClassVar[dict[str, Check]] = {
         **{"label": lambda label: None if label is None else str(label), "visible": bool, "disabled": bool},
@@ -80,7 +64,6 @@ class Handle:
 
     @property
     def channel(self) -> Channel:
-        """The way to the pages."""
         return self._gui.channel
 
     def __getattr__(self, name: str) -> Any:
@@ -99,20 +82,19 @@ class Handle:
         self._change(name, check(value))
 
     def remove(self) -> None:
-        """Take it out of the panel, with all that lies in it; twice is no error."""
+        """Remove the element and its children. A second call has no effect."""
         if not self._removed:
             self._gui.forget(self)
 
     def first_op(self) -> dict[str, Any]:
-        """The fields by which the page makes it."""
         return {name: sent(value) for name, value in self._state.items()}
 
     def pressed(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """The callbacks of a press by a page, each with its event."""
+        """Callbacks for a press, each with its event."""
         return []
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """What a page set it to; `ValueError` for what is no value of it."""
+        """Apply a value from a page; raises ValueError if invalid. Returns the callbacks."""
         raise ValueError(f"a {self.kind} has no value that a page sets")
 
     def _change(self, name: str, value: Any, *, but: Channel | None = None) -> None:
@@ -130,12 +112,12 @@ class Handle:
 
 
 def sent(value: Any) -> Any:
-    """A field as it is sent: tuples are lists there."""
+    """A field as sent: tuples become lists."""
     return [sent(one) for one in value] if isinstance(value, tuple) else value
 
 
 class Folder(Handle):
-    """A part of the panel; a context manager: what is added within lies in it."""
+    """A folder of the panel; as context manager, it becomes the parent of new elements."""
 
     FIELDS: ClassVar[dict[str, Check]] = {"open": bool}
 
@@ -148,7 +130,7 @@ class Folder(Handle):
 
 
 class Shown(Handle):
-    """A control that shows something and is not set by pages; its value is of a kind that `check` knows."""
+    """A read-only control; `check` validates its value."""
 
     def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         self.__dict__["FIELDS"] = checks
@@ -156,23 +138,19 @@ class Shown(Handle):
 
 
 class Input(Shown):
-    """A control whose value pages set.
-
-    Attributes:
-        value: As the program or a page set it last.
-    """
+    """A control whose `value` is set by pages or the program."""
 
     def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         super().__init__(gui, kind, fields, checks)
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
 
     def on_update(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
-        """Call back when a page has set the value; not when the program does."""
+        """Add a callback for changes by pages, not by the program."""
         self._callbacks.append(callback)
         return callback
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """Take what a page says, show it to the others."""
+        """Apply a value from a page and send it to the other pages."""
         with self.channel.delivery.lock:
             low, high = self._limits()
             new = control_value(value, self._state["value"], low=low, high=high, options=self._state.get("options"))
@@ -188,37 +166,32 @@ class Input(Shown):
 
 
 class Button(Handle):
-    """Something to press."""
-
     def __init__(self, gui: Gui, kind: str, fields: dict[str, Any], checks: dict[str, Check]):
         self.__dict__["FIELDS"] = checks
         super().__init__(gui, kind, fields)
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
 
     def on_click(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
-        """Call back when a page has pressed it."""
         self._callbacks.append(callback)
         return callback
 
     def pressed(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """Take a press."""
         if self._state.get("disabled") or self.kind == "upload":
             return []
         return [(callback, PanelEvent(client_id)) for callback in self._callbacks]
 
 
 class Upload(Button):
-    """A button by which pages bring text files of up to 1 MiB."""
+    """A button for uploading text files of up to 1 MiB."""
 
     on_click: Any = None
 
     def on_upload(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
-        """Call back with each file: `event.value` is an `UploadedFile`."""
+        """Add a callback for files: `event.value` is an `UploadedFile`."""
         self._callbacks.append(callback)
         return callback
 
     def brought(self, client_id: int, name: str, text: str) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """Take a file."""
         if self._state.get("disabled"):
             return []
         file = UploadedFile(name, text)
@@ -226,7 +199,7 @@ class Upload(Button):
 
 
 class Tree(Handle):
-    """A list of names that are shown or hidden, grouped by the slashes in them."""
+    """A list of names with visibility, grouped by slashes."""
 
     def __init__(self, gui: Gui, fields: dict[str, Any], on_change: Callable[[int, tuple[str, ...], bool], Any] | None):
         super().__init__(gui, "tree", fields)
@@ -235,12 +208,10 @@ class Tree(Handle):
 
     @property
     def value(self) -> dict[str, bool]:
-        """Which keys are shown."""
         with self.channel.delivery.lock:
             return {key: row[1] for key, row in self._rows.items()}
 
     def put(self, key: str, label: str, visible: bool, color: Any = None) -> None:
-        """Add a row, or change one."""
         row = [str(label), bool(visible), None if color is None else [int(part) for part in color]]
         with self.channel.delivery.lock:
             if self._rows.get(key) != row and not self._removed:
@@ -248,13 +219,12 @@ class Tree(Handle):
                 self._send({key: row}, {})
 
     def drop(self, key: str) -> None:
-        """Take a row out; one that is not there is no error."""
         with self.channel.delivery.lock:
             if self._rows.pop(key, None) is not None and not self._removed:
                 self._send({}, {key: None})
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], Any]]:
-        """A page shows or hides rows: `[[key, ...], visible]`; keys that went meanwhile are passed over."""
+        """Apply `[[key, ...], visible]` from a page; unknown keys are ignored."""
         if not isinstance(value, list) or len(value) != 2 or not isinstance(value[1], bool):
             raise ValueError(f"expected [[key, ...], visible], got {value!r:.80}")
         keys, visible = value
@@ -278,7 +248,7 @@ class Tree(Handle):
 
 
 class Command:
-    """What a key or the palette starts; `Gui.add_command` makes it."""
+    """An action for a key or the palette, created by `Gui.add_command`."""
 
     kind = "command"
 
@@ -289,16 +259,14 @@ class Command:
         self._callbacks: list[Callable[[PanelEvent], Any]] = []
 
     def on_trigger(self, callback: Callable[[PanelEvent], Any]) -> Callable[[PanelEvent], Any]:
-        """Call back when a page has started it."""
         self._callbacks.append(callback)
         return callback
 
     def triggered(self, client_id: int) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """Take that a page started it."""
         return [(callback, PanelEvent(client_id)) for callback in self._callbacks]
 
     def remove(self) -> None:
-        """Take it out of keys and palette; twice is no error."""
+        """Remove the key and the palette entry. A second call has no effect."""
         if not self._removed:
             self._gui.forget_command(self)
 
@@ -307,5 +275,5 @@ _orders = itertools.count(1)
 
 
 def next_order() -> float:
-    """The place of what is added without one: below all that was added before."""
+    """Order of a new element: below all earlier ones."""
     return float(next(_orders)) * 1e-3 + 1000

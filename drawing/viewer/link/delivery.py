@@ -1,7 +1,7 @@
-"""How operations reach pages: `Delivery`, and `Channel`, the way to all pages or to one.
+"""Delivery of operations to pages: `Delivery`, and `Channel` to all pages or one.
 
-An operation that waits in the `Outbox` of a page is brought up to date by a newer one about the same thing. So a page
-that reads slowly waits for no more than the scene itself, however often that changes.
+A newer operation about the same object replaces or updates one that still waits in the `Outbox` of a page. So a slow
+page never queues more than the scene itself.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from .packing import Op, bytes_of
 CREATE = {"node": "node", "control": "control"}
 CHANGE = {"set": "node", "setcontrol": "control"}
 DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
-# One of each: the newest counts. Those that are kept are told to pages that come later.
+# Singletons: the newest counts. Kept ones are sent to new pages.
 KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
 NEWEST = KEPT | {"sign", "end"}
-MESSAGE_BYTES = 8 << 20  # small batches that wait are sent as one message of about so much
-MOST_NOTICES = 64  # that wait for a page
-# Threads whose batches overlap without end would keep everything from the pages: they wait for so long at most [s].
+MESSAGE_BYTES = 8 << 20  # target size of a message of several batches
+MOST_NOTICES = 64  # waiting notices per page
+# [s] Limit for overlapping batches of several threads, which would otherwise delay pages forever.
 LONGEST_BATCH = 1.0
 
 Key = tuple[str, int]
@@ -31,7 +31,6 @@ _events = itertools.count()
 
 
 def key_of(op: Op) -> Key:
-    """What an operation is about."""
     name = op["op"]
     kind = CREATE.get(name) or CHANGE.get(name)
     if kind is not None or name in ("rows", "command"):
@@ -42,7 +41,7 @@ def key_of(op: Op) -> Key:
 
 
 def merge(op: Op, newer: Op) -> None:
-    """Bring an operation that waits up to date by a later one about the same thing."""
+    """Update a waiting operation by a later one with the same key."""
     if newer["op"] == "rows":
         _merge_rows(op, newer)
     else:
@@ -50,7 +49,7 @@ def merge(op: Op, newer: Op) -> None:
 
 
 def _merge_rows(rows: Op, newer: Op) -> None:
-    """`put` is a mapping by the keys of rows here, `drop` one whose values say nothing, for the order."""
+    """Merge changes of table rows; `put` is a mapping by row key here, `drop` one without values (ordered set)."""
     for key in newer["drop"]:
         rows["put"].pop(key, None)
         rows["drop"][key] = None
@@ -60,28 +59,23 @@ def _merge_rows(rows: Op, newer: Op) -> None:
 
 
 def copied(op: Op) -> Op:
-    """A copy that may be brought up to date by itself; arrays are shared."""
+    """A copy that can be updated; arrays are shared."""
     return {**op, "put": dict(op["put"]), "drop": dict(op["drop"])} if op["op"] == "rows" else dict(op)
 
 
 def as_sent(op: Op) -> Op:
-    """An operation as the page reads it."""
     if op["op"] != "rows":
         return op
     return {**op, "put": [[key, *row] for key, row in op["put"].items()], "drop": list(op["drop"])}
 
 
 class Outbox:
-    """The operations that wait for one page, in the order of their coming. Its owner holds the lock of the `Delivery`.
-
-    Attributes:
-        own_bytes: Of what waits for this page alone: nobody else holds that memory.
-    """
+    """Operations that wait for one page, in order; protected by the lock of the `Delivery`."""
 
     def __init__(self) -> None:
         self.own_bytes = 0
-        self._waiting: dict[Key, tuple[Op, int, int]] = {}  # with the batch's number and the bytes of its own
-        # Batches from .. to go in one message: what the first of them held was brought up to date by the last.
+        self._waiting: dict[Key, tuple[Op, int, int]] = {}  # with batch number and own bytes
+        # Range of batches to send in one message, because the last one updated an operation of the first.
         self._joined = (0, -1)
         self._notices: list[Key] = []
 
@@ -89,13 +83,9 @@ class Outbox:
         return bool(self._waiting)
 
     def put(self, op: Op, batch: int, *, own: bool, gone: Iterable[int] = ()) -> None:
-        """Add an operation.
+        """Add a copy of an operation of a batch (ascending numbers).
 
-        Args:
-            op: It stays as it is: what waits is a copy.
-            batch: The number of its batch, never smaller than the one before.
-            own: Whether it is for this page alone.
-            gone: Of an operation that drops something, the numbers of all that goes with it.
+        `own`: for this page only. `gone`: all objects that a drop operation removes.
         """
         if op["op"] in DROP and not self._drop(op, gone):
             return
@@ -121,11 +111,7 @@ class Outbox:
                 self._forget(self._notices.pop(0))
 
     def take(self, before: float = math.inf) -> list[Op]:
-        """The oldest operations, whole batches of them, as many as make a good message.
-
-        Args:
-            before: The number of a batch that is not complete yet; it stays, with all that came after.
-        """
+        """Remove the oldest complete batches before batch `before`, as many as make one message."""
         taken: list[Op] = []
         size, last = 0, -1
         first, end = self._joined
@@ -143,7 +129,7 @@ class Outbox:
         return taken
 
     def _drop(self, op: Op, gone: Iterable[int]) -> bool:
-        """Forget what waits about things that go; whether the page knows of them at all."""
+        """Remove waiting operations of dropped objects. True if the page knows any of them."""
         kind = DROP[op["op"]]
         waiting = self._waiting.get((kind, op["id"]))
         for number in gone:
@@ -158,17 +144,17 @@ class Outbox:
 
 
 class Shown:
-    """What all pages see, as the operations that show it to one more. Its owner holds the lock of the `Delivery`."""
+    """State of all pages as operations for new pages; protected by the lock of the `Delivery`."""
 
     def __init__(self) -> None:
         self._ops: dict[Key, Op] = {}
 
     def holds(self, op: Op) -> bool:
-        """Whether an operation of which there is one of each says what was said last."""
+        """True if a singleton operation is equal to the last one."""
         return op["op"] in KEPT and self._ops.get(key_of(op)) == op
 
     def put(self, op: Op, gone: Iterable[int]) -> None:
-        """Note an operation that all pages get; those that show nothing lasting are passed over."""
+        """Record a shared operation; transient ones are ignored."""
         name = op["op"]
         if name in DROP:
             for number in gone:
@@ -182,7 +168,7 @@ class Shown:
             self._ops[key] = copied(op)
 
     def batches(self) -> list[list[Op]]:
-        """All of it, parents before what is in them, in batches of a moderate size."""
+        """The complete state, parents first, in batches of moderate size."""
         batches: list[list[Op]] = [[{"op": "clear"}]]
         size = 0
         for op in self._ops.values():
@@ -195,13 +181,9 @@ class Shown:
 
 
 class Delivery:
-    """Takes operations from any thread, keeps what all pages see, and fills the outboxes of pages.
+    """Takes operations from any thread, records the shared state and fills the outboxes of pages.
 
-    Nothing here waits for a page: an operation is noted, and the thread of the server sends it.
-
-    Attributes:
-        lock: Held for moments: around what is shown and what waits.
-        closed: Whether everything is passed over.
+    No call waits for a page; the server's thread sends. `lock` protects state and outboxes and is held briefly.
     """
 
     def __init__(self) -> None:
@@ -210,17 +192,16 @@ class Delivery:
         self._numbers = itertools.count(1)
         self._shown = Shown()
         self._outboxes: dict[Channel, tuple[Outbox, Callable[[], None]]] = {}
-        self._batch = 0  # What is sent while batches of several threads overlap is one batch.
+        self._batch = 0  # overlapping batches of several threads share one number
         self._open = 0
         self._opened = 0.0
 
     def number(self) -> int:
-        """A number that no other node or control has."""
         return next(self._numbers)
 
     @contextlib.contextmanager
     def atomic(self) -> Iterator[None]:
-        """Have pages apply together what is done within; may be nested, and overlap with others."""
+        """Batch operations, so that pages apply them together; batches may be nested and overlap between threads."""
         with self.lock:
             if self._open == 0:
                 self._batch += 1
@@ -228,7 +209,7 @@ class Delivery:
             self._open += 1
         try:
             yield
-        finally:  # what was done is done, whatever was raised then
+        finally:  # completed changes are sent even after an exception
             with self.lock:
                 self._open -= 1
                 for outbox, wake in self._outboxes.values():
@@ -236,7 +217,7 @@ class Delivery:
                         wake()
 
     def send(self, channel: Channel, op: Op, gone: Iterable[int] = ()) -> None:
-        """Note an operation; of one that drops something, with the numbers of all that goes."""
+        """Queue an operation; `gone` are all objects that a drop operation removes."""
         with self.lock:
             if self.closed or (channel.is_shared and self._shown.holds(op)):
                 return
@@ -252,17 +233,12 @@ class Delivery:
                         wake()
 
     def keep(self, op: Op) -> None:
-        """Note an operation for pages that come later alone."""
+        """Record an operation for future pages only."""
         with self.lock:
             self._shown.put(op, ())
 
     def join(self, channel: Channel, wake: Callable[[], None]) -> Outbox:
-        """A page that comes: its outbox, filled with what all pages see.
-
-        Args:
-            channel: The way to it.
-            wake: Called, from any thread, whenever something waits for it.
-        """
+        """Outbox of a new page with the shared state; `wake` is called from any thread when something waits."""
         outbox = Outbox()
         with self.lock:
             for batch in self._shown.batches():
@@ -274,19 +250,18 @@ class Delivery:
         return outbox
 
     def take(self, outbox: Outbox) -> tuple[list[Op], bool]:
-        """What is to be sent to a page now, and whether more waits for threads that are in the midst of a batch."""
+        """Operations to send to a page now, and whether more wait for open batches."""
         with self.lock:
             is_whole = self._open == 0 or time.monotonic() - self._opened > LONGEST_BATCH
             ops = outbox.take(math.inf if is_whole else self._batch)
             return ops, bool(outbox)
 
     def leave(self, channel: Channel) -> None:
-        """A page has gone."""
         with self.lock:
             self._outboxes.pop(channel, None)
 
     def close(self) -> None:
-        """Let go of everything; what comes later is passed over."""
+        """Free everything and ignore later operations."""
         with self.lock:
             self.closed = True
             self._shown = Shown()
@@ -294,12 +269,7 @@ class Delivery:
 
 
 class Channel:
-    """The way to all pages, or to one.
-
-    Args:
-        delivery: What it goes by.
-        is_shared: Whether to all pages, those that come later as well.
-    """
+    """Sends operations to all pages (current and future), or to one."""
 
     but: Channel | None = None
 
@@ -309,7 +279,6 @@ class Channel:
         self._parents: dict[int, int] = {}
 
     def create(self, op: Op) -> None:
-        """Send an operation that makes a node or a control."""
         assert op["op"] in CREATE
         with self.delivery.lock:
             self._children.setdefault(op["parent"], {})[op["id"]] = None
@@ -317,7 +286,7 @@ class Channel:
             self.send(op)
 
     def drop(self, name: str, number: int) -> list[int]:
-        """Send that something goes; the numbers of all that goes with it, itself first."""
+        """Send the removal of an object. Returns the numbers of all removed objects, itself first."""
         assert name in DROP
         with self.delivery.lock:
             gone = [number]
@@ -330,11 +299,10 @@ class Channel:
         return gone
 
     def send(self, op: Op) -> None:
-        """Send another operation."""
         self.delivery.send(self, op)
 
     def send_but_to(self, page: Channel, op: Op) -> None:
-        """Send an operation to all pages but one, which said it."""
+        """Send an operation to all pages except the one it came from."""
         self.delivery.send(_AllBut(self, page), op)
 
 

@@ -15,12 +15,9 @@ from .delivery import Channel
 
 
 class Gui:
-    """Controls of the panel. All `add_*` take `order`, `visible`, `disabled` and `hint` as well.
+    """Controls of the panel. All `add_*` methods also take `order`, `visible`, `disabled` and `hint`.
 
-    A value that a page sets in the panel of all is shown to the others; the panel of one page is its own.
-
-    Args:
-        channel: The way to the pages.
+    Values in the shared panel are synchronized between pages; the panel of one page is its own.
     """
 
     def __init__(self, channel: Channel):
@@ -31,26 +28,23 @@ class Gui:
     def add_folder(
         self, label: str | None, *, order: float | None = None, open: bool = True, visible: bool = True
     ) -> Folder:
-        """A part of the panel, to be used as a context manager; without a label only what lies in it is seen."""
+        """Add a folder, used as a context manager; without a label only its content is visible."""
         return self._add(Folder(self, "folder", _fields(label, {"open": open, "visible": visible}, order=order)))
 
     def add_button(self, label: str, *, color: str | None = None, **common: Any) -> Button:
-        """A button; `color` as CSS says it."""
+        """Add a button; `color` is a CSS color."""
         checks: dict[str, Check] = {"color": _text_or_none}
         return self._add(Button(self, "button", _fields(label, {"color": color}, **common), checks))
 
     def add_checkbox(self, label: str, value: bool, **common: Any) -> Input:
-        """A switch."""
         return self._input("checkbox", label, {"value": value}, {"value": bool}, common)
 
     def add_slider(self, label: str, min: float, max: float, step: float, value: float, **common: Any) -> Input:
-        """A number to slide, brought within its ends."""
         return self._input("slider", label, {"min": min, "max": max, "step": step, "value": value}, _SCALE, common)
 
     def add_range(
         self, label: str, min: float, max: float, step: float, value: tuple[float, float], **common: Any
     ) -> Input:
-        """Two numbers to slide, low and high."""
         fields = {"min": min, "max": max, "step": step, "value": value}
         return self._input("range", label, fields, {**_SCALE, "value": _pair}, common)
 
@@ -65,57 +59,56 @@ class Gui:
         max: float | None = None,
         **common: Any,
     ) -> Input:
-        """A number to write; a whole one stays whole."""
+        """Add a number field; integers stay integers."""
         fields = {"step": step, "precision": precision, "min": min, "max": max, "value": value}
         checks = {**dict.fromkeys(fields, _number_or_none), "value": _number_as_it_is}
         return self._input("number", label, fields, checks, common)
 
     def add_text(self, label: str, value: str, **common: Any) -> Input:
-        """A line to write."""
         return self._input("text", label, {"value": value}, {"value": str}, common)
 
     def add_dropdown(self, label: str, options: Sequence[str], value: str | None = None, **common: Any) -> Input:
-        """One of several words; the first unless `value` says another."""
+        """Add a dropdown list; the default is the first option."""
         words = _words(options)
         fields = {"options": words, "value": words[0] if value is None else value}
         return self._input("dropdown", label, fields, {"options": _words, "value": str}, common)
 
     def add_rgb(self, label: str, value: Any, **common: Any) -> Input:
-        """A colour, 0 to 255 each."""
+        """Add a color field, 0 to 255."""
         return self._input("rgb", label, {"value": value}, {"value": _rgb}, common)
 
     def add_words(self, text: str, **common: Any) -> Shown:
-        """Plain text, its line breaks kept; its `value` is set by assignment."""
+        """Add plain text with line breaks; its `value` is assignable."""
         return self._shown("words", None, {"value": text}, {"value": str}, common)
 
     def add_table(self, rows: Any, **common: Any) -> Shown:
-        """Rows of a label and a text; a mapping or pairs."""
+        """Add rows of label and text, as a mapping or pairs."""
         return self._shown("table", None, {"value": rows}, {"value": _rows}, common)
 
     def add_upload_button(self, label: str, accept: str = "application/json", **common: Any) -> Upload:
-        """A button that brings a text file of up to 1 MiB; `accept` as HTML says it."""
+        """Add a button for uploading a text file of up to 1 MiB; `accept` as in HTML."""
         return self._add(Upload(self, "upload", _fields(label, {"accept": accept}, **common), {"accept": str}))
 
     def add_colorbar(self, title: str, ticks: Any, colors: Any, **common: Any) -> Shown:
-        """A colour bar beside the picture: ticks are pairs of a share 0 to 1 and a text, colors uint8 [256, 3]."""
+        """Add a color bar beside the image: ticks are pairs of a fraction and a text, colors uint8 (256, 3)."""
         fields = {"title": title, "ticks": ticks, "colors": colors}
         return self._shown("colorbar", None, fields, {"title": str, "ticks": _ticks, "colors": _ramp}, common)
 
     def add_legend(self, entries: Any, **common: Any) -> Shown:
-        """What colours mean: rows of a label, a colour (0 to 255 each) and a text."""
+        """Add a legend: rows of label, color (0 to 255) and text."""
         return self._shown("legend", None, {"entries": entries}, {"entries": _entries}, common)
 
     def add_tree(self, on_change: Callable[[int, tuple[str, ...], bool], Any] | None = None, **common: Any) -> Tree:
-        """Names to show and hide; `on_change(client_id, keys, visible)` when a page does."""
+        """Add a visibility tree; `on_change(client_id, keys, visible)` is called for changes by pages."""
         return self._add(Tree(self, _fields(None, {}, **common), on_change))
 
     def add_timeline(self, min: float, max: float, step: float, value: float, **common: Any) -> Input:
-        """A slider in the bar at the bottom, that can play; `playing` is set by assignment."""
+        """Add a timeline with playback at the bottom; `playing` is assignable."""
         fields = {"min": min, "max": max, "step": step, "value": value, "playing": False}
         return self._input("timeline", None, fields, {**_SCALE, "playing": bool}, common)
 
     def add_command(self, label: str, hotkey: str | None = None, *, group: str = "") -> Command:
-        """What a key or the palette starts: `hotkey` is a letter or a name such as "escape"."""
+        """Add an action for a key and the palette: `hotkey` is a letter or a name such as "escape"."""
         command = Command(self, str(label), hotkey, str(group))
         with self.channel.delivery.lock:
             self._handles[command.id] = command
@@ -123,18 +116,15 @@ class Gui:
             self.channel.send(op)
         return command
 
-    # -- for handles and pages ----------------------------------------------------------------------------------------
-
     def enter(self, folder: Folder) -> None:
-        """What this thread adds from now on lies in the folder."""
+        """Make a folder the parent of this thread's new controls."""
         self._folders().append(folder)
 
     def leave(self) -> None:
-        """It lies where it lay before."""
         self._folders().pop()
 
     def forget(self, handle: Handle) -> None:
-        """Take a control out, with all that lies in it."""
+        """Remove a control and its children."""
         with self.channel.delivery.lock:
             for number in self.channel.drop("dropcontrol", handle.id):
                 gone: Any = self._handles.pop(number, None)
@@ -142,14 +132,12 @@ class Gui:
                     gone._removed = True
 
     def forget_command(self, command: Command) -> None:
-        """Take a command out."""
         with self.channel.delivery.lock:
             command._removed = True
             self._handles.pop(command.id, None)
             self.channel.drop("dropcommand", command.id)
 
     def find(self, number: int) -> Any:
-        """The control or command of this number; None without."""
         return self._handles.get(number)
 
     def _folders(self) -> list[Folder]:

@@ -1,7 +1,7 @@
-"""The thread that serves the page and talks to those that look: `Hub`.
+"""Thread of the web server and its connections: `Hub`.
 
-websockets' server over a socket that is bound already. Requests pass the guard and the token; the page goes out whole,
-with an ETag; a websocket gets what waits for it in slices, as fast as it reads, and is cut off when it reads nothing.
+Uses websockets on a bound socket. Requests pass the guard and the token check. The page is sent with an ETag; a
+websocket receives data at its own speed and is closed when it stops reading.
 """
 
 from __future__ import annotations
@@ -34,69 +34,60 @@ from .wire import MOST_BYTES, read
 
 VERSION = 1
 PROTOCOL = f"pointloom.{VERSION}"
-OTHER_VERSION = 4001  # with this code a page is closed that a browser has kept from another version
+OTHER_VERSION = 4001  # close code for a cached page of another version
 MOST_CLIENTS = 32
-MOST_OWN_BYTES = 1 << 30  # that wait for one page alone
-# A page is dropped when it neither takes a byte nor answers a ping for so long; pings go out in between.
+MOST_OWN_BYTES = 1 << 30  # backlog limit of one page
+# A page is closed after this time without reading or a pong; pings are sent in between.
 STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
-WATCH_SECONDS = 1.0  # between looks at whether it reads
-HELLO_SECONDS = 60.0  # until a page has said who it is
-CLOSE_SECONDS = 3.0  # for the end of a connection to be answered
-FAREWELL_SECONDS = 0.5  # for what waits for pages when the server stops: words for the end are among it
-# A page says at most one camera a picture. One that says more than that many messages at once has to wait, so that the
-# program's own threads are not held up by reading them.
+WATCH_SECONDS = 1.0  # interval of checks
+HELLO_SECONDS = 60.0  # limit for the first message
+CLOSE_SECONDS = 3.0  # limit for the closing handshake
+FAREWELL_SECONDS = 0.5  # for waiting data at shutdown, which includes the shutdown notice
+# A page sends at most one camera per frame. More messages at once are delayed,
+# so that reading them does not block the program's threads.
 MOST_AT_ONCE = 256
 BURST_SECONDS = 0.25
 
 log = logging.getLogger("pointloom.viewer")
-log.addHandler(logging.NullHandler())  # without one, Python prints warnings on stderr
-# What strangers send must not fill the user's log: websockets reports each failed handshake as an error of ours.
+log.addHandler(logging.NullHandler())  # otherwise Python prints warnings on stderr
+# Failed handshakes of strangers must not fill the user's log: websockets reports each as an error.
 _handshakes = logging.getLogger("pointloom.viewer.handshakes")
 _handshakes.addHandler(logging.NullHandler())
 _handshakes.propagate = False
-_handshakes.setLevel(logging.WARNING)  # a record holds its connection: kept by a handler, it keeps the viewer
+_handshakes.setLevel(logging.WARNING)  # a stored record would keep its connection and the viewer alive
 
 
 class Visitor(Protocol):
-    """What the hub tells of one page."""
+    """Interface of a page for the hub."""
 
     @property
     def own_bytes(self) -> int:
-        """Of what waits for this page alone."""
+        """Memory of operations that wait for this page only."""
         ...
 
     def unsent(self) -> tuple[list[Op], bool]:
-        """What is to be sent now, and whether more waits for what is not complete yet."""
+        """Operations to send now, and whether more wait for open batches."""
         ...
 
-    def has_more(self) -> bool:
-        """Whether anything waits for it."""
-        ...
+    def has_more(self) -> bool: ...
 
-    def take(self, said: dict[str, Any]) -> None:
-        """The page said this."""
+    def take(self, said: dict[str, Any]) -> None: ...
 
-    def leave(self) -> None:
-        """The page has gone."""
+    def leave(self) -> None: ...
 
 
 Welcome = Callable[[dict[str, Any], Callable[[], None]], Visitor]
 
 
 class Hub:
-    """A server in a thread of its own.
+    """A web server in its own thread, on a listening socket `bound`. `token` is required in the address.
 
-    Args:
-        bound: A listening socket.
-        guard: Which requests are answered.
-        page: What is served.
-        token: What an address must hold.
-        welcome: Called with a page's hello, and with what wakes its sender from any thread.
+    `welcome` is called with a page's first message and a thread-safe function that wakes its sender.
 
     Attributes:
-        client_count: Pages that are connected.
-        last_asked: When the page was last asked for, by `time.monotonic`.
+        client_count: Number of connected pages.
+        last_asked: Time of the last valid request for the page (`time.monotonic`).
     """
 
     def __init__(self, bound: socket.socket, guard: RequestGuard, page: ServedPage, token: str, welcome: Welcome):
@@ -115,8 +106,8 @@ class Hub:
             raise self._failure
 
     def stop(self) -> None:
-        """Send the pages away, free the port and end the thread; twice is no error."""
-        with contextlib.suppress(OSError):  # a copy that a child has of it does not listen then either
+        """Disconnect the pages, free the port and end the thread. A second call has no effect."""
+        with contextlib.suppress(OSError):  # the copy of a child does not listen then either
             self._bound.shutdown(socket.SHUT_RDWR)
         with contextlib.suppress(RuntimeError):  # the loop has ended
             self._loop.call_soon_threadsafe(self._stopping.set)
@@ -124,11 +115,8 @@ class Hub:
             self._thread.join(timeout=5.0)
 
     def cut_all(self) -> None:
-        """Cut off every page."""
         with contextlib.suppress(RuntimeError):
             self._loop.call_soon_threadsafe(lambda: [line.transport.abort() for line in tuple(self.lines)])
-
-    # -- the thread ---------------------------------------------------------------------------------------------------
 
     def _run(self, ready: threading.Event) -> None:
         loop = self._loop
@@ -159,8 +147,8 @@ class Hub:
             compression=None,  # the arrays hardly shrink, and it takes time
             process_request=self._answer,
             select_subprotocol=lambda _, offered: _choose(offered),
-            ping_interval=None,  # `_watch` pings: a slow line is no reason to drop a page
-            open_timeout=HELLO_SECONDS,  # the page goes over slow lines as well
+            ping_interval=None,  # `_watch` pings: a slow connection is no reason to close a page
+            open_timeout=HELLO_SECONDS,  # the page must load over slow connections, too
             close_timeout=CLOSE_SECONDS,
             server_header=None,
             logger=_handshakes,
@@ -170,12 +158,11 @@ class Hub:
         await self._say_farewell()
         server.close()
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=0.25)
-        for line in tuple(self.lines):  # who does not read its farewell
+        for line in tuple(self.lines):  # pages that do not read the shutdown notice
             line.transport.abort()
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=2.0)
 
     async def _say_farewell(self) -> None:
-        """Give pages a moment to take what waits for them."""
         end = time.monotonic() + FAREWELL_SECONDS
         while time.monotonic() < end and not all(self._has_all(line) for line in tuple(self.lines)):
             await asyncio.sleep(0.01)
@@ -184,10 +171,8 @@ class Hub:
         visitor = self.lines.get(line)
         return visitor is None or (not visitor.has_more() and not line.transport.get_write_buffer_size())
 
-    # -- requests -----------------------------------------------------------------------------------------------------
-
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
-        """An HTTP answer, or None for a websocket that may open."""
+        """HTTP response, or None to open a websocket."""
         headers: dict[str, list[str]] = {}
         for name, value in request.headers.raw_items():
             headers.setdefault(name.lower(), []).append(value)
@@ -230,16 +215,13 @@ class Hub:
             if is_packed:
                 answer.headers["Content-Encoding"] = "gzip"
         del answer.headers["Cache-Control"]
-        answer.headers["Cache-Control"] = "no-cache"  # kept, but asked for each time: then 304 is all that goes over
+        answer.headers["Cache-Control"] = "no-cache"  # cached but revalidated: usually answered by 304
         answer.headers["Vary"] = "Accept-Encoding"
         answer.headers["ETag"] = page.tag
         return answer
 
-    # -- pages --------------------------------------------------------------------------------------------------------
-
     async def _attend(self, connection: ServerConnection) -> None:
-        """One page, from its hello to its end."""
-        if self.client_count >= MOST_CLIENTS:  # several asked at once, each while there was room
+        if self.client_count >= MOST_CLIENTS:  # several requests at once may each have passed the check before
             return await connection.close(1013, "too many pages are open")
         if connection.subprotocol != PROTOCOL:
             return await connection.close(OTHER_VERSION, "this page is of another version: load it again")
@@ -272,7 +254,7 @@ class Hub:
 
     @staticmethod
     async def _hello(connection: ServerConnection) -> dict[str, Any] | None:
-        """The first message of a page; None once it was sent away for another."""
+        """First message of a page; None if it was closed because of another version."""
         try:
             said = read(await connection.recv())
         except ValueError as error:
@@ -288,7 +270,7 @@ class Hub:
 
 
 def _choose(offered: Iterable[str]) -> Subprotocol | None:
-    """Ours, or another version of it, so that its page can be told: browsers keep the reason of a refusal back."""
+    """The subprotocol, or another version of it: its page is opened to give a reason, which a refusal would hide."""
     ours = [one for one in offered if re.fullmatch(r"pointloom\.[0-9]{1,4}", one)]
     return Subprotocol(PROTOCOL if PROTOCOL in ours else ours[0]) if ours else None
 
@@ -299,7 +281,6 @@ def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:
 
 
 async def _send(connection: ServerConnection, visitor: Visitor, woken: asyncio.Event) -> None:
-    """Send what waits, as fast as the page reads."""
     while True:
         woken.clear()
         ops, more = visitor.unsent()
@@ -311,13 +292,13 @@ async def _send(connection: ServerConnection, visitor: Visitor, woken: asyncio.E
 
 
 async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
-    """Hand on what a page says; what is no message ends it, what does not fit is passed over."""
+    """Forward messages; malformed ones end the connection, unexpected ones are ignored."""
     begun, count = time.monotonic(), 0
     while True:
         raw = await connection.recv()
         count += 1
         if count >= MOST_AT_ONCE:
-            await asyncio.sleep(max(begun + BURST_SECONDS - time.monotonic(), 0))  # TCP makes it wait
+            await asyncio.sleep(max(begun + BURST_SECONDS - time.monotonic(), 0))  # throttles the sender through TCP
             begun, count = time.monotonic(), 0
         try:
             said = read(raw)
@@ -328,7 +309,7 @@ async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
             continue
         try:
             visitor.take(said)
-        except Exception:  # nobody else is to suffer from what one page says
+        except Exception:  # an error of one page must not affect others
             log.debug("a page said %s", said["say"], exc_info=True)
 
 
@@ -337,7 +318,7 @@ def _unsent_bytes(connection: ServerConnection) -> int:
 
 
 async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
-    """Ping a page, and drop it when it has stopped reading or more waits for it than may."""
+    """Ping a page; close it if it has stopped reading or its backlog is too large."""
     loop = asyncio.get_running_loop()
     seen, since, pinged = -1, loop.time(), loop.time()
     pong: Any = None
@@ -363,7 +344,7 @@ def _log_quietly(_: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
 def _response(
     status: http.HTTPStatus, body: bytes, *, host: str = "localhost", sources: dict[str, list[str]] | None = None
 ) -> Response:
-    """An answer under the headers that every one has; HTML where there are `sources`, else a line of text."""
+    """A response with the common headers; HTML if `sources` is given, else plain text."""
     headers = Headers(response_headers(host, sources))
     headers["Content-Type"] = f"text/{'plain' if sources is None else 'html'}; charset=utf-8"
     headers["Content-Length"] = str(len(body))

@@ -1,7 +1,7 @@
-"""Batches of operations as the page reads them: `pack`.
+"""Encoding of batches of operations for pages: `pack`.
 
-A message is `u32 LE H | H bytes of JSON | arrays`; docs/viewer-protocol.md states it. Arrays are handed on as they are,
-in slices, so that a large one is never held twice.
+A message is `u32 LE H | H bytes of JSON | arrays` (docs/viewer-protocol.md). Arrays are passed in slices without a
+copy.
 """
 
 from __future__ import annotations
@@ -16,25 +16,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 ALIGN = 8
-SLICE = 1 << 20  # bytes of a frame: what a page that does not read has in the server's buffers at most
+SLICE = 1 << 20  # bytes per frame: maximum in the server's buffers for a page that does not read
 
 log = logging.getLogger("pointloom.viewer")
 Op = dict[str, Any]
 
 
 def pack(ops: list[Op]) -> Iterator[memoryview]:
-    """The pieces of a message that holds these operations.
-
-    Args:
-        ops: In order; arrays in their fields are sent as rows, those of one axis as rows of one number.
-
-    Yields:
-        Bytes, in order, at most `SLICE` each.
-    """
+    """Yield the bytes of a message with these operations, at most `SLICE` each; 1D arrays become rows of one number."""
     arrays: list[NDArray[Any]] = []
     texts = [text for op in ops if (text := _write(op, arrays))]
     described = [[kind_of(values), len(values), _width(values)] for values in arrays]
-    # Offsets stand in the JSON, whose length moves them: so they are counted from a place that is surely behind it.
+    # Offsets are part of the JSON and change its length, so they start at a safe upper bound.
     size = sum(map(len, texts)) + len(texts) + 64 * len(arrays) + 64
     start = _up(4 + size)
     for entry, values in zip(described, arrays, strict=True):
@@ -53,17 +46,16 @@ def pack(ops: list[Op]) -> Iterator[memoryview]:
 
 
 def kind_of(values: NDArray[Any]) -> str:
-    """How the page calls the type of an array's numbers."""
     return f"{values.dtype.kind}{values.dtype.itemsize}"
 
 
 def bytes_of(op: Op) -> int:
-    """The bytes of the arrays in an operation, and some for itself."""
+    """Approximate size of an operation with its arrays."""
     return 256 + sum(value.nbytes if isinstance(value, np.ndarray) else 0 for value in op.values())
 
 
 def _write(op: Op, arrays: list[NDArray[Any]]) -> str:
-    """The operation in JSON, its arrays by their numbers; "" for one that JSON cannot hold."""
+    """JSON of an operation with its arrays by number; "" if it cannot be encoded."""
     count = len(arrays)
     fields: Op = {}
     for name, value in op.items():

@@ -1,4 +1,4 @@
-"""The page as it is served: its bytes, packed and not, its tag and the hashes of its scripts: `ServedPage`."""
+"""The served page with its compressed form, ETag and hashes: `ServedPage`."""
 
 from __future__ import annotations
 
@@ -11,17 +11,7 @@ _INLINE = re.compile(rb"<(script|style)\b[^>]*>(.*?)</\1>", re.DOTALL | re.IGNOR
 
 
 class ServedPage:
-    """A page that holds all of its scripts and styles.
-
-    Args:
-        text: The page in UTF-8.
-
-    Attributes:
-        text: The same.
-        packed: Through gzip; the same bytes each time.
-        tag: What it is told apart from others by (an ETag).
-        sources: The hashes of what stands in it, by "script" and "style".
-    """
+    """A self-contained page in UTF-8, `packed` by gzip, with its ETag and the hashes of its scripts and styles."""
 
     def __init__(self, text: bytes):
         self.text, self.packed = text, gzip.compress(text, 6, mtime=0)
@@ -48,5 +38,4 @@ _STYLE = (
 
 
 def refused_page() -> ServedPage:
-    """What is said to who comes without the token."""
     return ServedPage(REFUSED.format(style=_STYLE).encode())

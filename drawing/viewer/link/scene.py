@@ -1,4 +1,4 @@
-"""The scene of all pages or of one: `Scene`, and what stands in it, `Node`."""
+"""The scene of all pages or of one page: `Scene` and its `Node`s."""
 
 from __future__ import annotations
 
@@ -20,14 +20,7 @@ ANCHORS = ("bottom-left", "bottom-center", "center")
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ClickEvent:
-    """A press on the picture without motion.
-
-    Attributes:
-        client_id: Of which page.
-        x: Share of the picture's width, from its left.
-        y: Share of its height, from its top.
-        camera: As it was with the click.
-    """
+    """A click on page `client_id` without motion, at fractions x and y of width and height from the upper left."""
 
     client_id: int
     x: float
@@ -36,11 +29,9 @@ class ClickEvent:
 
 
 class Node:
-    """Something in a scene; handles of scenes make it. What is removed, or whose page has gone, does nothing more.
+    """Handle of an object in a scene: `id` and `kind` ("group", "points", "triangles", "lines" or "label").
 
-    Attributes:
-        id: Its number.
-        kind: "group", "points", "triangles", "lines" or "label".
+    Calls on a removed node, or after its page was closed, have no effect.
     """
 
     def __init__(self, channel: Channel, kind: str, number: int, R: Any, t: Any, scale: float, visible: bool):
@@ -49,19 +40,13 @@ class Node:
         self._removed = False
 
     def place(self, R: Any, t: Any, scale: float | None = None) -> None:
-        """Move it.
-
-        Args:
-            R: Rotation to its parent's frame, shape [3, 3]; None for none.
-            t: Where its origin stands there, shape [3]; None for its parent's.
-            scale: Of its own unit; None leaves it.
-        """
+        """Set rotation (3, 3), translation (3,) and scale in the parent's frame; None: identity, zero, unchanged."""
         self._scale = self._scale if scale is None else scale
         self._send({"pose": placing(R, t, self._scale)})
 
     @property
     def visible(self) -> bool:
-        """Whether it, and what hangs on it, is drawn."""
+        """True if the node and its children are drawn."""
         return self._visible
 
     @visible.setter
@@ -71,11 +56,11 @@ class Node:
             self._send({"visible": self._visible})
 
     def set(self, **properties: Any) -> None:
-        """Change some of what it was added with, by the same names: positions, colors, size, wireframe, ..."""
+        """Change properties with the names of the `add_...` arguments: positions, colors, size, wireframe, ..."""
         self._send(checked(self.kind, properties))
 
     def remove(self) -> None:
-        """Take it out, with all that hangs on it; twice is no error."""
+        """Remove the node and its children. A second call has no effect."""
         if not self._removed:
             self._removed = True
             self._channel.drop("drop", self.id)
@@ -86,15 +71,7 @@ class Node:
 
 
 class Placement(TypedDict, total=False):
-    """Where a node stands.
-
-    Attributes:
-        parent: What it hangs on; None for the scene.
-        R: Rotation to the parent's frame [3, 3]; None for none.
-        t: Where its origin stands there [3]; None for the parent's.
-        scale: Of its unit, 1 if not given.
-        visible: Whether it is drawn, as it is if not given.
-    """
+    """Pose of a node in its parent (None: the scene): `R` (3, 3), `t` (3,), `scale`, `visible`."""
 
     parent: Node | None
     R: Any
@@ -104,13 +81,9 @@ class Placement(TypedDict, total=False):
 
 
 class Scene:
-    """What pages draw. All lengths are in the unit of the parent's frame; with no parent, of the page.
+    """Objects that pages draw. Lengths are in the unit of the parent's frame.
 
-    Arrays that are read-only are kept as they are and must not change; others are copied.
-
-    Args:
-        channel: The way to the pages.
-        shared: The scene of all pages, for that of one.
+    Read-only arrays are shared and must not change; others are copied.
     """
 
     def __init__(self, channel: Channel, shared: Scene | None = None):
@@ -118,7 +91,6 @@ class Scene:
         self._on_click: list[Callable[[ClickEvent], Any]] = []
 
     def add_group(self, **placed: Unpack[Placement]) -> Node:
-        """A frame that others hang on."""
         return self._add("group", {}, **placed)
 
     def add_points(
@@ -134,18 +106,10 @@ class Scene:
         opacity: float = 1.0,
         **placed: Unpack[Placement],
     ) -> Node:
-        """Points.
+        """Add points: float32 or float16 positions, uint8 colors or one `plain` color, normals (float or int16 *
+        32767).
 
-        Args:
-            positions: float32 or float16 [n, 3].
-            colors: uint8 [n, 3].
-            plain: One colour for all, 0 to 255 [3], where there are no `colors`.
-            normals: Unit [n, 3], or int16 with 32767 for 1.
-            size: Diameter [px], or with `metric` in the node's unit.
-            metric: See `size`.
-            relief: Whether eye-dome light falls on them.
-            opacity: 0 to 1.
-            placed: Where they stand, as `Placement` has it.
+        `size` is the diameter [px], or in the node's unit if `metric`; `relief` applies eye-dome lighting.
         """
         properties = {"positions": positions, "colors": colors, "plain": plain, "normals": normals, "size": size}
         properties |= {"metric": metric, "relief": relief, "opacity": opacity}
@@ -167,21 +131,9 @@ class Scene:
         opacity: float = 1.0,
         **placed: Unpack[Placement],
     ) -> Node:
-        """Triangles.
+        """Add triangles with vertex indices (m, 3); colors and normals as in `add_points`; `cull` hides back faces.
 
-        Args:
-            positions: float32 [n, 3].
-            indices: Whole numbers of positions [m, 3].
-            normals: Unit [n, 3], or int16 with 32767 for 1.
-            colors: uint8 [n, 3].
-            plain: One colour for all, 0 to 255 [3].
-            uvs: Places in the texture [n, 2]; v = 0 is its top row.
-            texture: uint8 [h, w, 3].
-            lit: Whether light falls on them.
-            cull: Whether back faces are left out.
-            wireframe: Whether their edges are drawn over them.
-            opacity: 0 to 1.
-            placed: Where they stand, as `Placement` has it.
+        Texture coordinates are (n, 2) with v = 0 at the top row, the texture is uint8 (h, w, 3).
         """
         properties = {"positions": positions, "indices": indices, "normals": normals, "colors": colors, "plain": plain}
         properties |= {"uvs": uvs, "texture": texture, "lit": lit, "cull": cull, "wireframe": wireframe}
@@ -190,43 +142,32 @@ class Scene:
     def add_lines(
         self, ends: Any, colors: Any = None, *, plain: Any = None, width: float = 1.0, **placed: Unpack[Placement]
     ) -> Node:
-        """Lines.
-
-        Args:
-            ends: Both ends of each [m, 2, 3].
-            colors: uint8, of each end [m, 2, 3] or of each line [m, 3].
-            plain: One colour for all, 0 to 255 [3].
-            width: [px].
-            placed: Where they stand, as `Placement` has it.
-        """
+        """Add segments with ends (m, 2, 3), uint8 colors of ends (m, 2, 3) or segments (m, 3), and width [px]."""
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
         return self._add("lines", properties, **placed)
 
     def add_label(
         self, text: str, position: Any, *, anchor: str = "center", parent: Node | None = None, visible: bool = True
     ) -> Node:
-        """Words at a place of the parent's frame [3]; `anchor` says which of their corners stands there."""
+        """Add a text at a position (3,) of the parent's frame; `anchor` is the corner of the text at that position."""
         return self._add("label", {"text": text, "anchor": anchor}, parent=parent, t=position, visible=visible)
 
     def show_shared(self, node: Node, visible: bool) -> None:
-        """Show or hide in this page alone what the scene of all pages holds, until that says otherwise."""
+        """Show or hide a shared node in this page only, until its shared visibility changes."""
         self._channel.send({"op": "set", "id": node.id, "visible": bool(visible)})
 
     def on_click(self, callback: Callable[[ClickEvent], Any]) -> Callable[[ClickEvent], Any]:
-        """Call back with each click on the picture; pages tell of them from now on."""
         self._on_click.append(callback)
         self._channel.send({"op": "clicks", "on": True})
         return callback
 
     def remove_click_callback(self, callback: Callable[[ClickEvent], Any]) -> None:
-        """Call this one back no more."""
         if callback in self._on_click:
             self._on_click.remove(callback)
         if not self._on_click and (self._shared is None or not self._shared.click_callbacks()):
             self._channel.send({"op": "clicks", "on": False})
 
     def click_callbacks(self) -> tuple[Callable[[ClickEvent], Any], ...]:
-        """Who is called."""
         return tuple(self._on_click)
 
     def _add(
@@ -249,12 +190,7 @@ class Scene:
 
 
 def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
-    """Properties of a node of a kind, as they are sent; None takes colours or normals away.
-
-    Raises:
-        ValueError: one of another shape, or beyond its bounds.
-        TypeError: one that the kind does not have.
-    """
+    """Validate the properties of a node; None removes colors or normals."""
     sent: dict[str, Any] = {}
     checks = _CHECKS[kind]
     for name, value in properties.items():

@@ -1,4 +1,4 @@
-"""What pages say, checked before anything acts on it: `read`. Types and bounds stand in docs/viewer-protocol.md."""
+"""Validation of messages from pages: `read`. See docs/viewer-protocol.md for types and limits."""
 
 from __future__ import annotations
 
@@ -11,25 +11,18 @@ import numpy as np
 
 from .camera import FARTHEST, LEAST_ANGLE, MOST_PIXELS, CameraState, nearest_rotation
 
-MOST_BYTES = 1 << 20  # of a message that brings a file
-MOST_SMALL_BYTES = 64 << 10  # of any other
-MOST_WHOLE = 2**53  # what a browser's numbers hold
-MOST_DEPTH = 8  # lists within lists
+MOST_BYTES = 1 << 20  # of a message with a file
+MOST_SMALL_BYTES = 64 << 10  # of other messages
+MOST_WHOLE = 2**53  # exact integers in a browser
+MOST_DEPTH = 8  # nested lists
 
 Check = Callable[[Any], bool]
 
 
 def read(raw: str | bytes) -> dict[str, Any] | None:
-    """A message of a page, checked field by field.
+    """The validated fields of a message, including "say".
 
-    Args:
-        raw: As it came.
-
-    Returns:
-        Its fields with "say", and no others; None for one to be passed over, unknown or with a field out of bounds.
-
-    Raises:
-        ValueError: no message at all.
+    Returns None for unknown messages and fields out of range; raises ValueError if it is not a message.
     """
     if not isinstance(raw, str):
         raise ValueError("not a message: text is expected")
@@ -50,7 +43,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
 
 
 def camera_of(fields: Mapping[str, Any]) -> CameraState | None:
-    """The camera that a checked message says; None where its rotation is none."""
+    """The camera of a checked message; None if its rotation is invalid."""
     rotation = nearest_rotation(np.reshape(fields["rotation"], (3, 3)))
     if rotation is None:
         return None
@@ -60,12 +53,12 @@ def camera_of(fields: Mapping[str, Any]) -> CameraState | None:
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value is a finite number; True and False are none."""
+    """True for finite numbers, not for booleans."""
     return isinstance(value, int | float) and not isinstance(value, bool) and is_finite(value)
 
 
 def is_finite(value: float) -> bool:
-    """Whether a number is finite as a float, which whole ones of thousands of digits are not."""
+    """True if a number is finite as a float; integers may be too large."""
     try:
         return math.isfinite(value)
     except OverflowError:
@@ -73,17 +66,16 @@ def is_finite(value: float) -> bool:
 
 
 def is_whole(value: Any) -> bool:
-    """Whether a value is a whole number that a browser can hold."""
+    """True for integers that a browser can represent."""
     return is_number(value) and abs(value) <= MOST_WHOLE and value == int(value)
 
 
 def is_text(value: Any, most: int = MOST_SMALL_BYTES) -> bool:
-    """Whether a value is text that can be written as UTF-8."""
     if not isinstance(value, str) or len(value) > most:
         return False
     try:
         value.encode()
-    except UnicodeEncodeError:  # half of a pair: it would be an error wherever it is written
+    except UnicodeEncodeError:  # a lone surrogate would be an error wherever it is written
         return False
     return True
 
@@ -139,7 +131,7 @@ def _is_content(value: Any) -> bool:
 
 
 def _is_value(value: Any) -> bool:
-    """Anything that a control may have: text, a number, a switch, or short lists of those."""
+    """True for control values: text, number, boolean, or short lists of those."""
     waiting, depth = [value], 0
     while waiting and depth < MOST_DEPTH:
         if not all(isinstance(one, bool | list) or is_number(one) or is_text(one) for one in waiting):

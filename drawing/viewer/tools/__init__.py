@@ -1,1 +1,1 @@
-"""What one does with the mouse in the viewer: picking, measuring, cutting out, registering by hand."""
+"""Mouse tools of the viewer: picking, measuring, cropping, manual registration."""

@@ -1,4 +1,4 @@
-"""Clip planes: a box along the axes and one free plane."""
+"""Clip planes: an axis-aligned box and one free plane."""
 
 from __future__ import annotations
 
@@ -20,15 +20,10 @@ Keep = Callable[[Any], NDArray[np.bool_]]
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Clip:
-    """A box and a half-space of the world; what lies in both is seen, their borders too.
+    """An axis-aligned box (`low`, `high` [m]; infinite values do not clip) and a half-space of the world.
 
-    Args:
-        low, high: The box's ends [m], shape [3]; infinite ones do not cut. NaN is refused.
-        normal: Of the free plane, of any length, towards what is seen; None for no plane.
-        offset: Where the plane lies along the unit normal [m].
-
-    Raises:
-        ValueError: Another shape, an end that is NaN, low above high, or a normal of no length.
+    `normal` points to the visible side and has any length; `offset` is the plane's distance from the origin along the
+    unit normal [m]. Borders are visible. Raises ValueError.
 
     Example:
         >>> clip = Clip([0, 0, 0], [1, 1, 1], normal=[1, 1, 0], offset=0.5)
@@ -55,18 +50,17 @@ class Clip:
 
     @property
     def cuts(self) -> bool:
-        """Whether it may hide anything."""
         return self.normal is not None or bool(np.isfinite(self.low).any() or np.isfinite(self.high).any())
 
     def heights(self, points: Any) -> list[NDArray[np.float64]]:
-        """How far points [n, 3] lie inside each plane that cuts [m], below 0 outside: float64 [n] each."""
+        """Signed distances of points (n, 3) to each active plane [m], positive inside: float64 (n,) each."""
         places = check_rows("points", points, 3, dtype=np.float64)
         found = [places[:, i] - self.low[i] for i in range(3) if np.isfinite(self.low[i])]
         found += [self.high[i] - places[:, i] for i in range(3) if np.isfinite(self.high[i])]
         return found if self.normal is None else [*found, places @ self.normal - self.offset]
 
     def keep(self, points: Any) -> NDArray[np.bool_]:
-        """Which points [n, 3] of the world are inside, bool [n]; points with NaN are not."""
+        """True for world points (n, 3) inside; False for NaN."""
         places = check_rows("points", points, 3, dtype=np.float64)
         kept = np.isfinite(places[:, 0]) & np.isfinite(places[:, 1]) & np.isfinite(places[:, 2])
         for height in self.heights(places):
@@ -74,20 +68,14 @@ class Clip:
         return kept
 
     def keeper(self, pose: Any = None) -> Keep:
-        """`keep` for points in the coordinates of a geometry at a pose, 4x4; None is the identity."""
+        """`keep` for points in the coordinates of a geometry at a pose, 4x4 or None."""
         T = None if pose is None else check_transformation("pose", pose)
 
         return lambda points: self.keep(points if T is None else np.asarray(points) @ T[:3, :3].T + T[:3, 3])
 
 
 def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
-    """What is hidden of a cloud: uint8 [n] on its device, 1 for each point that is; None where nothing cuts.
-
-    Args:
-        cloud: The cloud.
-        clip: What is seen, in the world.
-        pose: From the cloud's coordinates to the world's, 4x4.
-    """
+    """uint8 (n,) on the cloud's device, 1 for hidden points; None without clipping. `pose`: cloud to world, 4x4."""
     if not clip.cuts:
         return None
     T = np.eye(4) if pose is None else check_transformation("pose", pose).copy()
@@ -98,15 +86,9 @@ def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
 
 
 def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMesh:
-    """A mesh cut by clip planes, through its triangles; textures are left behind where anything is cut.
+    """Clip a mesh through its triangles, in its own coordinates; textures are dropped if anything is clipped.
 
-    Args:
-        mesh: The mesh.
-        clip: What is seen, in the world.
-        pose: From the mesh's coordinates to the world's, 4x4.
-
-    Returns:
-        The mesh itself where all of it is seen, else what is left, in its own coordinates; perhaps no triangle.
+    Returns the mesh itself if it is completely visible.
 
     Example:
         >>> import pointloom as loom
@@ -121,7 +103,7 @@ def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMe
             break
         vertices = left.vertices if T is None else left.vertices @ T[:3, :3].T + T[:3, 3]
         heights = clip.heights(vertices)[number]
-        if not np.isfinite(heights).all():  # a vertex that is nowhere: its triangles go, as those outside do
+        if not np.isfinite(heights).all():  # triangles with a non-finite vertex are dropped
             heights = np.where(np.isfinite(heights), heights, -math.inf)
             left = left.remove_vertices_by_mask(heights == -math.inf)
             heights = heights[heights > -math.inf]

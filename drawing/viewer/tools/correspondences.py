@@ -1,4 +1,4 @@
-"""Two clouds brought together by pairs of points that someone picked, and by ICP from there."""
+"""Registration of two clouds from picked point pairs, refined by ICP."""
 
 from __future__ import annotations
 
@@ -26,22 +26,16 @@ from ....registration.icp.icp import registration_icp
 from ....registration.rigid import fit_pose
 
 MIN_PAIRS = 3
-THIN = 0.02  # pairs whose spread across their line is less than this share of that along it tell no rotation about it
-MOST_POINTS = 200_000  # a cloud: more of them are thinned, so that the answer comes while one looks on
-REACH = 3.0  # ICP looks this many times as far as the pairs are off, or as points lie apart
+THIN = 0.02  # minimum spread of the pairs across their line, over that along it, to define the rotation about it
+MOST_POINTS = 200_000  # per cloud; larger ones are sampled for an interactive response
+REACH = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
 
 Matrix = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PairFit:
-    """The rigid motion that brings the picked source points nearest to the target's.
-
-    Attributes:
-        transformation: T_target_source, float64 [4, 4].
-        rms: Root of the mean squared distance [m] of the pairs under it.
-        residuals: Distance [m] of each pair, float64 [m].
-    """
+    """Rigid transformation T_target_source from picked pairs, with the distance of each pair and their RMS [m]."""
 
     transformation: Matrix
     rms: float
@@ -49,15 +43,10 @@ class PairFit:
 
 
 def fit_pairs(source: Any, target: Any) -> PairFit:
-    """The rigid motion of least squared distances between picked points (Umeyama 1991).
+    """Least-squares rigid transformation between picked points (m, 3) [m] (Umeyama 1991).
 
-    Args:
-        source: Points of the source [m], shape [m, 3].
-        target: The target's point of each [m], shape [m, 3].
-
-    Raises:
-        ValueError: Fewer than three pairs, other shapes, numbers that are not finite, or points on one line (to a 50th
-            of its length), about which the source could be turned freely.
+    Raises ValueError for fewer than 3 pairs, other shapes, non-finite or collinear points (spread below 1/50 of the
+    length).
 
     Example:
         >>> fit = fit_pairs([[0, 0, 0], [1, 0, 0], [0, 2, 1]], [[5, 0, 0], [5, 1, 0], [3, 0, 1]])
@@ -80,16 +69,16 @@ def fit_pairs(source: Any, target: Any) -> PairFit:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PairRegistration:
-    """Two clouds registered from picked pairs.
+    """Registration of two clouds from picked pairs.
 
     Attributes:
-        fit: What the pairs alone give.
-        transformation: T_target_source, float64 [4, 4]: refined, or that of the pairs where refinement made it worse.
-        fitness: Share of the source's points with a correspondence within `distance`.
-        inlier_rmse: Root mean square of their distances [m].
-        distance: How far correspondences reach [m].
-        refined: Whether `transformation` is ICP's.
-        note: What to tell besides.
+        fit: Fit of the pairs only.
+        transformation: T_target_source, float64 (4, 4): refined, or that of the pairs if ICP made it worse.
+        fitness: Fraction of source points with a correspondence within `distance`.
+        inlier_rmse: RMSE of the correspondences [m].
+        distance: Maximum correspondence distance [m].
+        refined: True if `transformation` is the result of ICP.
+        note: Message for the user.
     """
 
     fit: PairFit
@@ -111,25 +100,13 @@ def register_from_pairs(
     max_correspondence_distance: float | None = None,
     on_pose: Callable[[Matrix], None] | None = None,
 ) -> PairRegistration:
-    """Register a source onto a target from picked pairs, and from there by ICP.
+    """Register a source cloud to a target from picked pairs (m, 3) [m], refined by ICP.
 
-    Args:
-        source, target: The clouds; of more than 200,000 points each a part, evenly chosen, is looked at.
-        source_points: Picked points of the source [m], shape [m, 3], at least three and not on one line.
-        target_points: The target's point of each [m].
-        refine: Run ICP from the pairs' pose: point to plane, or point to point where the target has no planes.
-        max_correspondence_distance: How far ICP looks [m]; None takes three times the pairs' rms, and no less than
-            three times the usual distance between neighbours.
-        on_pose: Called with T_target_source: of the pairs, then after each iteration, then the one that is returned.
-
-    Raises:
-        ValueError: As `fit_pairs`; a cloud without finite points.
-        TypeError: No clouds.
-        DeviceError: They are on different devices.
-
-    Notes:
-        ICP's pose is taken where it keeps at least nine tenths of the correspondences that the pairs' pose has; else
-        that stays, and `note` says so.
+    Clouds of more than 200,000 points are sampled evenly. ICP is point to plane, or point to point if the target has no
+    normals. `max_correspondence_distance` [m] is by default 3 times the RMS of the pairs, at least 3 times the typical
+    point spacing. `on_pose` is called with T_target_source of the pairs, after each iteration, and of the result. ICP's
+    pose is rejected if it keeps less than 90% of the correspondences of the pairs' pose; `note` reports it. Raises
+    ValueError as `fit_pairs` or for a cloud without finite points, TypeError and DeviceError.
     """
     check_clouds(source, target)
     fit = fit_pairs(source_points, target_points)
@@ -166,8 +143,7 @@ def register_from_pairs(
     return PairRegistration(fit, pose, result.fitness, result.inlier_rmse, distance, True, note)
 
 
-def _ignore(_: Matrix) -> None:
-    """Nobody looks on."""
+def _ignore(_: Matrix) -> None: ...
 
 
 def _thinned(name: str, cloud: PointCloud) -> PointCloud:
@@ -178,12 +154,12 @@ def _thinned(name: str, cloud: PointCloud) -> PointCloud:
 
 
 def _spacing(cloud: PointCloud) -> float:
-    """The usual distance between neighbours [m]; 0 of a single point."""
+    """Typical distance between neighbors [m]; 0 for a single point."""
     return distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), 2) or 0.0
 
 
 def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
-    """The target with normals, and point to plane; or point to point where there are too few points for planes."""
+    """Target with normals and point-to-plane estimation; point-to-point if there are too few points."""
     if not target.has_normals:
         if len(target) < 10:
             return target, TransformationEstimationPointToPoint()
@@ -194,18 +170,7 @@ def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
 def save_pairs(
     path: Any, names: tuple[str, str], indices: Any, source_points: Any, target_points: Any, found: PairRegistration
 ) -> None:
-    """Write pairs and what was made of them as JSON, whole or not at all.
-
-    Args:
-        path: Where; an existing file is replaced.
-        names: Of source and target.
-        indices: Pairs (source, target) of point indices, shape [m, 2].
-        source_points, target_points: The points [m], shape [m, 3].
-        found: The registration.
-
-    Raises:
-        FileError: The place cannot be written.
-    """
+    """Write pairs and their registration as JSON, atomically; raises FileError."""
     content = {
         "source": names[0],
         "target": names[1],

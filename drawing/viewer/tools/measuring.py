@@ -1,4 +1,4 @@
-"""Lengths and angles between points, and how they are written."""
+"""Distances and angles between points, and their formatting."""
 
 from __future__ import annotations
 
@@ -15,12 +15,9 @@ from ....core.units import LengthUnit, symbol_of
 
 @dataclasses.dataclass(frozen=True)
 class Distance:
-    """From one point to another.
+    """Distance `length` between two points with its components [m].
 
-    Attributes:
-        length: [m].
-        dx, dy, dz: Along the axes [m].
-        slope: Above the horizontal plane, whose normal is z [degrees], -90 to 90; NaN between equal points.
+    `slope` is the angle above the xy plane [degrees], -90 to 90; NaN for equal points.
     """
 
     length: float
@@ -31,7 +28,7 @@ class Distance:
 
 
 def distance_between(a: Any, b: Any) -> Distance:
-    """The way from a point to another one.
+    """Distance from one point to another.
 
     Example:
         >>> distance_between([0, 0, 0], [3, 0, 4])
@@ -44,7 +41,7 @@ def distance_between(a: Any, b: Any) -> Distance:
 
 
 def path_length(points: Any) -> float:
-    """The length of the way along points, shape [n, 3] [m]; 0 of fewer than two.
+    """Length of a path through points (n, 3) [m]; 0 for fewer than 2.
 
     Example:
         >>> path_length([[0, 0, 0], [1, 0, 0], [1, 2, 0]])
@@ -55,7 +52,7 @@ def path_length(points: Any) -> float:
 
 
 def angle_at(a: Any, b: Any, c: Any) -> float:
-    """The angle at b between the ways to a and to c [degrees], 0 to 180; NaN where one of them has no length.
+    """Angle at b between the directions to a and c [degrees], 0 to 180; NaN if one has no length.
 
     Example:
         >>> angle_at([1, 0, 0], [0, 0, 0], [0, 2, 0])
@@ -64,19 +61,15 @@ def angle_at(a: Any, b: Any, c: Any) -> float:
     u, v = _point("a", a) - _point("b", b), _point("c", c) - _point("b", b)
     if not u.any() or not v.any():
         return math.nan
-    u, v = u / np.abs(u).max(), v / np.abs(v).max()  # neither squares of tiny numbers nor of huge ones
+    u, v = u / np.abs(u).max(), v / np.abs(v).max()  # avoids underflow and overflow of squares
     return math.degrees(math.atan2(float(np.linalg.norm(np.cross(u, v))), float(u @ v)))
 
 
 def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) -> list[tuple[str, str]]:
-    """What points clicked one after the other measure, as labels and values.
+    """Labels and values for clicked points (n, 3): distance, components and slope of the last two.
 
-    Of two the distance, its parts along the axes and its slope; of three or more the length of the way and the angle
-    at the last corner, too. Between degrees of longitude and latitude there are but the parts along the axes.
-
-    Args:
-        points: Shape [n, 3].
-        unit: Of their coordinates; None for an unknown one, which counts as metres.
+    For 3 or more points also the path length and the angle at the last corner; for degrees only the components. An
+    unknown unit counts as meters.
     """
     rows: list[tuple[str, str]] = []
     is_length = unit is None or unit.metres is not None
@@ -93,13 +86,12 @@ def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) ->
 
 
 def length_text(value: float, unit: LengthUnit | None = None) -> str:
-    """A length with four digits behind the comma where it is of ordinary size, else to six digits; with its unit."""
+    """Format a length with 4 decimals if it is of ordinary size, else 6 digits; with its unit."""
     number = f"{value:.4f}" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g}"
     return f"{number} {symbol_of(unit)}"
 
 
 def angle_text(value: float) -> str:
-    """An angle in degrees."""
     return "none" if math.isnan(value) else f"{value:.2f}°"
 
 

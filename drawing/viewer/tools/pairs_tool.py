@@ -1,4 +1,4 @@
-"""The tool that brings two clouds together by pairs of points that one picks."""
+"""Tool that registers two clouds from picked point pairs."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 SOURCE_COLOR: Color = (230, 60, 20)
 TARGET_COLOR: Color = (20, 110, 230)
-SECONDS_A_POSE = 0.05  # between poses that are shown while ICP runs
+SECONDS_A_POSE = 0.05  # [s] between displayed poses while ICP runs
 
 Matrix = NDArray[np.float64]
 
 
 class PairsTool(Tool):
-    """Picks correspondences in turn in source and target, and registers the two from them."""
+    """Picks corresponding points alternately in source and target, and registers the clouds."""
 
     label = "Register by pairs"
     key = "J"
@@ -41,7 +41,6 @@ class PairsTool(Tool):
         self._shown = 0.0
 
     def start(self) -> None:
-        """Offer the clouds, and what to do with the pairs."""
         names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
         if len(names) < 2:
             raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
@@ -62,11 +61,9 @@ class PairsTool(Tool):
         self._alone.on_update(lambda _: run(self._show_due))
 
     def stop(self) -> None:
-        """Show both clouds again."""
         self._show_only(None)
 
     def click(self, view: View, x: float, y: float) -> None:
-        """A point of the cloud whose turn it is."""
         name = self._due()
         if self._source.value == self._target.value:
             raise ValueError("source and target are the same cloud: choose two")
@@ -79,15 +76,13 @@ class PairsTool(Tool):
         self._show(view)
 
     def undo(self) -> None:
-        """Take back the last point."""
         if self._picks:
             self._picks.pop()
             self._show(self.stage.view())
 
     def finish(self) -> None:
-        """Register the source onto the target."""
         stage, count = self.stage, len(self._picks) // 2
-        from .correspondences import MIN_PAIRS, register_from_pairs  # and all of registration with it
+        from .correspondences import MIN_PAIRS, register_from_pairs  # imports the complete registration package
 
         if count < MIN_PAIRS:
             raise ValueError(f"at least three pairs are needed, there are {count}: pick {MIN_PAIRS - count} more")
@@ -116,7 +111,6 @@ class PairsTool(Tool):
         stage.say(f"{source.name} lies on {target.name} now.{note}")
 
     def refresh(self) -> None:
-        """Offer the clouds that there are."""
         names = tuple(self.stage.clouds())
         if len(names) > 1 and names != tuple(self._source.options):
             for choice in (self._source, self._target):
@@ -124,7 +118,7 @@ class PairsTool(Tool):
                 choice.value = chosen if chosen in names else names[0]
 
     def undo_pose(self) -> None:
-        """Put the source where it was before the first registration."""
+        """Restore the pose before the first registration."""
         if self._was is not None:
             (name, pose), self._was, self._found = self._was, None, None
             if name in self.stage.viewer.shown:
@@ -132,7 +126,7 @@ class PairsTool(Tool):
             self._show(self.stage.view())
 
     def save(self) -> None:
-        """Have the page save the pairs as JSON, and the pose as four rows of numbers."""
+        """Download the pairs as JSON and the pose as 4 rows of numbers."""
         if self._found is None:
             raise ValueError("register first: there is no pose to save yet")
         names, found = (self._source.value, self._target.value), self._found
@@ -142,8 +136,6 @@ class PairsTool(Tool):
         self.stage.download("pairs.json", lambda path: save_pairs(path, names, self._rows(), *places, found))
         self.stage.download("pairs.txt", lambda path: write_pose(path, found.transformation))
         self.stage.say("The pairs are downloaded as pairs.json, the pose as pairs.txt.")
-
-    # -- within -------------------------------------------------------------------------------------------------------
 
     def _due(self) -> str:
         return self._target.value if len(self._picks) % 2 else self._source.value
@@ -157,12 +149,11 @@ class PairsTool(Tool):
         return np.array([found.index for found in self._picks[:count]], np.int64).reshape(-1, 2)
 
     def _places(self, source: Any, target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The picked points in the clouds' own coordinates."""
         rows = self._rows()
         return source.select_by_index(rows[:, 0]).points, target.select_by_index(rows[:, 1]).points
 
     def _move(self, source: Any, base: Matrix | None, T: Matrix) -> None:
-        """Show the source where a pose puts it, not too often."""
+        """Show the source at a pose, at a limited rate."""
         now = time.monotonic()
         if now - self._shown < SECONDS_A_POSE:
             return
@@ -192,7 +183,7 @@ class PairsTool(Tool):
         self._show_only(self._due() if self._alone.value else None)
 
     def _show_only(self, name: str | None) -> None:
-        """In this page, hide the other one of the two clouds."""
+        """Hide the other of the two clouds in this page."""
         session = self.stage.session
         with self.stage.viewer.lock:
             for choice in (self._source, self._target):
@@ -203,7 +194,6 @@ class PairsTool(Tool):
 
 
 def _rows(found: PairRegistration, unit: LengthUnit | None) -> list[tuple[str, str]]:
-    """What a registration is worth, as labels and values."""
     return [
         ("rms of the pairs", length_text(found.fit.rms, unit)),
         (

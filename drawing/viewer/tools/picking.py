@@ -1,6 +1,6 @@
-"""Which point a click means, over all points of a cloud and not only those drawn, and what is known of it.
+"""Picking of points and surfaces by clicks. All points of a cloud are searched, also those that are not drawn.
 
-Screen positions are in the pixels of a View: whole numbers are the middles of pixels.
+Screen positions are in the pixels of a View; integers are pixel centers.
 """
 
 from __future__ import annotations
@@ -20,22 +20,17 @@ from ....pcd.cloud import PointCloud
 from ....pcd.point_arrays import check_cloud
 from ...render.view import View, check_view
 
-RADIUS = 6.0  # [px] as far as a click may miss
+RADIUS = 6.0  # [px] tolerance of a click
 Matrix = NDArray[np.float64]
-Reach = tuple[Any, Matrix, Any, tuple[float, float], float]  # what the passes over a cloud's points take
-Rows = list[tuple[str, str]]  # what is known of a point, as labels and values
+Reach = tuple[Any, Matrix, Any, tuple[float, float], float]  # input of the passes over a cloud's points
+Rows = list[tuple[str, str]]  # labels and values of a point
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Target:
-    """What can be picked.
+    """A named object that can be picked: a cloud with a mask of hidden points, or the raycasting scene of a mesh.
 
-    Args:
-        name: As it is shown.
-        cloud: Its points, or None.
-        scene: A mesh as a scene for rays, in its own coordinates, or None.
-        pose: From its coordinates to the world's, 4x4; None leaves it where it is.
-        hidden: uint8 [n] on the cloud's device, 1 for points that are not to be seen; None hides none.
+    `pose` is object to world, 4x4; None for identity.
     """
 
     name: str
@@ -47,14 +42,14 @@ class Target:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Pick:
-    """What a click met.
+    """Result of a click.
 
     Attributes:
-        name: Of the target.
-        index: The point's index in its cloud, or None on a surface.
-        point: Where it is in the world [m], float64 [3].
-        triangle: The triangle's number on a surface, else None.
-        attributes: What the cloud knows of the point by name, its "color" and "normal" too; for `Viewer.on_pick`.
+        name: Name of the target.
+        index: Index of the point in its cloud, or None on a surface.
+        point: World position [m], float64 (3,).
+        triangle: Index of the triangle on a surface, else None.
+        attributes: Attributes of the point by name, including "color" and "normal"; for `Viewer.on_pick`.
     """
 
     name: str
@@ -67,31 +62,15 @@ class Pick:
 def pick_point(
     cloud: PointCloud, view: View, x: float, y: float, *, radius: float = RADIUS, pose: Any = None, hidden: Any = None
 ) -> int | None:
-    """The point of a cloud that a click means: the nearest to it on the screen among those in front.
+    """Index of the point of a cloud at a click: the nearest one on the screen among those in front, or None.
 
-    A point counts the farther away on the screen, the more it lies behind the foremost point in reach, a pixel for ten
-    lengths as wide as a pixel is there. So the point right under the click is it on any surface, however dense and
-    however steep (to 84 degrees), and never one seen through the gaps of the surface.
-
-    Args:
-        cloud: The cloud; all of its points are looked at, on its device.
-        view: Where the screen looks from.
-        x, y: The click [px].
-        radius: How far from the click a point may be seen [px].
-        pose: From the cloud's coordinates to the world's, 4x4; None leaves it where it is.
-        hidden: uint8 [n] on the cloud's device, 1 for points that are not to be seen.
-
-    Returns:
-        The point's index, or None where no point is in reach. Points that are not finite, or lie behind the camera,
-        are never it.
-
-    Raises:
-        TypeError: No cloud, no View, or no numbers.
-        ValueError: A radius that is not positive, or a pose that cannot be inverted.
+    Each 10 pixel widths of depth behind the foremost point within `radius` [px] count as one pixel of distance. So the
+    point under the click is chosen on any surface up to 84 degrees of slope, and no point behind a surface. `pose` is
+    cloud to world, 4x4; `hidden` is uint8 (n,), 1 for hidden points. Raises TypeError or ValueError.
 
     Notes:
-        Two passes over the points, 24 B a point; 1 sync each. The same point in every run and on every device; of
-        points seen in the same place, the one with the smaller index.
+        Two passes over the points, 24 B per point, 1 sync each. Deterministic on every device; of points at the same
+        screen position, the smallest index wins.
 
     Example:
         >>> import pointloom as loom
@@ -107,10 +86,7 @@ def pick_point(
 
 
 def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = RADIUS) -> Pick | None:
-    """What a click means among several clouds and meshes; as `pick_point`, where a surface hides what is behind it.
-
-    A mesh is met right under the click, and counts as a point there.
-    """
+    """Pick among several clouds and meshes; surfaces hide objects behind them."""
     check_view(view)
     click = check_number("x", x), check_number("y", y)
     radius = check_positive("radius", radius)
@@ -146,43 +122,42 @@ def _reach(target: Target, T: Matrix, view: View, click: tuple[float, float], ra
 
 
 def T_camera_points(view: View, cloud: PointCloud, T_world: Matrix) -> Matrix:
-    """From the positions that a cloud holds, about its origin, to the camera of a view; float64 [4, 4]."""
+    """Transformation from the stored positions of a cloud (relative to its origin) to the camera; float64 (4, 4)."""
     T = T_world.copy()
-    T[:3, 3] += T_world[:3, :3] @ cloud.origin - view.T_world_camera[:3, 3]  # far origins cancel here, in float64
+    T[:3, 3] += T_world[:3, :3] @ cloud.origin - view.T_world_camera[:3, 3]  # large origins cancel here, in float64
     R = view.T_world_camera[:3, :3].T
     T[:3, :3], T[:3, 3] = R @ T[:3, :3], R @ T[:3, 3]
     return T
 
 
 def world_point(target: Target, index: int) -> NDArray[np.float64]:
-    """Where a point of a target is in the world [m]."""
     assert target.cloud is not None
     point = target.cloud.select_by_index([index]).points[0]
     return point.copy() if target.pose is None else target.pose[:3, :3] @ point + target.pose[:3, 3]
 
 
 def _surface_at(target: Target, T_world: Matrix, view: View, x: float, y: float) -> list[tuple[float, Pick]]:
-    """The depth and place where the ray of a click meets a mesh, or nothing."""
+    """Depth and position of the intersection of a click's ray with a mesh, if any."""
     assert target.scene is not None
     eye, ray = ray_through(view, x, y)
     inverse = np.linalg.inv(T_world[:3, :3])  # the pose may be affine
     local = np.concatenate([inverse @ (eye - T_world[:3, 3]), inverse @ ray])
     hits = target.scene.cast_rays(local[None])
-    depth = float(hits["t_hit"][0])  # the ray's third coordinate in the camera's frame is 1
+    depth = float(hits["t_hit"][0])  # the direction has depth 1 in the camera's frame
     if not math.isfinite(depth) or depth <= 0:
         return []
     return [(depth, Pick(target.name, None, eye + depth * ray, int(hits["primitive_ids"][0])))]
 
 
 def ray_through(view: View, x: float, y: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The camera's place [m] and the direction through a pixel, of depth 1, both in the world."""
+    """World position of the camera [m] and direction through a pixel, scaled to depth 1."""
     camera = view.intrinsic
     direction = np.array([(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy, 1.0])
     return view.T_world_camera[:3, 3].copy(), view.T_world_camera[:3, :3] @ direction
 
 
 def project(view: View, point: Any) -> tuple[float, float, float]:
-    """Column and row [px], and depth [m], of a point in the world; NaN of what is not before the camera."""
+    """Column and row [px] and depth [m] of a world point; NaN if it is not in front of the camera."""
     q = view.T_world_camera[:3, :3].T @ (np.asarray(point, np.float64) - view.T_world_camera[:3, 3])
     if not q[2] > 0:
         return math.nan, math.nan, float(q[2])
@@ -190,27 +165,14 @@ def project(view: View, point: Any) -> tuple[float, float, float]:
     return float(camera.fx * q[0] / q[2] + camera.cx), float(camera.fy * q[1] / q[2] + camera.cy), float(q[2])
 
 
-# ------------------------------------------------------------------------------------------------ what is shown of it
-
-
 def describe_point(cloud: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
-    """What a cloud knows of a point, as labels and values for people; plain text.
-
-    Args:
-        cloud: The cloud.
-        index: The point's index.
-        point: Where it is shown [m], where that is not where the cloud has it.
-
-    Raises:
-        IndexError: No such point.
-    """
+    """Labels and values of a point for display; `point` is its displayed position [m] if different."""
     return describe_row(cloud.select_by_index([index]), index, point)
 
 
 def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
-    """`describe_point` of a cloud that holds this point alone."""
     place = row.points[0]
-    # what float32 about the origin can tell apart there, or after a pose
+    # resolution of float32 relative to the origin, or after a pose
     resolution = float(np.spacing(np.abs(place - row.origin).max().astype(np.float32)))
     shown = place if point is None else point
     rows = [("index", f"{index:,}")]
@@ -223,7 +185,7 @@ def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None 
 
 
 def coordinate_text(value: float, resolution: float = 0.0) -> str:
-    """A coordinate to the digits that it has: those above a resolution, of which 0 is float64's own."""
+    """Format a coordinate with the digits above a resolution (0: float64)."""
     if not math.isfinite(value):
         return "nan" if math.isnan(value) else f"{value:g}"
     step = max(resolution, float(np.spacing(abs(value)) if value else 0.0))
@@ -237,6 +199,5 @@ def coordinate_text(value: float, resolution: float = 0.0) -> str:
 
 
 def _value_text(value: Any) -> str:
-    """One value of an attribute, or the components of one."""
     values = np.atleast_1d(np.asarray(value))
     return " ".join(f"{v}" if values.dtype.kind in "iub" else f"{float(v):.7g}" for v in values.ravel().tolist())

@@ -1,14 +1,8 @@
-"""A polygon drawn on the screen, and what it cuts out: Open3D's `cropped.json`, or just what is seen inside it.
+"""Polygons drawn on the screen as Open3D's SelectionPolygonVolume (`cropped.json`), or as a selection of points.
 
-A SelectionPolygonVolume is a prism along a coordinate axis; what a camera sees inside a polygon is a pyramid. The two
-are brought together as far as they can be:
-
-- The camera is put so far away along the axis (`view_along`), and its field of view made so narrow, that both are all
-  but the same: over the whole depth of the cloud a point moves by less than a pixel on the screen.
-- The corners are taken where their rays meet the plane halfway between the foremost and the last point that is seen
-  inside the polygon, so that what remains of the difference is shared by the near and the far points.
-
-In a free view the points that are seen inside are taken as they are; no file of Open3D's can hold that.
+A volume is a prism along a coordinate axis, a polygon in a perspective view a pyramid. To match them, `view_along` uses
+a distant camera with a narrow field of view (less than one pixel of error over the cloud's depth), and corners are
+taken in the plane halfway through the points inside. In a free view the selected points have no equivalent file.
 """
 
 from __future__ import annotations
@@ -32,19 +26,15 @@ from ...render.view import View, check_view
 from .picking import T_camera_points, ray_through
 
 AXES = "XYZ"
-FAR = 500.0  # depths of what is seen that the camera is away: then perspective moves no point by a pixel
-STRAIGHT = math.cos(math.radians(0.5))  # a camera turned farther than this does not look along an axis
-MARGIN = 1.1  # how much more than the points is seen
+FAR = 500.0  # distance of the camera in depths of the scene: perspective then moves no point by a pixel
+STRAIGHT = math.cos(math.radians(0.5))  # limit of `looks_along_axis`
+MARGIN = 1.1  # margin around the points
 
 Matrix = NDArray[np.float64]
 
 
 def check_polygon(polygon: Any) -> NDArray[np.float64]:
-    """The corners of a polygon [px], float64 [m, 2].
-
-    Raises:
-        ValueError: Fewer than three, another shape, numbers that are not finite, or no area: all on one line.
-    """
+    """Corners of a polygon [px], float64 (m, 2); ValueError for fewer than 3, non-finite or collinear corners."""
     corners = check_finite("polygon", check_rows("polygon", polygon, 2, dtype=np.float64))
     if len(corners) < MIN_CORNERS:
         raise ValueError(f"polygon: expected at least three corners, got {len(corners)}; click on more places")
@@ -55,33 +45,27 @@ def check_polygon(polygon: Any) -> NDArray[np.float64]:
 
 
 def nearest_axis(view: View) -> tuple[str, int]:
-    """The coordinate axis that a view looks along most nearly, "X", "Y" or "Z", and 1 or -1 for its direction."""
+    """The coordinate axis closest to the viewing direction, "X", "Y" or "Z", and its sign."""
     forward = check_view(view).T_world_camera[:3, 2]
     axis = int(np.abs(forward).argmax())
     return AXES[axis], 1 if forward[axis] >= 0 else -1
 
 
 def looks_along_axis(view: View) -> bool:
-    """Whether a view looks along a coordinate axis, to half a degree."""
+    """True if a view is along a coordinate axis to within 0.5 degrees."""
     return float(np.abs(view.T_world_camera[:3, 2]).max()) >= STRAIGHT
 
 
 def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View:
-    """The view along a coordinate axis, from far away, that shows a box whole.
+    """Nearly orthographic view of a box along a coordinate axis, from 500 times its depth and height.
 
-    Args:
-        view: Where one looks from now; which side of the axis, what is up and the size of the picture follow it.
-        low, high: The box [m], float64 [3].
-        axis: "X", "Y" or "Z"; None takes the nearest.
-
-    Returns:
-        A view from 500 times as far as the box is deep and high: all but orthographic.
+    Side, up direction and image size follow `view`; `axis` None takes the nearest axis.
     """
     corners = check_finite("low, high", np.array([check_shape("low", low, (3,)), check_shape("high", high, (3,))]))
     name, sign = nearest_axis(view)
     number = AXES.index(name if axis is None else axis)
     forward = np.zeros(3)
-    forward[number] = sign if axis in (None, name) else -1.0  # along another axis: downwards, as maps and plans are
+    forward[number] = sign if axis in (None, name) else -1.0  # along another axis: downwards, as in maps
     upward = _upward(view, number)
     right = np.cross(forward, upward)
     T = np.eye(4)
@@ -90,7 +74,7 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
     extent = np.abs(corners[1] - corners[0])
     reach = max(extent @ np.abs(right) / width, extent @ np.abs(upward) / height)
     depth = float(extent @ np.abs(forward))
-    pixel = MARGIN * (float(reach) or depth / height or 1.0 / height)  # [m]; a line along the axis has no width to fit
+    pixel = MARGIN * (float(reach) or depth / height or 1.0 / height)  # [m]; a line along the axis has no width
     distance = FAR * max(depth, pixel * height)
     focal = distance / pixel
     T[:3, 3] = corners.mean(axis=0) - distance * forward
@@ -99,10 +83,10 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
 
 
 def _upward(view: View, axis: int) -> NDArray[np.float64]:
-    """The coordinate direction across an axis that is most nearly up in a view."""
+    """The coordinate direction across an axis that is closest to up in a view."""
     up = -view.T_world_camera[:3, 1].copy()
     up[axis] = 0.0
-    if not np.linalg.norm(up) > 0.1:  # turned towards the axis: what was forward is up then
+    if not np.linalg.norm(up) > 0.1:  # parallel to the axis: use the forward direction
         up = view.T_world_camera[:3, 2].copy()
         up[axis] = 0.0
     chosen, upward = int(np.abs(up).argmax()), np.zeros(3)
@@ -111,17 +95,7 @@ def _upward(view: View, axis: int) -> NDArray[np.float64]:
 
 
 def seen_inside(cloud: PointCloud, view: View, polygon: Any, *, pose: Any = None) -> NDArray[np.int32]:
-    """The indices of the points that are seen inside a polygon, those hidden behind others among them; ascending.
-
-    Args:
-        cloud: The cloud.
-        view: Where the polygon was drawn.
-        polygon: Its corners [px], shape [m, 2]; the even-odd rule says what is inside.
-        pose: From the cloud's coordinates to the world's, 4x4.
-
-    Raises:
-        TypeError: No cloud or no View.
-        ValueError: A polygon of fewer than three corners or without an area, or a pose that cannot be inverted.
+    """Ascending indices of the points inside a polygon (m, 2) [px] (even-odd rule), including hidden points.
 
     Example:
         >>> import pointloom as loom
@@ -144,28 +118,13 @@ def seen_inside(cloud: PointCloud, view: View, polygon: Any, *, pose: Any = None
 
 
 def polygon_to_volume(view: View, polygon: Any, points: Any, *, pose: Any = None) -> SelectionPolygonVolume:
-    """The volume, as Open3D's editor saves it, that holds what is seen inside a polygon in a view along an axis.
+    """Convert a polygon (m, 2) [px] in a view along an axis, preferably from `view_along`, to Open3D's volume.
 
-    Args:
-        view: Where the polygon was drawn; best one of `view_along`.
-        polygon: Its corners [px], shape [m, 2].
-        points: The cloud, or its points [n, 3]; they decide how deep the prism is and in which plane it is exact.
-        pose: From the cloud's coordinates to the world's, 4x4; the volume is in the world.
-
-    Returns:
-        The volume along the nearest axis. As Open3D's, it reaches beyond the points by their extent on both sides, and
-        its corners' coordinate along the axis is 0.
-
-    Raises:
-        ValueError: A view turned by more than half a degree from every axis, a polygon without an area, or points of
-            which none is finite.
-        TypeError: No View.
-
-    Notes:
-        The prism is exact for points in the plane halfway between the first and the last one seen inside the polygon
-        (of all points, where none is). A point d in front of or behind that plane, which is D from the camera, is taken
-        as if it were seen d / D of its distance from the picture's middle farther out or in: in a view of `view_along`
-        less than a pixel.
+    `points` (a cloud or (n, 3)) define depth and reference plane of the prism, which extends beyond them by their
+    extent on both sides, as in Open3D. It is exact in the plane halfway through the points inside the polygon. A point
+    at distance d from that plane is off by d / D of its distance from the image center, where D is the distance of the
+    plane from the camera. Raises ValueError if the view is more than 0.5 degrees off every axis, the polygon has no
+    area, or no point is finite.
     """
     check_view(view)
     corners = check_polygon(polygon)
@@ -184,7 +143,7 @@ def polygon_to_volume(view: View, polygon: Any, points: Any, *, pose: Any = None
 
 
 def _ends(cloud: PointCloud, pose: Any, axis: int) -> tuple[float, float]:
-    """The least and the greatest coordinate along an axis of the finite points in the world; (inf, -inf) of none."""
+    """Lowest and highest world coordinate of the finite points along an axis; (inf, -inf) if none."""
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
     finite = moved.remove_non_finite_points()
     if not len(finite):
@@ -193,7 +152,7 @@ def _ends(cloud: PointCloud, pose: Any, axis: int) -> tuple[float, float]:
 
 
 def _meet(view: View, corner: NDArray[np.float64], axis: int, level: float) -> NDArray[np.float64]:
-    """Where the ray of a corner meets the plane across an axis at a level; the coordinate along the axis as 0."""
+    """Intersection of a corner's ray with the plane across an axis at a level, with 0 as coordinate along the axis."""
     eye, ray = ray_through(view, *corner)
     place = eye + (level - eye[axis]) / ray[axis] * ray
     place[axis] = 0.0
@@ -201,6 +160,5 @@ def _meet(view: View, corner: NDArray[np.float64], axis: int, level: float) -> N
 
 
 def indices_in_volume(cloud: PointCloud, volume: SelectionPolygonVolume, *, pose: Any = None) -> NDArray[np.int32]:
-    """The indices of the points inside a volume of the world, ascending, as NumPy."""
     moved = cloud if pose is None else cloud.transform(check_transformation("pose", pose))
     return download(positions_of(mask_volume(volume, moved._device_array("points"), moved.origin)))  # sync

@@ -1,4 +1,4 @@
-"""The tool that cuts out what lies inside a polygon drawn with the mouse."""
+"""Tool that crops a cloud with a polygon drawn on the screen."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ FILES = {STRAIGHT: "cropped.json", FREE: "cropped.ply"}
 
 
 class PolygonTool(Tool):
-    """Draws a polygon, has the page save it as Open3D's cropped.json and shows only what is inside."""
+    """Draws a polygon, downloads it as Open3D's cropped.json and shows only the points inside."""
 
     label = "Crop by polygon"
     key = "K"
@@ -39,13 +39,13 @@ class PolygonTool(Tool):
 
     def __init__(self, stage: Any):
         super().__init__(stage)
-        self._corners: list[NDArray[np.float64]] = []  # along an axis: in the world; in a free view: [px]
+        self._corners: list[NDArray[np.float64]] = []  # along an axis: world positions; in a free view: [px]
         self._drawn_in: View | None = None
         self._before: CameraState | None = None
         self._undo: tuple[str, str] | None = None
 
     def start(self) -> None:
-        """Look along the nearest axis, and offer what can be chosen."""
+        """Set the view along the nearest axis and add the controls."""
         names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
         if not names:
             raise ValueError("there is no cloud to crop in the scene")
@@ -62,11 +62,9 @@ class PolygonTool(Tool):
         self._align()
 
     def stop(self) -> None:
-        """Look from where one looked before."""
         self._look_back()
 
     def click(self, view: View, x: float, y: float) -> None:
-        """One corner more."""
         check_room(self._corners)
         if self._mode.value == FREE:
             if self._drawn_in is not None and not np.allclose(
@@ -86,13 +84,12 @@ class PolygonTool(Tool):
         self._show(view)
 
     def undo(self) -> None:
-        """One corner less."""
         if self._corners:
             self._corners.pop()
             self._show(self.stage.view())
 
     def finish(self) -> None:
-        """Crop: the cloud inside is shown, the whole one hidden, the file downloaded."""
+        """Crop: show the points inside, hide the complete cloud, download the file."""
         stage = self.stage
         if len(self._corners) < 3:
             raise ValueError(f"a polygon has at least three corners, this one has {len(self._corners)}: click on more")
@@ -125,12 +122,10 @@ class PolygonTool(Tool):
         stage.say(told)
 
     def refresh(self) -> None:
-        """Offer the clouds that there are."""
         if tuple(self.stage.clouds()) != tuple(self._cloud.options):
             self._list_clouds(self._cloud.value)
 
     def undo_crop(self) -> None:
-        """Show the whole cloud again."""
         if self._undo is None:
             return
         (whole, part), self._undo, self._undo_button.disabled = self._undo, None, True
@@ -145,15 +140,12 @@ class PolygonTool(Tool):
         self._list_clouds(whole)
         self.stage.say("All points are shown again.")
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
     def _seen_of(self, name: str, rows: NDArray[np.int32]) -> NDArray[np.int32]:
-        """Some points of a cloud without those that clip planes hide."""
+        """Points of a selection that clip planes do not hide."""
         hidden = next(target.hidden for target in self.stage.targets([name]) if target.cloud is not None)
         return rows if hidden is None else rows[download(hidden)[rows] == 0]  # sync
 
     def _swap(self, item: Any, cropped: PointCloud) -> None:
-        """Show the cropped cloud in place of the whole one."""
         viewer = self.stage.viewer
         with viewer.lock:
             if item.name not in viewer.shown:
@@ -176,7 +168,7 @@ class PolygonTool(Tool):
             self._cloud.visible = len(names) > 1
 
     def _align(self, axis: str | None = None) -> None:
-        """Look along an axis; the nearest one where none is said."""
+        """Set the view along an axis, by default the nearest."""
         if self._mode.value == FREE:
             self._mode.value = STRAIGHT
         low, high = self.stage.item(self._cloud.value).world_bounds() or self.stage.viewer.bounds
@@ -203,14 +195,13 @@ class PolygonTool(Tool):
         return float(np.linalg.norm(high - low))
 
     def _on_plane(self, view: View, x: float, y: float) -> NDArray[np.float64]:
-        """Where a click meets the plane through the scene's middle across the axis."""
+        """Intersection of a click's ray with the plane through the scene's center across the axis."""
         axis = AXES.index(nearest_axis(view)[0])
         level = float((self.stage.viewer.bounds[0] + self.stage.viewer.bounds[1])[axis]) / 2
         eye, ray = ray_through(view, x, y)
         return eye + (level - eye[axis]) / ray[axis] * ray
 
     def _on_screen(self, view: View) -> NDArray[np.float64]:
-        """The corners as they are seen in a view [px]."""
         if self._mode.value == FREE:
             return np.array(self._corners).reshape(-1, 2)
         return np.array([project(view, corner)[:2] for corner in self._corners]).reshape(-1, 2)
@@ -227,6 +218,6 @@ class PolygonTool(Tool):
 
 
 def _difference(cloud: PointCloud, view: View, polygon: Any, kept: Any, pose: Any) -> str:
-    """What perspective has made of the drawn line, in words; mostly nothing."""
+    """Text on the effect of perspective; usually empty."""
     other = len(np.setxor1d(seen_inside(cloud, view, polygon, pose=pose), kept))
     return f" {other:,} points at its edge lie on the other side of the line as it was drawn." if other else ""

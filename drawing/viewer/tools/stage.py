@@ -1,6 +1,6 @@
-"""What a tool stands on: one page's camera, what can be picked in it, marks of its own, and a place for words.
+"""Interface of tools to one page: its camera, objects to pick, marks and status text.
 
-All that a tool draws lies in the page's own scene, and goes with `clear`.
+Marks are in the page's own scene; `clear` removes them.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ Color = tuple[int, int, int]
 MARK: Color = (230, 60, 20)
 MARK_SIZE = 8.0  # [px]
 LINE_WIDTH = 2.5  # [px]
-MOST_CLICKS = 1000  # that a tool keeps
+MOST_CLICKS = 1000  # per tool
 MAX_BYTES = 256 << 20  # of a download
 
 _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
 
 
 def surfaces_of(item: Item) -> list[tuple[Any, RaycastingScene]]:
-    """The surfaces of an item as scenes for rays, each with its part; built when first asked for."""
+    """Raycasting scenes of an item with their parts, built on first use."""
     found = _scenes.get(item)
     if found is None:
         found = []
@@ -59,41 +59,25 @@ def surfaces_of(item: Item) -> list[tuple[Any, RaycastingScene]]:
 
 
 class Stage:
-    """One page, for one tool at a time.
-
-    Args:
-        session: The page.
-        run: Has something done in the order in which things are asked for; says whether it will be.
-
-    Attributes:
-        clip: What clip planes leave to be seen.
-    """
+    """One page, used by one tool at a time. `run` queues a function in order and returns whether it will run."""
 
     def __init__(self, session: Session, run: Callable[[Callable[[], None]], bool]):
         self.session, self.viewer, self.client, self.run = session, session.viewer, session.client, run
         self.clip = Clip()
-        self.status: Shown  # words and a table of the panel, which the toolbox makes
+        self.status: Shown  # text and table in the panel, created by the toolbox
         self.rows: Shown
         self._nodes: list[Node] = []
         self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
 
-    # -- words --------------------------------------------------------------------------------------------------------
-
     def say(self, text: str) -> None:
-        """Show words in the panel."""
         self.status.value = text
 
     def show(self, rows: Rows) -> None:
-        """Show labels and values in the panel."""
         self.rows.value = rows
         self.rows.visible = bool(rows)
 
     def download(self, name: str, write: Callable[[Path], Any]) -> None:
-        """Have the page save a file under a name; `write` writes it to a path.
-
-        Raises:
-            ValueError: More than 256 MiB.
-        """
+        """Let the page save a file that `write` creates; raises ValueError for more than 256 MiB."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             path = Path(folder) / name
             write(path)
@@ -102,23 +86,17 @@ class Stage:
                 raise ValueError(f"{name} has {size / 1e6:,.0f} MB; pages download at most {MAX_BYTES / 1e6:,.0f} MB")
             self.client.download(name, path.read_bytes())
 
-    # -- what there is ------------------------------------------------------------------------------------------------
-
     def items(self) -> list[Item]:
-        """What is shown, in the order of the scene."""
+        """Visible items in the order of the scene."""
         with self.viewer.lock:
             return [item for item in self.viewer.shown.values() if item.visible]
 
     def clouds(self) -> list[str]:
-        """The names of the clouds that are shown and hold points."""
+        """Names of the visible clouds with points."""
         return [item.name for item in self.items() if item.cloud is not None and len(item.cloud)]
 
     def item(self, name: str) -> Item:
-        """One of them.
-
-        Raises:
-            ValueError: It has gone.
-        """
+        """An item by name; raises ValueError if it was removed."""
         with self.viewer.lock:
             found = self.viewer.shown.get(name)
         if found is None:
@@ -126,22 +104,14 @@ class Stage:
         return found
 
     def cloud(self, name: str) -> tuple[Item, PointCloud]:
-        """A cloud of the scene and its item.
-
-        Raises:
-            ValueError: It has gone, or something else is there now.
-        """
+        """A cloud and its item; raises ValueError if it was removed or replaced by another type."""
         item = self.item(name)
         if item.cloud is None:
             raise ValueError(f"{name} is no cloud any more")
         return item, item.cloud
 
     def unit(self, names: Iterable[str]) -> LengthUnit | None:
-        """The unit of what lies between points of some items; None where it is not known.
-
-        Raises:
-            ValueError: They are in different units, so that nothing between them is a length.
-        """
+        """Length unit between points of some items, None if unknown; raises ValueError if units are mixed."""
         wanted = {*names}
         with self.viewer.lock:
             geometries = [item.geometry for name, item in self.viewer.shown.items() if name in wanted]
@@ -152,12 +122,11 @@ class Stage:
         return known[0] if known else None
 
     def pose_of(self, item: Item) -> Matrix | None:
-        """Where a cloud stands in the world."""
         assert item.points is not None
         return item.pose_of(item.points)
 
     def targets(self, names: Iterable[str] | None = None) -> list[Target]:
-        """What a click may mean: all that is shown, or the clouds of some names; without what is clipped."""
+        """Objects to pick: all visible ones, or the named clouds; clipped points are hidden."""
         found: list[Target] = []
         chosen = None if names is None else set(names)
         for item in self.items():
@@ -169,10 +138,9 @@ class Stage:
         return found
 
     def pick(self, view: View, x: float, y: float, names: Iterable[str] | None = None) -> Pick | None:
-        """What a click means."""
         found = pick(self.targets(names), view, x, y)
         if found is not None and found.index is None and not self.clip.keep(found.point[None])[0]:
-            return None  # of a surface that is clipped away
+            return None  # the surface is clipped here
         return found
 
     def _clipped(self, item: Item, pose: Matrix | None) -> Any:
@@ -186,20 +154,14 @@ class Stage:
             self._hidden[item.name] = known
         return known[3]
 
-    # -- marks --------------------------------------------------------------------------------------------------------
-
     def clear(self) -> None:
-        """Take all marks out of the page."""
         nodes, self._nodes = self._nodes, []
         with self.client.atomic():
             for node in nodes:
                 node.remove()
 
     def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
-        """A dot of a few pixels at a place of the world, and words beside it.
-
-        It lies before the place by its own size: the points around it would cover it.
-        """
+        """Draw a dot and a text at a world position, shifted toward the camera so that no points cover it."""
         towards = view.T_world_camera[:3, 3] - place
         depth = max(float(-towards @ view.T_world_camera[:3, 2]), 0.0)
         nearer = min(MARK_SIZE * depth / view.intrinsic.fy, 0.5 * depth)
@@ -211,12 +173,10 @@ class Stage:
                 self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-left"))
 
     def label(self, place: NDArray[np.float64], text: str) -> None:
-        """Words at a place of the world."""
         at = self.viewer.frame.to_page(place)
         self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-center"))
 
     def lines(self, places: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
-        """A line along places of the world."""
         ends = np.vstack([places, places[:1]]) if closed else places
         if len(ends) < 2:
             return
@@ -227,7 +187,7 @@ class Stage:
         self._nodes.append(self.client.scene.add_lines(segments, plain=color, width=LINE_WIDTH, t=at))
 
     def before_all(self, view: View, x: float, y: float) -> NDArray[np.float64]:
-        """The place in the world that is seen at a pixel, nearer than anything in the scene where that can be."""
+        """World position of a pixel in front of the complete scene, if possible."""
         low, high = self.viewer.bounds
         size = diagonal(self.viewer.bounds)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
@@ -235,50 +195,33 @@ class Stage:
         eye, ray = ray_through(view, x, y)
         return eye + max(float(depths.min()) - 0.02 * size, 0.01 * size) * ray
 
-    # -- the camera ---------------------------------------------------------------------------------------------------
-
     def view(self) -> View:
-        """What the page shows."""
         return self.session.camera_view()
 
     def camera(self) -> CameraState:
-        """The page's camera as it is, to come back to."""
         return self.client.camera.state
 
     def look_from(self, view: View) -> None:
-        """Put the camera there, however far away that is."""
         self.session.look_from(view)
 
     def look_back(self, camera: CameraState) -> None:
-        """Put the camera where it was before."""
         self.session.look_as(camera)
 
 
 def check_room(clicks: list[Any]) -> None:
-    """Refuse one click more than a tool keeps.
-
-    Raises:
-        ValueError: There are as many as that already.
-    """
+    """Raise ValueError if the tool has the maximum number of clicks."""
     if len(clicks) >= MOST_CLICKS:
         raise ValueError(f"{MOST_CLICKS} clicks are as many as are kept: finish, or take some back")
 
 
 def style_of(item: Item) -> dict[str, Any]:
-    """How an item is drawn, as `Viewer.add` takes it."""
     fields = {field.name: field.default for field in dataclasses.fields(item.style)}
     values = {name: getattr(item.style, name) for name in fields}
     return {name: value for name, value in values.items() if value is not fields[name] and value is not None}
 
 
 class Tool:
-    """Something that one does with clicks in the scene; the page's toolbox has one of them at work at a time.
-
-    Attributes:
-        label: On its button.
-        key: That starts and ends it.
-        hint: What to do, shown as it starts.
-    """
+    """A tool that handles clicks; one is active per page. `key` starts and ends it; `hint` is shown at its start."""
 
     label = ""
     key = ""
@@ -288,19 +231,17 @@ class Tool:
         self.stage = stage
 
     def start(self) -> None:
-        """Add controls to the panel, whose folder is open."""
+        """Add controls to the open folder of the panel."""
 
-    def click(self, view: View, x: float, y: float) -> None:
-        """Someone clicked at a pixel."""
+    def click(self, view: View, x: float, y: float) -> None: ...
 
-    def undo(self) -> None:
-        """Take back the last click."""
+    def undo(self) -> None: ...
 
     def finish(self) -> None:
-        """Do it: what Enter asks for."""
+        """Apply the tool (Enter)."""
 
     def refresh(self) -> None:
-        """The scene may have changed."""
+        """Update after a possible change of the scene."""
 
     def stop(self) -> None:
-        """Leave nothing behind; the marks are cleared by the toolbox."""
+        """Clean up; the toolbox removes the marks."""

@@ -1,4 +1,4 @@
-"""The tools of one page: their buttons, the keys and clicks that drive the one at work, and their end."""
+"""The tools of one page, with their buttons, keys and clicks."""
 
 from __future__ import annotations
 
@@ -36,14 +36,13 @@ NOTHING = "Nothing there: click nearer to a point."
 
 
 class PointTool(Tool):
-    """Shows what is known of the point that is clicked on."""
+    """Shows the attributes of a clicked point."""
 
     label = "Pick a point"
     key = "I"
     hint = "Click on a point or a surface. Escape ends."
 
     def click(self, view: View, x: float, y: float) -> None:
-        """Show the point's index, coordinates and attributes."""
         stage, found = self.stage, self.stage.pick(view, x, y)
         stage.clear()
         if found is None:
@@ -61,13 +60,12 @@ class PointTool(Tool):
         stage.say(self.hint)
 
     def undo(self) -> None:
-        """Forget the point."""
         self.stage.clear()
         self.stage.show([])
 
 
 class MeasureTool(Tool):
-    """Measures along a path of clicks."""
+    """Measures distances and angles along clicked points."""
 
     label = "Measure"
     key = "M"
@@ -78,7 +76,6 @@ class MeasureTool(Tool):
         self._picks: list[Pick] = []
 
     def click(self, view: View, x: float, y: float) -> None:
-        """Add a point to the path."""
         found = self.stage.pick(view, x, y)
         if found is None:
             self.stage.say(NOTHING)
@@ -87,17 +84,14 @@ class MeasureTool(Tool):
         self._show([*self._picks, found], view)
 
     def undo(self) -> None:
-        """Remove the last point."""
         if self._picks:
             self._show(self._picks[:-1], self.stage.view())
 
     def finish(self) -> None:
-        """Begin a new path."""
         if self._picks:
             self._show([], self.stage.view())
 
     def _show(self, picks: list[Pick], view: View) -> None:
-        """Take these points, and show them, their distances and angles."""
         self._picks = picks
         stage, places = self.stage, np.array([found.point for found in picks]).reshape(-1, 3)
         stage.clear()
@@ -112,7 +106,7 @@ class MeasureTool(Tool):
         stage.show(measurements(places, unit))
 
 
-MOST_WAITING = 64  # jobs that a page may ask for ahead of those that are done
+MOST_WAITING = 64  # waiting jobs per page
 ACTIVE = "orange"
 KEYS = (
     ("escape", "End the tool", "stop"),
@@ -125,14 +119,7 @@ log = logging.getLogger("pointloom.viewer")
 
 
 class Toolbox:
-    """The tools of a page, made when it connects and closed when it goes.
-
-    What is asked for is done one after the other in a thread of the page's own, in the order of the clicks.
-
-    Args:
-        session: The page.
-        folder: Of the page's panel, in which the tools are.
-    """
+    """The tools of a page while it is connected. Jobs run in order in the page's thread."""
 
     def __init__(self, session: Session, folder: Any):
         self.tool: Tool | None = None
@@ -145,7 +132,7 @@ class Toolbox:
         gui = self._client.gui
         with folder:
             self._buttons = {kind: gui.add_button(f"{kind.label} ({kind.key})") for kind in TOOLS}
-        # at the top of the panel while a tool is at work, where it is seen without scrolling
+        # at the top of the panel, visible without scrolling while a tool is active
         self._top = gui.add_folder("Tool", order=0.5, visible=False)
         with self._top:
             self.stage.status = gui.add_words("")
@@ -161,10 +148,8 @@ class Toolbox:
             command = gui.add_command(label, key, group="Tools")
             command.on_trigger(self._asks(lambda action=action: self._key(action)))
 
-    # -- what drives it -----------------------------------------------------------------------------------------------
-
     def run(self, job: Callable[[], None]) -> bool:
-        """Do something after all that was asked for before, if it is not too much; says whether it will be done."""
+        """Queue a job; False if too many are waiting."""
         with self._lock:
             if self._closed or self._waiting >= MOST_WAITING:
                 return False
@@ -173,23 +158,22 @@ class Toolbox:
             return True
 
     def refresh(self) -> None:
-        """The scene has changed: cut what is new, offer the clouds that there are."""
         with self._lock:
-            if self._is_stale:  # asked for, and not done yet
+            if self._is_stale:  # already queued
                 return
             self._is_stale = True
         if not self.run(self._sync):
             self._is_stale = False
 
     def start(self, kind: type[Tool]) -> None:
-        """Begin with a tool; the one before ends."""
+        """Start a tool and end the previous one."""
         self.stop()
         tool = kind(self.stage)
         gui = self._client.gui
         with self._top:
             self._controls = gui.add_folder(None)
         self._top.visible = True
-        self._client.scene.on_click(self._on_click)  # before the hint, which says that one may click
+        self._client.scene.on_click(self._on_click)  # before the hint that asks for a click
         try:
             self.stage.say(kind.hint)
             with self._controls:
@@ -203,7 +187,7 @@ class Toolbox:
         self._buttons[kind].color = ACTIVE
 
     def stop(self) -> None:
-        """End the tool, and take all of it out of the page."""
+        """End the tool and remove its marks and controls."""
         tool, self.tool = self.tool, None
         if tool is None:
             return
@@ -219,34 +203,31 @@ class Toolbox:
             self._top.visible = False
 
     def give_up_key(self, key: str) -> None:
-        """A key calls the program from now on: the tool that it began is begun by its button."""
+        """Release a key that the program now uses; the tool keeps its button."""
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
             command.remove()
 
     def toggle(self, kind: type[Tool]) -> None:
-        """Begin with a tool, or end it where it is at work."""
         if isinstance(self.tool, kind):
             self.stop()
         else:
             self.start(kind)
 
     def close(self) -> None:
-        """The page has gone: its scene and panel with it; what waits is left."""
+        """End after the page has gone; waiting jobs are dropped."""
         with self._lock:
             self._closed = True
         self._worker.shutdown(wait=False, cancel_futures=True)
         self.clip.close()
         self.tool = None
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
     def _asks(self, job: Callable[[], None]) -> Callable[[Any], Any]:
-        """A callback of the panel that has a job done in its turn."""
+        """A panel callback that queues a job."""
         return lambda _: self.run(job)
 
     def _on_click(self, event: ClickEvent) -> None:
-        view = self._session.view_of(event.camera)  # as it was with the click, not when its turn comes
+        view = self._session.view_of(event.camera)  # camera at the time of the click
         camera = view.intrinsic
         self.run(lambda: self._click(view, event.x * camera.width - 0.5, event.y * camera.height - 0.5))
 
@@ -257,7 +238,7 @@ class Toolbox:
     def _key(self, action: str) -> None:
         if action == "stop":
             self.stop()
-            self._top.visible = False  # what could not begin has left its reason there
+            self._top.visible = False  # an error message of the start is shown there
         elif self.tool is not None:
             getattr(self.tool, action)()
 
@@ -270,11 +251,11 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                with asked_by_page(), np.errstate(all="ignore"):  # a camera may be anywhere
+                with asked_by_page(), np.errstate(all="ignore"):  # the camera may be anywhere
                     job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
             self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
-        except Exception:  # a page that goes meanwhile, or a fault of ours: the viewer goes on
+        except Exception:  # the page has gone, or an internal error: continue
             log.debug("a tool", exc_info=True)
             self._tell("That went wrong; the log of pointloom.viewer says why.")
         finally:
@@ -284,7 +265,7 @@ class Toolbox:
     def _tell(self, text: str) -> None:
         if not self._closed:
             self.stage.say(text)
-            self._top.visible = True  # of what could not begin as well
+            self._top.visible = True  # also for a tool that could not start
 
 
 STEPS = 200  # of a slider
@@ -294,17 +275,12 @@ AS_SEEN = "as one looks"
 
 
 class ClipControls:
-    """Sliders for a box and a plane; what lies outside is hidden in this page alone, and cannot be picked.
-
-    Args:
-        stage: The page.
-        folder: Of the panel, in which they are.
-    """
+    """Sliders for a clip box and a clip plane of one page; clipped points cannot be picked."""
 
     def __init__(self, stage: Stage, folder: Any):
         self._stage = stage
-        self._applied: dict[str, tuple[Any, ...]] = {}  # by item, what its stream was told: stream, planes, pose
-        self._cut: dict[str, tuple[tuple[Any, ...], list[Node]]] = {}  # by item, what was cut how, and our nodes
+        self._applied: dict[str, tuple[Any, ...]] = {}  # by item, last state of its stream: stream, planes, pose
+        self._cut: dict[str, tuple[tuple[Any, ...], list[Node]]] = {}  # by item, state of the clipping and its nodes
         self._pending = False
         gui, run = stage.client.gui, stage.run
         with folder:
@@ -328,7 +304,7 @@ class ClipControls:
             control.on_update(lambda _: self._ask())
 
     def reset(self) -> None:
-        """Take the box of the scene as it is now, and no plane."""
+        """Set the box to the scene's bounds, without a plane."""
         low, high = self._box()
         for axis, slider in enumerate(self._ranges):
             ends = float(low[axis]), float(high[axis])
@@ -339,18 +315,16 @@ class ClipControls:
         self.apply()
 
     def close(self) -> None:
-        """The page has gone, and its scene with it."""
         self._applied.clear()
         self._cut.clear()
 
     def clip(self) -> Clip:
-        """What the controls say."""
         if not self._on.value:
             return Clip()
         low, high = self._box()
         ends = []
         for slider in self._ranges:
-            # a slider at its end does not cut: float32 positions may lie a little beyond the box
+            # a slider at its end does not clip: float32 positions may be slightly outside the box
             a, b = slider.value
             ends.append((-np.inf if a <= slider.min else a, np.inf if b >= slider.max else b))
         box = [min(a, b) for a, b in ends], [max(a, b) for a, b in ends]
@@ -364,7 +338,6 @@ class ClipControls:
         return Clip(*box, normal=normal, offset=offset)
 
     def apply(self) -> None:
-        """Hide what the planes hide, in clouds and surfaces, and show all else."""
         self._pending = False
         self._stage.clip = self.clip()
         self._hide(self._stage.clip)
@@ -391,21 +364,17 @@ class ClipControls:
             session.tell()
 
     def sync(self) -> None:
-        """After the scene has changed: what came since is cut, too."""
         if self._stage.clip.cuts:
             self._hide(self._stage.clip)
 
-    # -- within -------------------------------------------------------------------------------------------------------
-
     def _box(self) -> tuple[Any, Any]:
-        """The scene's box, a little wider where it is flat."""
         low, high = (np.array(ends, np.float64) for ends in self._stage.viewer.bounds)
         flat = high - low <= 1e-6 * max(float((high - low).max()), 1e-9)
         pad = 0.5 * max(float((high - low).max()), 1e-6)
         return np.where(flat, low - pad, low), np.where(flat, high + pad, high)
 
     def _ask(self) -> None:
-        """Apply what the controls say then, once for many changes in a row."""
+        """Queue one update for several changes."""
         if not self._pending:
             self._pending = True
             if not self._stage.run(self.apply):
@@ -419,7 +388,7 @@ class ClipControls:
         self.apply()
 
     def _cut_surfaces(self, items: dict[str, Any], clip: Clip) -> None:
-        """In this page, surfaces of our own stand for those that all pages share, which are hidden in it."""
+        """Replace shared surfaces by clipped ones in this page."""
         stage = self._stage
         for name in [n for n in self._cut if not clip.cuts or n not in items]:
             with stage.client.atomic():
@@ -461,7 +430,7 @@ def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
 
 
 def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
-    """A surface cut by clip planes; one with a texture loses the triangles that reach outside instead."""
+    """Clip a surface; a textured one loses all triangles that are partly outside."""
     positions = download(part.positions).reshape(-1, 3)
     faces = download(part.indices).reshape(-1, 3)
     device = part.positions.device
