@@ -1,1 +1,1 @@
-"""Triangle meshes, the volumes and scenes that they come from and go into, and their colours."""
+"""Triangle meshes, TSDF volumes, ray casting scenes and color maps."""

@@ -1,4 +1,4 @@
-"""What both kinds of boxes have: a colour for pictures, and the points that they hold."""
+"""Base of bounding boxes: color and point tests."""
 
 from __future__ import annotations
 
@@ -17,27 +17,26 @@ from .point_arrays import PointArrays, read_only
 
 
 class BoundingBox(KnownNames):
-    """What both kinds of boxes have: a colour for pictures, and the points that they hold."""
+    """Base of bounding boxes: color and point tests."""
 
     def __init__(self, color: ArrayLike):
         self.color = color
 
     def _repr_html_(self) -> str:
-        """The box in a notebook: where it lies and how long its sides are."""
         sides = {"center [m]": self.get_center(), "sides [m]": self.get_extent()}
         return html_table(type(self).__name__, ((name, np.round(row, 6).tolist()) for name, row in sides.items()))
 
     def get_center(self) -> NDArray[np.float64]:
-        """The middle [m], shape [3]."""
+        """Center [m], shape (3,)."""
         raise NotImplementedError
 
     def get_extent(self) -> NDArray[np.float64]:
-        """Lengths of the sides [m], shape [3]."""
+        """Lengths of the sides [m], shape (3,)."""
         raise NotImplementedError
 
     @property
     def color(self) -> NDArray[np.float64]:
-        """The colour that a viewer draws it in, 0..1, shape [3]; assign another."""
+        """Display color, 0..1, shape (3,); assignable."""
         return read_only(self._color.copy())
 
     @color.setter
@@ -48,7 +47,7 @@ class BoundingBox(KnownNames):
         self._color = color.copy()
 
     def get_point_indices_within_bounding_box(self, points: ArrayLike | PointArrays) -> NDArray[np.int64]:
-        """The indices of the points inside, faces included, ascending; of a cloud or of an array of shape [n, 3]."""
+        """Ascending indices of the points inside (faces included), of a cloud or an array (n, 3)."""
         if isinstance(points, PointArrays):
             mask = self.mask_points(points._device_array("points"), points.origin)
             return points._handed_out(positions_of(mask), dtype=np.int64)
@@ -60,7 +59,7 @@ class BoundingBox(KnownNames):
         return hand_out_host(rows, library, resolve_device("cpu"))
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
+        """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         raise NotImplementedError
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -35,42 +35,39 @@ from .units import unit_under
 if TYPE_CHECKING:
     from .cloud import PointCloud
 
-FLAT = 1e-12  # a variance below this share of the largest is rounding of float32 coordinates, not spread
+FLAT = 1e-12  # of the largest variance: below it is float32 rounding
 
 
 class Bounds(Selection, Movable):
-    """The part of PointCloud that bounds, measures and transforms it."""
+    """Methods of PointCloud for bounds, hulls, distances and affine maps."""
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """The lowest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
+        """Minimum coordinates of the finite points [m], shape (3,); zeros if there are none."""
         return self._device_bounds()[0]
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """The highest coordinates of the finite points [m], shape [3]; zeros for an empty cloud."""
+        """Maximum coordinates of the finite points [m], shape (3,); zeros if there are none."""
         return self._device_bounds()[1]
 
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the finite points [m], shape [3]; zeros where there is none."""
+        """Mean of the finite points [m], shape (3,); zeros if there are none."""
         count, mean, _ = mean_and_covariance(self._arrays["points"])
         return mean + self._origin if count else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The smallest aligned box around the finite points; at zero for an empty cloud."""
+        """Smallest axis-aligned box of the finite points; at zero if there are none."""
         return AxisAlignedBoundingBox(*self._device_bounds())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The box along the principal axes of the convex hull's vertices, that of the largest variance first.
+        """Box along the principal axes of the convex hull's vertices, largest variance first.
 
-        Points in a plane, on a line or all equal have boxes with extents of zero (Open3D raises errors of Qhull).
+        Contains every finite point, with a margin of a few float64 roundings. Degenerate clouds give zero extents.
 
         Args:
             robust: Let Qhull joggle its input, as `compute_convex_hull(joggle_inputs=True)`.
 
-        Returns:
-            A box that holds every finite point: it is wider than they are by a few roundings of float64.
-
         Raises:
-            ValueError: No point is finite.
+            ValueError: If no point is finite.
 
         Example:
             >>> import pointloom as loom
@@ -82,37 +79,30 @@ class Bounds(Selection, Movable):
         return OrientedBoundingBox(*fit_principal_box(positions, self._origin, extremes))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """The box of least volume around the finite points; where they lie in a plane, that of least area.
+        """Box of minimal volume of the finite points, or of minimal area if they are coplanar.
 
-        Kernels search the frames in which two faces of the box that meet hold an edge of the convex hull each, which
-        the smallest box is among. Points in a plane, on a line or all equal have boxes with extents of zero (Open3D
-        raises errors of Qhull).
+        Contains every finite point, with a margin of a few float64 roundings. Degenerate clouds give zero extents.
+        Tests all frames in which two adjacent faces each contain a hull edge, so time grows with the square of the
+        hull's edges. Bitwise reproducible. O'Rourke, "Finding minimal enclosing boxes", IJCIS 1985; Jylänki, "An exact
+        algorithm for finding minimum oriented bounding boxes", 2015.
 
         Args:
             robust: Let Qhull joggle its input, as `compute_convex_hull(joggle_inputs=True)`.
 
-        Returns:
-            A box that holds every finite point: it is wider than they are by a few roundings of float64.
-
         Raises:
-            ValueError: No point is finite.
+            ValueError: If no point is finite.
 
         Example:
             >>> import pointloom as loom
             >>> corners = [[0, 0, 0], [3, 4, 0], [-4, 3, 0], [0, 0, 2], [3, 4, 2], [-4, 3, 2]]
             >>> round(loom.PointCloud(corners).get_minimal_oriented_bounding_box().volume(), 6)
             50.0
-
-        Notes:
-            Time grows with the square of the hull's edges: seconds on two cores for 3,000 vertices. The same from run
-            to run. O'Rourke, "Finding minimal enclosing boxes", IJCIS 1985; Jylanki, "An exact algorithm for finding
-            minimum oriented bounding boxes", 2015.
         """
         extremes, _, positions = hull_of_cloud(self._arrays["points"], bool(robust))
         return OrientedBoundingBox(*fit_smallest_box(positions, self._origin, extremes, self.device))
 
     def _device_bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The lowest and highest corner [m] of the finite points, [3] each; zeros where there is none."""
+        """Lowest and highest corner of the finite points [m], (3,) each; zeros if there are none."""
         low, high, finite = bound_points(self._arrays["points"])
         if not finite:
             return np.zeros(3), np.zeros(3)
@@ -120,18 +110,17 @@ class Bounds(Selection, Movable):
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
-        """The cloud under a 4x4 affine map, computed in float64; normals are turned, and keep their lengths.
+        """Apply a 4x4 affine map in float64; normals are rotated and keep their lengths.
 
-        Covariances C become A C A^T, with A the map's 3x3 part (Open3D's are right for rotations alone). A map that
-        changes lengths by more than rounding of a rotation may (1 %) leaves the cloud without a known unit.
+        Covariances C become A C A^T with the 3x3 part A. If lengths change by more than 1%, the unit becomes unknown.
 
         Raises:
-            ValueError: Not finite, not invertible, or the last row is not (0, 0, 0, 1).
+            ValueError: If the matrix is not finite or not invertible, or its last row is not (0, 0, 0, 1).
         """
         return self._mapped("transformation", check_transformation("transformation", transformation))
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        """The cloud under an affine map; errors call it by the argument that it was made of."""
+        """Apply an affine map; `name` is the argument reported in errors."""
         A, t = T[:3, :3], T[:3, 3]
         moved = matmul(A, self._origin) + t
         origin = origin_under(name, A, t, *self._device_bounds(), moved)
@@ -146,10 +135,10 @@ class Bounds(Selection, Movable):
         return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
 
     def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
-        """The cloud about another origin, its arrays under a map from the old one to the new one."""
+        """Change the origin and map the arrays from the old to the new one."""
         arrays = dict(self._arrays)
         arrays["points"] = transform_points(arrays["points"], A, shift)
-        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances stay what they are
+        is_shift = np.array_equal(A, np.eye(3))  # normals and covariances do not change
         if self.has_normals and not is_shift:
             arrays["normals"] = transform_directions(arrays["normals"], inv(A).T)
         if (
@@ -164,24 +153,20 @@ class Bounds(Selection, Movable):
         return cloud
 
     def compute_convex_hull(self, joggle_inputs: bool = False) -> tuple[ConvexHull, NDArray[np.int64]]:
-        """The convex hull of the finite points.
+        """Convex hull of the finite points.
 
-        Kernels rule out the points inside a coarse hull of the farthest ones; Qhull makes the hull of the rest from
-        float64 positions relative to the origin. Points that lie in one plane, to the rounding of float32, have a flat
-        hull: their polygon, seen from both sides (Open3D raises Qhull's error QH6154).
+        Kernels discard points inside a coarse hull, Qhull computes the rest in float64. Coplanar points (to float32
+        rounding) give a flat, two-sided polygon. 40 B per point. Bitwise reproducible. Barber et al., "The Quickhull
+        algorithm for convex hulls", TOMS 1996.
 
         Args:
-            joggle_inputs: Let Qhull move its input by some 1e-11 of its size instead of merging facets.
+            joggle_inputs: Let Qhull perturb its input by about 1e-11 of its size instead of merging facets.
 
         Returns:
-            The hull, and the index of the cloud's point at each of its vertices, ascending, int64 [m].
+            (hull, ascending indices of its vertices in the cloud, int64 (m,)).
 
         Raises:
-            ValueError: No point is finite, or all lie on one line.
-
-        Notes:
-            40 B of memory a point. The same bits from run to run. Barber et al., "The Quickhull algorithm for convex
-            hulls", TOMS 1996.
+            ValueError: If no point is finite, or all are collinear.
         """
         extremes, indices, positions = hull_of_cloud(self._arrays["points"], bool(joggle_inputs))
         if extremes.dimension < 2:
@@ -196,24 +181,21 @@ class Bounds(Selection, Movable):
     def hidden_point_removal(
         self, camera_location: ArrayLike, radius: float
     ) -> tuple[VisibleSurface, NDArray[np.int64]]:
-        """The points that a camera sees: those not hidden behind the surface that the others stand for.
+        """Find the points visible from a camera by spherical inversion and the convex hull.
 
-        Points are mirrored about a sphere around the camera; those that become vertices of the convex hull of all and
-        the camera are seen. Kernels mirror in float64 and rule out what lies inside a coarse hull, Qhull does the rest.
-        A point at the camera itself is not seen (Open3D's hull is of NaN then). Where all points and the camera lie in
-        one plane, what is seen in that plane is found (Open3D raises Qhull's error QH6154).
+        A point at the camera is not visible. Coplanar input is solved in its plane. 40 B per point. Bitwise
+        reproducible. Katz, Tal and Basri, "Direct visibility of point sets", SIGGRAPH 2007.
 
         Args:
-            camera_location: World coordinates [m], shape [3].
-            radius: Of the sphere [m], at least the distance of the farthest point. Larger radii see more of the
-                points, and more of the hidden ones; a thousand times the cloud's size is a start. Test it from the
-                scanner's own place, where nearly all should be seen: fewer, and a larger one is needed.
+            camera_location: World coordinates [m], shape (3,).
+            radius: Sphere radius [m], at least the distance of the farthest point. Larger values accept more visible
+                and more hidden points; start with 1,000 times the cloud's size.
 
         Returns:
-            The surface of the visible points, and their indices, ascending, int64 [m].
+            (surface of the visible points, their ascending indices, int64 (m,)).
 
         Raises:
-            ValueError: The radius is not positive, or the camera not finite.
+            ValueError: If the radius is not positive, or the camera is not finite.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -223,19 +205,15 @@ class Bounds(Selection, Movable):
             >>> _, indices = cloud.hidden_point_removal([0, 0, 5], 100)
             >>> bool(cloud.points[indices, 2].min() > 0)
             True
-
-        Notes:
-            40 B of memory a point. The same bits from run to run. Katz, Tal and Basri, "Direct visibility of point
-            sets", SIGGRAPH 2007.
         """
         camera = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         points = self._arrays["points"]
         candidates, flipped = visible_rows(points, self._origin - camera, check_positive("radius", radius))
-        # Qhull is a fifth faster on points that follow a curve through space
+        # Qhull is 20% faster on points along a space-filling curve
         along = download(HilbertOrder(gather_rows(points, candidates)).order)  # sync
         rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
         extremes = find_extremes(np.concatenate([mirrored, np.zeros((1, 3))]))
-        seen = extremes.rows[extremes.rows < len(rows)]  # the camera, last of the rows, is no point of the cloud
+        seen = extremes.rows[extremes.rows < len(rows)]  # the camera, the last row, is not a point of the cloud
         triangles = extremes.triangles[(extremes.triangles < len(seen)).all(axis=1)]
         ascending = np.argsort(rows[seen])
         indices = rows[seen][ascending]
@@ -247,22 +225,18 @@ class Bounds(Selection, Movable):
         return surface, hand_out_host(indices, self._library, self.device)
 
     def compute_point_cloud_distance(self, target: PointCloud) -> NDArray[np.float64]:
-        """The distance of each point to the nearest point of another cloud.
+        """Distance of each point to the nearest point of another cloud.
 
         Args:
             target: The other cloud, on the same device.
 
         Returns:
-            Distances [m], float64 [n]; infinite where the target has no finite point (Open3D: 0, which reads as a
-            perfect match) or all lie farther than 1.8e19 m, 0 below 1e-19 m, NaN for points that are not finite.
+            Distances [m], float64 (n,): infinite if the target has no finite point (Open3D: 0) or is beyond 1.8e19 m, 0
+            below 1e-19 m, NaN for points that are not finite. O(n + m) memory, bitwise reproducible.
 
         Raises:
-            TypeError: The target is no cloud.
-            ValueError: Points that `NearestNeighborSearch` refuses for what they span.
-            DeviceError: The clouds are on different devices.
-
-        Notes:
-            O(n + m) memory, the same bits from run to run.
+            TypeError, ValueError: If `target` is not a cloud, or if the extent exceeds `NearestNeighborSearch`.
+            DeviceError: If the clouds are on different devices.
 
         Example:
             >>> import pointloom as loom
@@ -273,36 +247,27 @@ class Bounds(Selection, Movable):
         return self._handed_out(measure_to(self, target))
 
     def compute_nearest_neighbor_distance(self) -> NDArray[np.float64]:
-        """The distance of each point to the nearest other point of the cloud.
+        """Distance of each point to its nearest other point.
 
         Returns:
-            Distances [m], float64 [n]; 0 where another point lies at the same place, and, as Open3D has it, where
-            there is no other point. NaN for points that are not finite.
+            Distances [m], float64 (n,): 0 for coincident points or without another point, as in Open3D; NaN for points
+            that are not finite. O(n) memory, bitwise reproducible.
 
         Raises:
-            ValueError: Points that `NearestNeighborSearch` refuses for what they span.
-
-        Notes:
-            O(n) memory, the same bits from run to run.
+            ValueError: If the extent exceeds `NearestNeighborSearch`.
         """
         points = self._arrays["points"]
         return self._handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The mean [m], shape [3], and the covariance [m^2], shape [3, 3], of the finite points.
-
-        The covariance is divided by their number, as Open3D's is, and taken about the mean, so that coordinates of any
-        size do no harm. NaN where no point is finite.
-        """
+        """Mean [m], (3,), and centered covariance [m^2], (3, 3), of the finite points, divided by n; NaN if none."""
         _, mean, covariance = mean_and_covariance(self._arrays["points"])
         return mean + self._origin, covariance
 
     def compute_mahalanobis_distance(self) -> NDArray[np.float64]:
-        """How far each point lies from the mean, in standard deviations of the cloud in that direction.
+        """Mahalanobis distance of each point from the mean, float64 (n,); NaN for points that are not finite.
 
-        Returns:
-            float64 [n]; NaN for points that are not finite. Directions in which the cloud has no extent do not count,
-            so a flat cloud has distances within its plane (Open3D gives NaN for all of it).
+        Directions without extent are ignored (Open3D returns NaN for flat clouds).
         """
         points = self._arrays["points"]
         count, mean, covariance = mean_and_covariance(points)
@@ -311,7 +276,7 @@ class Bounds(Selection, Movable):
 
 
 def measure_to(source: PointArrays, target: PointArrays) -> wp.array:
-    """The distance of each point of a cloud to the nearest of another, a float64 device array."""
+    """Distance of each point to the nearest point of another cloud, a float64 device array."""
     check_same_device("queries", source.device, target.device)
     common_unit("source, target", (source.unit, target.unit))
     return nearest_distances(target.search_tree(), source._points_about(target.origin))

@@ -1,4 +1,4 @@
-"""Boxes, aligned with the axes or turned: what they hold of a cloud, and how they are made, moved and measured."""
+"""Axis-aligned and oriented bounding boxes."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ CORNERS = np.array(  # Open3D's order, in halves of the extent
 
 
 class AxisAlignedBoundingBox(BoundingBox):
-    """All points with min_bound <= p <= max_bound on each axis, both included.
+    """All points with min_bound <= p <= max_bound on each axis.
 
-    Boxes are equal where their bounds are; the colour does not count. Methods that move a box return another.
+    Boxes are equal if their bounds are; the color is ignored. Methods return new boxes.
 
     Args:
-        min_bound: Lowest corner [m], shape [3]; -inf leaves a side open.
-        max_bound: Highest corner [m], shape [3].
+        min_bound: Lowest corner [m], shape (3,); -inf leaves a side open.
+        max_bound: Highest corner [m], shape (3,).
 
     Raises:
-        ValueError: A bound is NaN, the lowest corner is above the highest, or both are at the same infinity.
+        ValueError: If a bound is NaN, a minimum exceeds its maximum, or both are at the same infinity.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -56,25 +56,25 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points(cls, points: ArrayLike) -> AxisAlignedBoundingBox:
-        """The box of the finite points of an array of shape [n, 3]; at zero where there is none."""
+        """Box of the finite points of an array (n, 3); at zero if there are none."""
         return cls(*finite_box(check_rows("points", points, 3, dtype=np.float64)))
 
     @property
     def min_bound(self) -> NDArray[np.float64]:
-        """Lowest corner [m], shape [3]."""
+        """Lowest corner [m], shape (3,)."""
         return read_only(self._min_bound.copy())
 
     @property
     def max_bound(self) -> NDArray[np.float64]:
-        """Highest corner [m], shape [3]."""
+        """Highest corner [m], shape (3,)."""
         return read_only(self._max_bound.copy())
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        """Both bounds: `low, high = mesh.get_axis_aligned_bounding_box()`."""
+        """Unpack as `low, high = box`."""
         return iter((self.min_bound, self.max_bound))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """Both bounds, shape [2, 3]."""
+        """Both bounds, shape (2, 3)."""
         return np.array([self._min_bound, self._max_bound], dtype)
 
     def __repr__(self) -> str:
@@ -88,7 +88,7 @@ class AxisAlignedBoundingBox(BoundingBox):
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
     def __add__(self, other: AxisAlignedBoundingBox) -> AxisAlignedBoundingBox:
-        """The smallest box around both, in this one's colour; a box without volume adds nothing, as in Open3D."""
+        """Smallest box around both, in this one's color; a box without volume adds nothing, as in Open3D."""
         if not isinstance(other, AxisAlignedBoundingBox):
             return NotImplemented
         low, high = self._min_bound, self._max_bound
@@ -99,61 +99,61 @@ class AxisAlignedBoundingBox(BoundingBox):
         return self._like(low, high)
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """Lowest corner [m], shape [3]."""
+        """Lowest corner [m], shape (3,)."""
         return self.min_bound
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """Highest corner [m], shape [3]."""
+        """Highest corner [m], shape (3,)."""
         return self.max_bound
 
     def get_center(self) -> NDArray[np.float64]:
-        """The middle [m], shape [3]."""
+        """Center [m], shape (3,)."""
         return (self._min_bound + self._max_bound) * 0.5
 
     def get_extent(self) -> NDArray[np.float64]:
-        """Full lengths along x, y and z [m], shape [3]."""
+        """Lengths along x, y and z [m], shape (3,)."""
         return self._max_bound - self._min_bound
 
     def get_half_extent(self) -> NDArray[np.float64]:
-        """Half the lengths along x, y and z [m], shape [3]."""
+        """Half the lengths along x, y and z [m], shape (3,)."""
         return self.get_extent() * 0.5
 
     def get_max_extent(self) -> float:
-        """The longest of the lengths [m]."""
+        """Longest length [m]."""
         return float(self.get_extent().max())
 
     def volume(self) -> float:
-        """The volume [m^3]."""
+        """Volume [m^3]."""
         return float(self.get_extent().prod())
 
     def is_empty(self) -> bool:
-        """Whether it has no volume."""
+        """True if the volume is zero."""
         return self.volume() <= 0
 
     def get_box_points(self) -> NDArray[np.float64]:
-        """The corners in Open3D's order, shape [8, 3]."""
+        """Corners in Open3D's order, shape (8, 3)."""
         return np.where(CORNERS < 0, self._min_bound, self._max_bound)
 
     def get_print_info(self) -> str:
-        """The bounds as Open3D prints them."""
+        """Bounds as Open3D prints them."""
         low, high = (", ".join(f"{value:.4f}" for value in bound) for bound in (self._min_bound, self._max_bound))
         return f"[({low}) - ({high})]"
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """This box."""
+        """Return this box."""
         return self
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """This box as a turned one."""
+        """Convert to an oriented box."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """This box as a turned one."""
+        """Convert to an oriented box."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self)
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> AxisAlignedBoundingBox:
-        """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
+        """Translate by a vector [m]; with `relative=False`, move the center there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         if relative:
             return self._like(self._min_bound + step, self._max_bound + step)
@@ -162,15 +162,15 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> AxisAlignedBoundingBox:
-        """The box scaled by a factor above zero about a point [m], about its middle if none is given."""
+        """Scale by a positive factor about a point [m], default the center."""
         factor = check_positive("scale", scale)
         about = self.get_center() if center is None else check_finite("center", check_shape("center", center, (3,)))
-        with np.errstate(over="ignore"):  # a side beyond float64 is an open one
+        with np.errstate(over="ignore"):  # sides beyond float64 are open
             return self._like(about + factor * (self._min_bound - about), about + factor * (self._max_bound - about))
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
-        """The box turned about a point, its middle if none is given: an oriented one (Open3D raises an error)."""
+        """Rotate about a point, default the center; returns an oriented box."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self).rotate(R, center)
 
     def _like(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> AxisAlignedBoundingBox:
@@ -179,7 +179,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         return box
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
+        """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         return mask_aligned_box(points, origin, self._min_bound, self._max_bound)
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
@@ -187,18 +187,17 @@ class AxisAlignedBoundingBox(BoundingBox):
 
 
 class OrientedBoundingBox(BoundingBox):
-    """A turned box, its faces included.
+    """An oriented box, faces included.
 
-    Boxes are equal where centre, axes and extent are; the colour does not count. Methods that move a box return
-    another.
+    Boxes are equal if center, axes and extent are; the color is ignored. Methods return new boxes.
 
     Args:
-        center: Its middle [m], shape [3].
-        R: Rotation, shape [3, 3]; its columns are the box's axes.
-        extent: Full lengths along the axes [m], shape [3].
+        center: Center [m], shape (3,).
+        R: Rotation, shape (3, 3); its columns are the box's axes.
+        extent: Lengths along the axes [m], shape (3,).
 
     Raises:
-        ValueError: R is no rotation, or an extent is negative or not finite.
+        ValueError: If R is not a rotation, or an extent is negative or not finite.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -225,7 +224,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: AxisAlignedBoundingBox) -> OrientedBoundingBox:
-        """The same box, in the same colour, with the axes x, y and z."""
+        """Same box and color with the axes x, y and z."""
         if not isinstance(aabox, AxisAlignedBoundingBox):
             raise TypeError(f"aabox: expected an AxisAlignedBoundingBox, got {type(aabox).__name__}")
         box = cls(aabox.get_center(), np.eye(3), aabox.get_extent())
@@ -234,31 +233,31 @@ class OrientedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points(cls, points: ArrayLike, robust: bool = False) -> OrientedBoundingBox:
-        """As `PointCloud.get_oriented_bounding_box`, of an array of shape [n, 3]."""
+        """As `PointCloud.get_oriented_bounding_box`, for an array (n, 3)."""
         positions, origin = _centered(points)
         extremes = find_extremes(positions, robust)
         return cls(*fit_principal_box(positions, origin, extremes))
 
     @classmethod
     def create_from_points_minimal(cls, points: ArrayLike, robust: bool = False) -> OrientedBoundingBox:
-        """As `PointCloud.get_minimal_oriented_bounding_box`, of an array of shape [n, 3]; on the CPU."""
+        """As `PointCloud.get_minimal_oriented_bounding_box`, for an array (n, 3); on the CPU."""
         positions, origin = _centered(points)
         extremes = find_extremes(positions, robust)
         return cls(*fit_smallest_box(positions, origin, extremes, "cpu"))
 
     @property
     def center(self) -> NDArray[np.float64]:
-        """The middle [m], shape [3]."""
+        """Center [m], shape (3,)."""
         return read_only(self._center.copy())
 
     @property
     def R(self) -> NDArray[np.float64]:
-        """Rotation, shape [3, 3]; its columns are the axes."""
+        """Rotation, shape (3, 3); its columns are the axes."""
         return read_only(self._R.copy())
 
     @property
     def extent(self) -> NDArray[np.float64]:
-        """Full lengths along the axes [m], shape [3]."""
+        """Lengths along the axes [m], shape (3,)."""
         return read_only(self._extent.copy())
 
     def __repr__(self) -> str:
@@ -274,62 +273,62 @@ class OrientedBoundingBox(BoundingBox):
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
     def get_center(self) -> NDArray[np.float64]:
-        """The middle [m], shape [3]."""
+        """Center [m], shape (3,)."""
         return self.center
 
     def get_extent(self) -> NDArray[np.float64]:
-        """Full lengths along the axes [m], shape [3]."""
+        """Lengths along the axes [m], shape (3,)."""
         return self.extent
 
     def get_half_extent(self) -> NDArray[np.float64]:
-        """Half the lengths along the axes [m], shape [3]."""
+        """Half the lengths along the axes [m], shape (3,)."""
         return self._extent * 0.5
 
     def get_max_extent(self) -> float:
-        """The longest of the lengths [m]."""
+        """Longest length [m]."""
         return float(self._extent.max())
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        """The lowest coordinates of its corners [m], shape [3]."""
+        """Minimum coordinates of the corners [m], shape (3,)."""
         return self.get_box_points().min(axis=0)
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        """The highest coordinates of its corners [m], shape [3]."""
+        """Maximum coordinates of the corners [m], shape (3,)."""
         return self.get_box_points().max(axis=0)
 
     def volume(self) -> float:
-        """The volume [m^3]."""
+        """Volume [m^3]."""
         return float(self._extent.prod())
 
     def is_empty(self) -> bool:
-        """Whether it has no volume."""
+        """True if the volume is zero."""
         return self.volume() <= 0
 
     def get_box_points(self) -> NDArray[np.float64]:
-        """The corners in Open3D's order, shape [8, 3]."""
+        """Corners in Open3D's order, shape (8, 3)."""
         return self._center + matmul(CORNERS * (self._extent / 2), self._R.T)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The smallest aligned box around it."""
+        """Smallest axis-aligned box around it."""
         return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """This box."""
+        """Return this box."""
         return self
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        """This box."""
+        """Return this box."""
         return self
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> OrientedBoundingBox:
-        """The box moved by a vector [m]; with `relative=False`, its middle moved there."""
+        """Translate by a vector [m]; with `relative=False`, move the center there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         return self._like(self._center + step if relative else step, self._R, self._extent)
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> OrientedBoundingBox:
-        """The box scaled by a factor above zero about a point [m], about its middle if none is given."""
+        """Scale by a positive factor about a point [m], default the center."""
         factor = check_positive("scale", scale)
         about = self.center if center is None else check_finite("center", check_shape("center", center, (3,)))
         if factor * max(np.abs(self._center - about).max(), self._extent.max()) > LARGEST_NUMBER:
@@ -338,7 +337,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
-        """The box turned about a point, its middle if none is given."""
+        """Rotate about a point, default the center."""
         turn = check_shape("R", R, (3, 3))
         about = self._center if center is None else check_finite("center", check_shape("center", center, (3,)))
         return self._like(matmul(turn, self._center - about) + about, matmul(turn, self._R), self._extent)
@@ -349,16 +348,16 @@ class OrientedBoundingBox(BoundingBox):
         return box
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-        """A uint8 device mask of the points inside, of an array of vec3 relative to an origin."""
+        """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         return mask_oriented_box(points, origin - self._center, self._R.T, self._extent / 2)
 
     def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        with np.errstate(invalid="ignore", over="ignore"):  # points that are infinite or huge are outside
+        with np.errstate(invalid="ignore", over="ignore"):  # infinite or huge points are outside
             return np.logical_and.reduce(np.abs(matmul(points - self._center, self._R)) <= self._extent / 2, axis=1)
 
 
 def _centered(points: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The finite points about the middle of their box, and that middle."""
+    """Finite points about the center of their box, and that center."""
     positions = check_rows("points", points, 3, dtype=np.float64)
     positions = positions[np.isfinite(positions).all(axis=1)]
     if not len(positions):

@@ -20,23 +20,20 @@ from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, 
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
-LEAST_POINTS = 4  # in either cylinder: a spread of fewer tells little
+LEAST_POINTS = 4  # per cylinder: a spread of fewer is unreliable
 
 
 @dataclass(frozen=True, eq=False)
 class M3C2Result:
-    """What M3C2 found at each of n core points.
+    """M3C2 distances at n core points.
 
     Attributes:
-        distances: From the first epoch to the second along the direction [m], float64 [n]; NaN where a cylinder holds
-            no point of one of them, or there is no direction.
-        level_of_detection: What the distance must exceed to be a change with 95 % confidence [m], float64 [n]; NaN
-            where a cylinder holds fewer than two points of one of them.
-        directions: Unit directions, float32 [n, 3]; NaN where the points of no scale span a plane.
-        scales: The radius that each direction was fitted at [m], float64 [n]; NaN where there is none, or directions
-            were given.
-        spreads: Standard deviations along the direction in the first and in the second epoch [m], float64 [n, 2].
-        counts: Points in the cylinder of the first and of the second epoch, int32 [n, 2].
+        distances: From the first to the second epoch along the direction [m], float64 (n,); NaN if undefined.
+        level_of_detection: Significant change at 95% confidence [m], float64 (n,); NaN with fewer than two points.
+        directions: Unit directions, float32 (n, 3); NaN if undefined.
+        scales: Radius of each normal [m], float64 (n,); NaN if undefined or given.
+        spreads: Standard deviations along the direction in both epochs [m], float64 (n, 2).
+        counts: Points in the cylinders of both epochs, int32 (n, 2).
     """
 
     distances: NDArray[np.float64]
@@ -48,12 +45,11 @@ class M3C2Result:
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:
-        """Where the distance exceeds the level of detection and at least 4 points of each epoch say so, bool [n]."""
+        """True where the distance exceeds the level of detection with at least 4 points per epoch, bool (n,)."""
         with np.errstate(invalid="ignore"):
             return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= LEAST_POINTS)
 
     def __repr__(self) -> str:
-        """Its size, and how much has changed."""
         found, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
         return f"M3C2Result({len(self.distances)} core points, {found} with a distance, {changed} significant)"
 
@@ -71,38 +67,30 @@ def m3c2(
     orientation: ArrayLike = (0.0, 0.0, 1.0),
     directions: ArrayLike | None = None,
 ) -> M3C2Result:
-    """The distance between two epochs along the surface's normal, with what is within the noise: M3C2.
+    """Distance between two epochs along the surface normal, with its level of detection (M3C2).
 
-    At each core point the normal is taken at the scale where the first epoch is flattest. In a cylinder along it the
-    mean places of both epochs' points are compared; their spreads, their numbers and the error of the registration give
-    the distance that 95 % of unchanged places stay below.
+    Normals use the scale where the first epoch is flattest. The mean positions of both epochs in a cylinder along the
+    normal are compared; spread, number and registration error give the 95% level of detection. 130 B per core point.
+    Bitwise reproducible on one device. Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with
+    terrestrial laser scanner", ISPRS 2013, without medians. Assumes normal, independent errors.
 
     Args:
-        first: The earlier epoch.
-        second: The later epoch, on the same device.
-        normal_radii: Radii of the neighbourhoods that normals are fitted to [m], one or several, boundaries excluded:
-            20 to 25 times the roughness. Not needed where `directions` are given.
-        cylinder_radius: Of the cylinders [m], boundary included: wide enough for some 20 points.
-        max_distance: How far the cylinders reach to either side [m]: beyond the largest change.
-        core_points: Where to measure, on the same device; None takes the first epoch's points. A cloud thinned by
-            `voxel_down_sample` tells as much in less time.
-        registration_error: Of the two epochs against each other [m], as a standard deviation.
-        orientation: Normals are turned to the side of this direction, shape [3]; distances are positive there.
-        directions: Unit directions to measure along in place of normals, shape [n, 3], or one of shape [3].
+        first, second: The earlier and the later epoch, on the same device.
+        normal_radii: Exclusive radii for normals [m], one or several: 20 to 25 times the roughness.
+        cylinder_radius: Inclusive radius of the cylinders [m], for about 20 points.
+        max_distance: Half length of the cylinders [m], more than the largest change.
+        core_points: Points to measure at, on the same device. If None: the first epoch. Thin with `voxel_down_sample`.
+        registration_error: Standard deviation of the registration [m].
+        orientation: Direction of the normals' side, shape (3,); distances are positive there.
+        directions: Unit directions instead of normals, shape (n, 3) or (3,).
 
     Raises:
-        TypeError: No clouds, or not numbers.
-        ValueError: Lengths that are not above 0, neither radii nor directions, or arrays of another shape.
-        DeviceError: Clouds on different devices.
+        TypeError: If an epoch is not a cloud, or an argument is not numeric.
+        ValueError: If a length is not positive, neither radii nor directions are given, or a shape is wrong.
+        DeviceError: If the clouds are on different devices.
 
     Warns:
-        UnitWarning: The clouds have different units.
-
-    Notes:
-        O(n + m) memory: 130 B a core point beside the clouds. Positions are float32 about the first epoch's origin,
-        sums float64: the same bits from run to run on one device. Lague, Brodu and Leroux, ISPRS Journal 82, 2013;
-        without its medians. py4dgeo counts and divides in the same way. The limit supposes spreads that are normal and
-        points that are independent.
+        UnitWarning: If the clouds have different units.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -149,18 +137,13 @@ def _told(changes: Changes, directions: Vectors, which: Integers | None, radii: 
 
 
 def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
-    """The search tree of a cloud about another's origin."""
     if (cloud.origin == other.origin).all():
         return cloud.search_tree()
     return PointCloud(cloud.points, origin=other.origin, device=cloud.device).search_tree()
 
 
 def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
-    """Radii of normals, ascending; none where directions are given.
-
-    Raises:
-        ValueError: Neither is, or a radius is no length above 0.
-    """
+    """Ascending normal radii, empty if directions are given; ValueError if neither is valid."""
     if directions is not None:
         return np.empty(0)
     if radii is None:

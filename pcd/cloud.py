@@ -1,7 +1,4 @@
-"""PointCloud: points with named attributes, as a structure of arrays on one device.
-
-The operations are in one module per topic; PointCloud inherits them.
-"""
+"""PointCloud: points with named attributes on one device; operations are inherited from one module per topic."""
 
 from __future__ import annotations
 
@@ -24,35 +21,27 @@ from .segmentation import Segmentation
 
 
 class PointCloud(Normals, Bounds, Segmentation, Conversion):
-    """Points in space with attributes, on one device.
+    """Points with attributes on one device. Operations return a new cloud: `cloud = cloud.estimate_normals()`.
 
-    Operations return a new cloud and leave this one as it is: `cloud = cloud.estimate_normals()`.
+    Positions are float32 about a float64 `origin`, chosen automatically for coordinates beyond 1e4. `points`, `normals`
+    and `colors` are read-only NumPy copies; `array(name)` is the device array. Results share unchanged arrays, keep all
+    attributes, and cache the search tree with the points (20 B per point). Non-finite points are kept, but ignored.
 
-    Positions are float32 relative to a float64 `origin`, which moves by itself where coordinates exceed 1e4, so kernels
-    stay exact at UTM coordinates. Reading `points`, `normals`, `colors` gives NumPy arrays that cannot be written to
-    (change a `.copy()` and assign that); `array(name)` gives the device array without a copy. What an operation returns
-    shares what it did not change, and carries all attributes along. The tree that searches need is built once and kept
-    with the points (20 B a point), for all clouds that share them. Points that are not finite are kept and never
-    counted: they are nobody's neighbour.
-
-    Arrays come back as they came (docs/arrays.md): operations of a cloud made of NumPy arrays or lists return NumPy
-    arrays on every device, those of a cloud made of torch, cupy, jax or Warp arrays return such, where the cloud is.
-    NumPy arrays are copied; the arrays of those libraries are shared where type and layout allow, so what is written to
-    them changes the cloud (see `from_dlpack`).
+    Operations return arrays of the library that the cloud was made from (docs/arrays.md). NumPy arrays are copied;
+    torch, cupy, jax and Warp arrays are shared if type and layout allow, see `from_dlpack`.
 
     Args:
-        points: Shape [n, 3] [m].
-        normals: Shape [n, 3].
-        colors: Shape [n, 3], 0..1; uint8 is divided by 255.
-        device: "cpu", "cuda:0", "auto"; None for the GPU that the points lie on, else the CPU.
-        origin: Where the float32 coordinates start [m], shape [3]; chosen where not given.
-        unit: Of the coordinates, such as "foot"; None for an unknown one, which counts as metres.
-        **attributes: Further arrays of shape [n] or [n, c], such as intensity, ring, label.
+        points: Shape (n, 3) [m].
+        normals: Shape (n, 3).
+        colors: Shape (n, 3), 0..1; uint8 is divided by 255.
+        device: "cpu", "cuda:0" or "auto". If None: the points' GPU, or the CPU.
+        origin: Origin of the float32 coordinates [m], shape (3,). If None: chosen.
+        unit: Unit of the coordinates, such as "foot". If None: unknown, treated as meters.
+        **attributes: Other arrays of shape (n,) or (n, c), such as intensity or label.
 
     Raises:
-        ValueError: Wrong shapes or lengths, colours out of range, a unit that is not known.
-        TypeError: Not numeric.
-        DeviceError: No such device.
+        ValueError: If a shape or length is wrong, colors are out of range, or the unit is unknown.
+        TypeError, DeviceError: If an array is not numeric, or if the device does not exist.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -90,6 +79,6 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             self._set("colors", colors)
         for name, values in attributes.items():
             self._set(name, values)
-        if device is not None and where != self.device:  # arrays that lay on a GPU
+        if device is not None and where != self.device:  # arrays were on a GPU
             self._arrays = {name: move(values, where) for name, values in self._arrays.items()}
             self._kept = KeptTree(self._arrays["points"])

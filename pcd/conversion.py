@@ -28,16 +28,16 @@ from .kept_tree import KeptTree
 from .point_arrays import VECTORS
 from .selection import Selection
 
-NOBODY_MEASURES = 1000.0  # [m] and more, by a depth camera
-OTHER_UNIT = 30.0  # times the farthest depth kept: a limit cuts off less
-_COVARIANCES = "covariances"  # [n, 9] here, [n, 3, 3] in Open3D
+NOBODY_MEASURES = 1000.0  # [m] beyond the range of depth cameras
+OTHER_UNIT = 30.0  # times the maximum depth: a larger scene suggests another unit
+_COVARIANCES = "covariances"  # (n, 9) here, (n, 3, 3) in Open3D
 
 
 class Conversion(Selection):
-    """The part of PointCloud that converts it to and from images and other libraries.
+    """Methods of PointCloud that convert it to and from images and other libraries.
 
-    A pickled cloud contains NumPy arrays. It returns to the device of the same name, else to the first GPU if it was on
-    one. `copy.copy` shares the arrays as `copy()` does, `copy.deepcopy` copies them on their device.
+    A pickled cloud is restored on the saved device, or the first GPU if its index does not exist. `copy.copy` shares
+    arrays, `copy.deepcopy` copies them.
     """
 
     @classmethod
@@ -55,25 +55,23 @@ class Conversion(Selection):
         with_normals: bool = False,
         device: Any = None,
     ) -> Self:
-        """The points of a depth image, row by row.
+        """Create a cloud from a depth image, row by row.
 
         Args:
-            depth: Shape [h, w]; integers of 16 bits and more, or floats.
+            depth: Shape (h, w); integers of 16 bits and more, or floats.
             intrinsic: The camera, of the image's size.
-            extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-            depth_trunc: Farthest depth kept [m] (Open3D drops it itself), also for float depth (Open3D ignores it
-                there).
-            stride: Takes every stride-th pixel of every stride-th row.
-            project_valid_depth_only: False keeps the grid: NaN points where there is no depth, `cloud.grid` set.
-            with_normals: Adds unit normals towards the camera, from the differences to the next points of the grid
-                to the right and below; see `create_normal_map`. Points without one (beside holes, and the last row
-                and column) are dropped, or get NaN where the grid is kept. Open3D's tensor form blurs the depth
-                first, across edges too; do that with `filter_depth_bilateral`, which does not, or `pyrdown_depth`.
-            device: Where the cloud goes; None for the GPU that the depth lies on, else the CPU.
+            extrinsic: T_camera_world, shape (4, 4). If None: identity.
+            depth_scale: Depth units per meter. If None: 1000 for integers, 1 for floats.
+            depth_trunc: Maximum depth kept [m], also for float depth.
+            stride: Use every stride-th pixel and row.
+            project_valid_depth_only: If False, keep the grid: NaN points without depth, and `cloud.grid` is set.
+            with_normals: Add unit normals toward the camera from differences to the next grid points, see
+                `create_normal_map`. Points without one are dropped, or get NaN if the grid is kept. Smooth the depth
+                first with `filter_depth_bilateral` or `pyrdown_depth`.
+            device: Target device. If None: the depth's GPU, or the CPU.
 
         Raises:
-            ValueError: Wrong shapes, sizes that disagree, an extrinsic that is no rigid motion.
+            ValueError: If shapes or sizes disagree, or the extrinsic is not rigid.
         """
         where = device_for(depth, device)
         metric, scale, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
@@ -98,7 +96,7 @@ class Conversion(Selection):
         stride: int = 1,
         with_normals: bool = False,
     ) -> Self:
-        """The colored points of an RGB-D image, gray if it has brightness only; see `create_from_depth_image`."""
+        """Create a colored cloud from an RGB-D image, gray if it has intensity only; see `create_from_depth_image`."""
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
@@ -119,28 +117,20 @@ class Conversion(Selection):
         depth_scale: float = 1.0,
         depth_max: float = 3.0,
     ) -> NDArray[np.float32]:
-        """What a depth camera would measure of the cloud: the depth of the nearest point in each pixel.
+        """Render a depth image of the cloud: the depth of the nearest point in each pixel.
 
         Args:
-            width: Columns of the image [px].
-            height: Rows of the image [px].
+            width, height: Size of the image [px].
             intrinsic: The camera, of that size.
-            extrinsic: T_camera_world, shape [4, 4]; None for the identity.
-            depth_scale: Units of the result a metre; 1000 for millimetres. `create_from_depth_image` with the same one
-                gives the points back.
-            depth_max: Farthest depth that is seen [m].
+            extrinsic: T_camera_world, shape (4, 4). If None: identity.
+            depth_scale: Units per meter of the result; 1000 for millimeters (Open3D's default).
+            depth_max: Maximum depth [m].
 
         Returns:
-            Depth times `depth_scale`, float32 [height, width]; 0 where no point is seen. Rounded to whole numbers
-            it is what a 16-bit depth map holds.
+            Depth times `depth_scale`, float32 (height, width); 0 without a point. Bitwise reproducible; 8 B per pixel.
 
         Raises:
-            ValueError: Wrong sizes, numbers out of range, an extrinsic that is no rigid motion.
-
-        Notes:
-            Open3D's tensor form, whose depth_scale is 1000 by default. A point is seen in the pixel whose centre is
-            nearest; there are no surfaces between points. A depth image comes back whole from its own cloud. 8 B of
-            memory a pixel; same bits from run to run.
+            ValueError: If sizes disagree, a number is out of range, or the extrinsic is not rigid.
 
         Example:
             >>> import pointloom as loom
@@ -162,13 +152,12 @@ class Conversion(Selection):
         *,
         depth_max: float = 3.0,
     ) -> RGBDImage:
-        """What an RGB-D camera would measure of the cloud: depth and 8-bit colour of the nearest point in each pixel.
+        """Render an RGB-D image of the cloud: depth [m] and 8-bit color of the nearest point in each pixel.
 
-        Arguments as in `project_to_depth_image`, without a depth_scale (which Open3D's tensor form has): an RGBDImage
-        holds metres.
+        Arguments as `project_to_depth_image`, without `depth_scale`.
 
         Raises:
-            ValueError: As there, or the cloud has no colours.
+            ValueError: As `project_to_depth_image`, or if the cloud has no colors.
         """
         colors = self._required_array("colors", "assign cloud.colors, or use project_to_depth_image")
         words, rows, columns = self._project(width, height, intrinsic, extrinsic, depth_max)
@@ -187,7 +176,7 @@ class Conversion(Selection):
         valid_only: bool,
         with_normals: bool,
     ) -> Self:
-        """`create_from_depth_image` for depth [m] on the device, float32 [h * w], and colors [h * w, 3]."""
+        """`create_from_depth_image` for device arrays: depth [m], float32 (h * w,), and colors (h * w, 3)."""
         step = check_count("stride", stride)
         T_world_camera = np.eye(4) if extrinsic is None else inv(check_rigid("extrinsic", extrinsic))
         origin = origin_of_sensor(T_world_camera[:3, 3])
@@ -210,7 +199,7 @@ class Conversion(Selection):
     def _project(
         self, width: int, height: int, intrinsic: Any, extrinsic: ArrayLike | None, depth_max: float
     ) -> tuple[wp.array, int, int]:
-        """What each pixel sees (see project_points), rows and columns."""
+        """(nearest point per pixel as of project_points, rows, columns)."""
         columns, rows = check_pixels("width", width), check_pixels("height", height)
         camera = check_intrinsic(intrinsic, columns, rows)
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
@@ -223,25 +212,23 @@ class Conversion(Selection):
     def from_dlpack(
         cls, points: Any, *, normals: Any = None, colors: Any = None, origin: ArrayLike | None = None, **attributes: Any
     ) -> Self:
-        """A cloud over the arrays of another library, without a copy: torch, cupy, jax, NumPy, Warp and so on.
+        """Create a cloud from arrays of another library without a copy: torch, cupy, jax, NumPy, Warp.
 
-        Each array speaks DLPack or `__cuda_array_interface__`, is contiguous, and stays where it is: that is the
-        cloud's device. It stays alive as long as the cloud needs it. To change it in place changes the cloud (and what
-        operations returned unchanged of it); do so only while no operation runs, on a GPU once your stream is done.
-        The next operation notices changed points; a NearestNeighborSearch keeps those of its making.
+        Arrays must be contiguous and support DLPack or `__cuda_array_interface__`. In-place changes affect the cloud;
+        make them only while no operation runs. Later operations detect changed points; an existing
+        NearestNeighborSearch does not.
 
         Args:
-            points: float32 [n, 3] [m], relative to the origin.
-            normals: float32 [n, 3].
-            colors: float32 [n, 3], 0..1, which is not checked.
-            origin: Where the points' coordinates start [m], shape [3]; None for zero. Beyond 10 km of it float32
-                resolves less than a millimetre.
-            **attributes: Further arrays of shape [n] or [n, c], of any number type.
+            points: float32 (n, 3) [m], relative to the origin.
+            normals: float32 (n, 3).
+            colors: float32 (n, 3), 0..1, not checked.
+            origin: Origin of the coordinates [m], shape (3,). If None: zero. float32 resolves 1 mm up to 10 km.
+            **attributes: Other arrays of shape (n,) or (n, c).
 
         Raises:
-            TypeError: Another type, or an array that cannot be shared (a list, one that is read-only).
-            ValueError: Another shape or length, or not contiguous.
-            DeviceError: Arrays on different devices, or on one that is not here.
+            TypeError: If a type is wrong, or an array cannot be shared (a list, a read-only array).
+            ValueError: If a shape or length is wrong, or an array is not contiguous.
+            DeviceError: If arrays are on different or unavailable devices.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -270,20 +257,18 @@ class Conversion(Selection):
 
     @classmethod
     def from_open3d(cls, cloud: Any, *, device: Any = None) -> Self:
-        """A copy of an Open3D cloud, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), with all it holds.
+        """Copy an Open3D cloud, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), with all attributes.
 
-        Positions in float64 keep their place through the origin. Covariances become the attribute `covariances`, shape
-        [n, 9]; other tensors of more than two axes are flattened likewise. A tensor cloud on a GPU passes through the
-        host; to share its float32 tensors as they lie there, give them to `from_dlpack`.
+        Float64 positions keep their precision through the origin. Covariances become `covariances` of shape (n, 9);
+        other tensors are flattened to two axes. GPU tensors pass through the host; `from_dlpack` shares them.
 
         Args:
             cloud: The Open3D cloud.
-            device: Where the copy goes; None for the CPU, or the GPU of a tensor cloud that is on one.
+            device: Target device. If None: the tensor cloud's GPU, or the CPU.
 
         Raises:
-            TypeError: No Open3D cloud.
-            ImportError: Open3D is not installed.
-            DeviceError: No such device.
+            TypeError, ImportError: If `cloud` is not an Open3D cloud, or if Open3D is not installed.
+            DeviceError: If the device does not exist.
         """
         o3d = _import_open3d()
         if isinstance(cloud, o3d.geometry.PointCloud):
@@ -305,12 +290,12 @@ class Conversion(Selection):
         return copied
 
     def to_open3d(self) -> Any:
-        """A copy as a legacy `open3d.geometry.PointCloud`, in float64: points, normals, colours and covariances.
+        """Copy to a legacy `open3d.geometry.PointCloud` in float64: points, normals, colors and covariances.
 
-        The legacy form holds no other attribute; `to_open3d_tensor` keeps them all.
+        Other attributes are dropped; `to_open3d_tensor` keeps them.
 
         Raises:
-            ImportError: Open3D is not installed.
+            ImportError: If Open3D is not installed.
         """
         o3d = _import_open3d()
         cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(self.points.copy()))
@@ -324,13 +309,13 @@ class Conversion(Selection):
         return cloud
 
     def to_open3d_tensor(self) -> Any:
-        """A copy as an `open3d.t.geometry.PointCloud` on the CPU, with all attributes, those of shape [n] as [n, 1].
+        """Copy to an `open3d.t.geometry.PointCloud` on the CPU with all attributes, those of shape (n,) as (n, 1).
 
-        Positions are float32 as they are held, or float64 where the cloud's origin is not zero.
+        Positions are float32, or float64 if the origin is not zero.
 
         Raises:
-            ImportError: Open3D is not installed.
-            TypeError: An attribute of a type that Open3D does not have (float16).
+            ImportError: If Open3D is not installed.
+            TypeError: If Open3D does not support an attribute's type (float16).
         """
         o3d = _import_open3d()
         cloud = o3d.t.geometry.PointCloud()
@@ -347,20 +332,11 @@ class Conversion(Selection):
             cloud.point[name] = o3d.core.Tensor(values[:, None] if values.ndim == 1 else values)
         return cloud
 
-    # ------------------------------------------------------------------------------------------ pickle and copy
-
     def __getstate__(self) -> dict[str, Any]:
-        """The cloud as NumPy arrays and the name of its device."""
         state = {"origin": self._origin, "grid": self.grid, "device": str(self.device), "library": self._library}
         return {"arrays": pickled(self._arrays), "unit": self._unit, **state}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The cloud on the device that it was on.
-
-        Raises:
-            ValueError: The state is damaged: arrays of wrong types or lengths, or a grid of another number of points.
-            DeviceError: It was on a GPU, and here is none.
-        """
         with unpickling("cloud"):
             arrays = unpickled(state["arrays"], device_like("cloud", state["device"]))
             origin = check_finite("origin", check_shape("origin", state["origin"], (3,)))
@@ -375,7 +351,7 @@ class Conversion(Selection):
                 if height * width != count:
                     raise ValueError(f"grid: expected height x width = {count} points, got {height} x {width}")
                 cloud.grid = height, width
-            cloud.unit = state.get("unit")  # which older pickles lack
+            cloud.unit = state.get("unit")  # missing in older pickles
         vars(self).update(vars(cloud))
 
     def __copy__(self) -> Self:

@@ -1,4 +1,4 @@
-"""Convex hulls of positions: Qhull on those that the kernels could not rule out, and hulls that are flat."""
+"""Convex hulls by Qhull after a prefilter on the device, including flat ones."""
 
 from __future__ import annotations
 
@@ -20,32 +20,20 @@ from ..kernels.memory import download, upload
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull as Qhull
 
-FEW = 5000  # points that Qhull takes about as long for as one round of the filter
-ROUNDS = ((8, 32), (32, 96))  # cells, and nodes of the table, along an edge of the cube's faces: coarse, then fine
-FLAT = 1e-6  # of the size: where Qhull finds no body, points this near to a plane or a line are taken to lie on it
-ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by up to 1e-7, the plane through three of them more
+FEW = 5000  # points for which Qhull takes about as long as one filter round
+ROUNDS = ((8, 32), (32, 96))  # cells, and table nodes, along an edge of the cube's faces: coarse, then fine
+FLAT = 1e-6  # of the size: tolerance of coplanar and collinear points if Qhull finds no body
+ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by 1e-7, planes through three of them more
 
 
 @dataclass(frozen=True, eq=False)
 class ConvexHull(ToldNames):
-    """The smallest convex body around points: a closed surface of triangles, counter-clockwise seen from outside.
-
-    `loom.TriangleMesh(hull.vertices, hull.triangles)` makes a mesh of it.
+    """Convex hull: a closed surface, counterclockwise from outside; `loom.TriangleMesh(hull.vertices, hull.triangles)`.
 
     Attributes:
-        vertices: Shape [m, 3], world coordinates [m].
-        triangles: int32 [t, 3], rows of `vertices`; a flat hull has each of its triangles twice, once a side.
-        volume: [m^3]; 0 for a flat hull.
-        area: Of the surface [m^2]; a flat hull counts both sides.
-
-    Example:
-        >>> import pointloom as loom
-        >>> cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-        >>> hull, indices = loom.PointCloud([*cube, [0.5, 0.5, 0.5]]).compute_convex_hull()
-        >>> hull
-        ConvexHull(8 vertices, 12 triangles, volume 1, area 6)
-        >>> indices.tolist()
-        [0, 1, 2, 3, 4, 5, 6, 7]
+        vertices: World coordinates [m], shape (m, 3).
+        triangles: int32 (t, 3); a flat hull has each triangle twice, once per side.
+        volume, area: [m^3], 0 for a flat hull; [m^2], both sides for a flat hull.
     """
 
     vertices: NDArray[np.float64]
@@ -60,20 +48,11 @@ class ConvexHull(ToldNames):
 
 @dataclass(frozen=True, eq=False)
 class VisibleSurface:
-    """The points that a camera sees, joined by triangles that face it.
-
-    `loom.TriangleMesh(surface.vertices, surface.triangles)` makes a mesh of it.
+    """Points visible from a camera, with triangles facing it: `loom.TriangleMesh(surface.vertices, surface.triangles)`.
 
     Attributes:
-        vertices: Shape [m, 3], the visible points' world coordinates [m].
-        triangles: int32 [t, 3], rows of `vertices`, counter-clockwise seen from the camera.
-
-    Example:
-        >>> import pointloom as loom
-        >>> cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.1, 0.1, -5]])
-        >>> surface, indices = cloud.hidden_point_removal([0.2, 0.2, 3], 100)
-        >>> surface, indices.tolist()
-        (VisibleSurface(3 vertices, 1 triangles), [0, 1, 2])
+        vertices: World coordinates of the visible points [m], shape (m, 3).
+        triangles: int32 (t, 3), counterclockwise from the camera.
     """
 
     vertices: NDArray[np.float64]
@@ -85,16 +64,8 @@ class VisibleSurface:
 
 @dataclass(frozen=True, eq=False)
 class Extremes:
-    """What the hull of some positions consists of, whatever its dimension.
-
-    Attributes:
-        rows: int64 [m], the vertices among the positions, ascending.
-        triangles: int32 [t, 3], rows of `rows`; none where the positions lie on a line.
-        dimension: 3 a body, 2 a polygon, 1 a segment, 0 a point.
-        normals: Shape [t, 3], unit and outward, of a body's triangles; those of one facet are equal.
-        volume: Of the body.
-        area: Of its surface.
-    """
+    """Vertices (`rows`, ascending) and triangles (rows of `rows`) of a hull of dimension 0 to 3. `normals` (t, 3) are
+    unit and outward, equal within a facet."""
 
     rows: NDArray[np.int64]
     triangles: NDArray[np.int32]
@@ -105,15 +76,8 @@ class Extremes:
 
 
 def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding: float = 0.0) -> Extremes:
-    """The hull of finite positions of shape [n, 3], n > 0, by Qhull (Barber et al. 1996) with triangulated facets.
-
-    Where Qhull finds no body the hull is that of the points in their plane, then on their line.
-
-    Args:
-        positions: Shape [n, 3].
-        joggle: Move them a little instead of merging facets.
-        rounding: Points that lie this near to a plane or a line are taken to lie on it.
-    """
+    """Hull of finite positions (n, 3), n > 0, by Qhull (Barber et al. 1996), also if coplanar or collinear. Points
+    within `rounding` of a plane or line count as on it; `joggle` perturbs them instead of merging facets."""
     flat = _find_flat_extremes(positions, rounding) if rounding > 0 else None
     if flat is not None:
         return flat
@@ -122,7 +86,7 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
         flat = _find_flat_extremes(positions, FLAT * float(np.ptp(positions, axis=0).max()))
         if flat is not None:
             return flat
-        hull = _run_qhull(positions, "QJ")  # a body that Qhull has given up on for its rounding
+        hull = _run_qhull(positions, "QJ")  # for bodies that Qhull rejects for rounding
         if hull is None:
             raise ValueError("points: Qhull finds no hull, not even of joggled points; scale them to about 1")
     used = np.zeros(len(positions), bool)
@@ -134,8 +98,8 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
 
 
 def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
-    """Qhull's answer; None where it finds its input flat, too small or too imprecise."""
-    from scipy.spatial import ConvexHull, QhullError  # loads for longer than all that a first cloud needs
+    """Qhull's result; None if the input is flat, too small or too imprecise."""
+    from scipy.spatial import ConvexHull, QhullError  # slow import
 
     try:
         return ConvexHull(positions, qhull_options=options)
@@ -144,7 +108,7 @@ def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
 
 
 def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Extremes | None:
-    """The hull of positions in a plane, on a line or in one place; None for a body."""
+    """Hull in a plane, on a line or at a point; None for a body."""
     none = np.zeros((0, 3), np.int32)
     first = positions[0]
     arms = positions - first
@@ -162,7 +126,7 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
     if len(positions) > 3 and np.abs(matmul(arms, np.cross(along, aside))).max() > tolerance:
         return None
     hull = _run_qhull(np.column_stack([matmul(arms, along), matmul(arms, aside)]), "Qt")
-    assert hull is not None  # not all are on a line
+    assert hull is not None  # not collinear
     rows = np.sort(hull.vertices).astype(np.int64)
     ring = np.searchsorted(rows, hull.vertices).astype(np.int32)
     fan = np.column_stack([np.full(len(ring) - 2, ring[0]), ring[1:-1], ring[2:]])
@@ -172,7 +136,7 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
 def orient(
     triangles: NDArray[np.int32], positions: NDArray[np.float64], planes: NDArray[np.float64]
 ) -> NDArray[np.int32]:
-    """Qhull's triangles with their corners counter-clockwise seen from where their planes' normals point."""
+    """Orient Qhull's triangles counterclockwise seen from their normals' side."""
     a, b, c = (positions[triangles[:, k]] for k in range(3))
     backward = np.einsum("ij,ij->i", np.cross(b - a, c - a), planes[:, :3]) < 0
     turned = triangles.copy()
@@ -181,15 +145,7 @@ def orient(
 
 
 def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDArray[np.int64], NDArray[np.float64]]:
-    """The hull of a device array of vec3.
-
-    Returns:
-        What it consists of, as rows of the points that could not be ruled out; their indices; and their positions,
-        float64 [m, 3]. A convex body that holds these holds all points.
-
-    Raises:
-        ValueError: No point is finite.
-    """
+    """Hull of vec3 points: extremes, indices and positions of the candidate points; ValueError if none is finite."""
     low, high, finite = bound_points(points)
     if not finite:
         raise ValueError("points: expected at least one finite point, got none")
@@ -206,10 +162,7 @@ def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDA
 
 
 def outer_rows(points: wp.array) -> NDArray[np.int64]:
-    """The rows that can be vertices of the hull of a device array of vec3d, ascending; a few inner ones among them.
-
-    Points that are not finite are left out once there are enough points for a round.
-    """
+    """Ascending rows of vec3d points that may be hull vertices, including a few inner ones."""
     rows: wp.array | None = None
     centre = np.zeros(3)
     for cells, width in ROUNDS:
@@ -218,7 +171,7 @@ def outer_rows(points: wp.array) -> NDArray[np.int64]:
         chosen = farthest_rows(points, centre, cells)
         corners = download(gather_positions(points, upload(chosen, int32, points.device)))  # sync
         hull = _run_qhull(corners, "Qt")
-        if hull is None:  # flat, or nearly: all points may be needed
+        if hull is None:  # nearly flat: all points may be needed
             break
         centre = corners[hull.vertices].mean(axis=0)
         facets = corners[orient(hull.simplices, corners, hull.equations)]

@@ -1,8 +1,6 @@
-"""Nodes of a multi-resolution tree over points whose levels are known (kernels/sampling/detail_levels.py).
+"""Nodes of a multi-resolution tree over points with known levels (kernels/sampling/detail_levels.py).
 
-A node is a cell of a level with the points of that level in it. Where few deeper points are left in a cell, they join
-its node and nothing lies below it; where a node has more points than one message should carry, it is cut along the next
-halvings into parts of the same level. So there are neither thousands of nodes of three points nor one of millions.
+A node contains a cell's points of one level. Few deeper points are merged into it; too many are split.
 """
 
 from __future__ import annotations
@@ -15,29 +13,22 @@ from numpy.typing import NDArray
 
 from ..kernels.sampling.detail_levels import DEPTH, LEVELS
 
-# Deeper points that join the node above: so many, or a quarter of its own. A cell beside it that is not joined is then
-# at most a quarter thinner, which is not seen; a node of fewer points than this costs more to name than to send.
+# Deeper points merged into their parent: this many, or a quarter of its own. An unmerged cell beside it is then at most
+# a quarter thinner, which is not visible; smaller nodes cost more to address than to send.
 LEAST = 2048
 SHARE = 4
 
-MOST = 49_152  # points of a node: half a megabyte, less than a second of a slow line
+MOST = 49_152  # points of a node: half a megabyte, under a second on a slow connection
 
 _KEY_BITS = 3 * DEPTH
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class NodeTable:
-    """The nodes, coarse levels first, along the Morton order within a level.
-
-    Attributes:
-        levels: uint8 [k]; a node of level L has 128 voxels of side / 2^L / 128 along an axis.
-        firsts, counts: int64 [k], where the points of each are in `order`, and how many.
-        depths: uint8 [k], halvings of the cube to the cell that holds the node's points; its level, or more of a part.
-        cells: int64 [k, 3], that cell along each axis.
-        names: int64 [k], the cell of the level that a node belongs to, as a one above the three bits of each halving:
-            that of the cell around it is `name >> 3`.
-        order: int32 [n], points by node; all of them, unless the nodes are those below a cell alone.
-    """
+    """Nodes sorted by level, then Morton order. `levels` uint8 (k,): a node of level L has 128 voxels of side / 2^L /
+    128 per axis. `firsts`, `counts` int64 (k,): range in `order`. `depths` uint8 (k,), `cells` int64 (k, 3): octree
+    cell of the points. `names` int64 (k,): cell of the level as a one followed by three bits per halving; the parent is
+    `name >> 3`. `order` int32 (n,): points."""
 
     levels: NDArray[np.uint8]
     firsts: NDArray[np.int64]
@@ -49,7 +40,7 @@ class NodeTable:
 
 
 class _Rows:
-    """The places of points in Morton order, by level."""
+    """Rows of points in Morton order, by level."""
 
     def __init__(self, levels: NDArray[np.uint8]):
         self.ends = np.cumsum(np.bincount(levels, minlength=LEVELS)).tolist()
@@ -61,7 +52,7 @@ class _Rows:
         return self.ends[level - 1] if level else 0
 
     def count_before(self, level: int, places: NDArray[np.int64]) -> NDArray[np.int64]:
-        """How many rows are of a level or above, and lie before places; as rows of `places`."""
+        """Number of rows of a level or above, before given rows."""
         part = self.places[self.begin(level) : self.ends[level]]
         return np.searchsorted(part, places.astype(np.int32)) + self.begin(level)
 
@@ -71,7 +62,7 @@ class _Node:
     level: int
     code: int
     depth: int
-    runs: list[tuple[int, int]]  # of _Rows.places
+    runs: list[tuple[int, int]]  # in _Rows.places
 
     @property
     def count(self) -> int:
@@ -87,19 +78,9 @@ def make_nodes(
     least: int = LEAST,
     depth: int = 0,
 ) -> NodeTable:
-    """The nodes of points in Morton order.
-
-    Args:
-        keys: Morton keys, ascending, [n].
-        order: The point of each, [n].
-        levels: Its level, [n].
-        most: Points of a node above which it is cut.
-        least: Deeper points that join the node above, if not more.
-        depth: Halvings to the cell that holds all of them; points of coarser levels are in none of the nodes.
-
-    Notes:
-        Memory: 8 B a point beside the arguments, of which 4 B are the result's.
-    """
+    """Build nodes from ascending Morton keys; 8 B per point. Nodes of more than `most` points are split; up to `least`
+    deeper points are merged into their parent. `depth` is the number of halvings to the common cell; points of coarser
+    levels are omitted."""
     rows = _Rows(levels)
     nodes: list[_Node] = []
     codes = keys[:1] >> (_KEY_BITS - 3 * depth)
@@ -121,14 +102,14 @@ def make_nodes(
 
 
 def _runs_of(keys: NDArray[np.int64], codes: Any, depth: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Where the points of cells begin and end in Morton order."""
+    """Row ranges of cells in Morton order."""
     shift = _KEY_BITS - 3 * depth
     lows = np.asarray(codes, np.int64) << shift
     return np.searchsorted(keys, lows), np.searchsorted(keys, lows | ((1 << shift) - 1), side="right")
 
 
 def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, most: int) -> list[_Node]:
-    """A node, or the parts of one that is too large: by its cell's octants, or by count where they share one place."""
+    """Split a node that is too large, by octants, or by count if its points coincide."""
     if node.count <= most:
         return [node]
     if node.depth == DEPTH:
@@ -163,12 +144,12 @@ def _table(nodes: list[_Node], order: NDArray[np.int32], rows: _Rows) -> NodeTab
 
 
 def cells_of(codes: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The cell along each axis of Morton codes, [k, 3]."""
+    """Cell coordinates of Morton codes, (k, 3)."""
     return np.stack([_gather_bits(codes >> axis) for axis in (2, 1, 0)], axis=-1).reshape(-1, 3)
 
 
 def _gather_bits(codes: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Every third bit, side by side."""
+    """Compact every third bit."""
     out = np.zeros_like(codes)
     for bit in range(DEPTH):
         out |= ((codes >> (3 * bit)) & 1) << bit

@@ -1,4 +1,4 @@
-"""What the neighbourhood of a point looks like: features that describe it, and the shapes of its covariance."""
+"""Local features of points: fast point feature histograms, and shape features of the covariance."""
 
 from __future__ import annotations
 
@@ -26,33 +26,25 @@ from .point_arrays import check_cloud
 def compute_fpfh_feature(
     cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 100, indices: ArrayLike | None = None
 ) -> NDArray[np.float32]:
-    """Fast point feature histograms: how the normals around each point turn, in three histograms of 11 bins.
+    """Compute fast point feature histograms (FPFH): three histograms of 11 bins of the normal angles around each point.
 
-    Features do not change when the cloud moves, so that they match points of two clouds before these are aligned.
+    The features are invariant to rigid motion, so they match points of clouds before alignment. 132 B per point beside
+    the result. Bitwise reproducible. Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D
+    registration", ICRA 2009, as in Open3D: weights of one over the squared distance.
 
     Args:
         cloud: A cloud with normals.
-        radius: Search radius [m], the boundary excluded; with `max_nn` the nearest `max_nn` within it. None searches by
-            count alone.
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
-        indices: The points whose features are wanted, shape [m], in any order; None for all. Costs what they and their
-            neighbours cost.
+        radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+        max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
+        indices: Points to compute features for, shape (m,). If None: all.
 
     Returns:
-        float32 [n, 33], or [m, 33]. Each block of 11 sums to 200; zeros where a point has no neighbour; NaN where its
-        position or normal is not finite. Such points are nobody's neighbour.
+        float32 (n, 33) or (m, 33) (Open3D: (33, n)). Each block of 11 sums to 200; zeros without neighbors; NaN if the
+        position or normal is not finite. Such points are ignored as neighbors.
 
     Raises:
-        ValueError: The cloud has no normals, neither limit given, or one out of range.
-        IndexError: An index beyond the cloud.
-        TypeError: Indices that are not whole numbers.
-
-    Notes:
-        O(n) memory: 132 B a point beside the result. Same bits from run to run. Rusu, Blodow and Beetz 2009, as Open3D
-        computes it: neighbours weighted by one over the squared distance, and the point's own histogram added in full.
-        Open3D gives one shape [33, n]. It counts a point whose normal is NaN as a neighbour with all angles in bin 0.
-        Where neighbours tie for the last place, Open3D's choice is unspecified; here those first on the search tree's
-        curve are taken. On the device: `pointloom.kernels.features.fpfh.compute_features`.
+        ValueError: If the cloud has no normals, both limits are None, or a limit is out of range.
+        IndexError, TypeError: If an index is out of range, or if the indices are not integers.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -77,34 +69,30 @@ def compute_fpfh_feature(
 
 @told_arguments
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
-    """Tell lines, planes and volumes apart by the eigenvalues of each neighbourhood's covariance.
+    """Compute shape features from the eigenvalues of each neighborhood's covariance.
 
     With eigenvalues l1 >= l2 >= l3 and e = l / (l1 + l2 + l3), the attributes are
 
-    - `eigenvalues`: l1, l2, l3 [m^2], shape [n, 3], of the covariance divided by the number of neighbours;
+    - `eigenvalues`: l1, l2, l3 [m^2], shape (n, 3), of the covariance divided by the number of neighbors;
     - `linearity`: (l1 - l2) / l1; `planarity`: (l2 - l3) / l1; `sphericity` (scattering): l3 / l1; their sum is 1;
     - `omnivariance`: (e1 e2 e3)^(1/3); `anisotropy`: (l1 - l3) / l1; `eigenentropy`: -sum of e ln e;
     - `curvature` (surface variation): e3, 0 on a plane and 1/3 in a ball;
     - `verticality`: `1 - |nz|` of the normal, 0 on the ground and 1 on a wall;
-    - `density` [1 / m^3]: neighbours over the volume of their ball, whose radius is that of the search, or the distance
-      of the last neighbour where `max_nn` ends it; NaN where all lie at the point.
+    - `density` [1 / m^3]: neighbors per volume of the search ball, or of the ball up to the last of `max_nn` neighbors.
+
+    O(n) memory, bitwise reproducible. Weinmann et al., "Semantic point cloud interpretation based on optimal
+    neighborhoods", ISPRS 2015, section 3.2; Pauly, Gross and Kobbelt 2002.
 
     Args:
         cloud: Any cloud; normals are not needed.
-        radius: Search radius [m], the boundary excluded; with `max_nn` the nearest `max_nn` within it. None searches by
-            count alone.
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
+        radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+        max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
     Returns:
-        The cloud with these attributes, float32; NaN where fewer than 3 neighbours are found, where all lie at one
-        place, and for points that are not finite.
+        The cloud with these attributes, float32; NaN with fewer than 3 distinct neighbors and for non-finite points.
 
     Raises:
-        ValueError: Neither limit given, or one out of range.
-
-    Notes:
-        O(n) memory. Same bits from run to run. Weinmann et al. 2015, sections 3.2.1 and 3.2.2; Pauly, Gross and Kobbelt
-        2002. Eigenvalues below 1e-15 of the largest are zero.
+        ValueError: If both limits are None, or a limit is out of range.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -121,22 +109,20 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
 
 @told_arguments
 def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
-    """The surface variation of each point's neighbourhood: 0 on a plane, more on edges, at most 1/3.
+    """Compute the surface variation of each neighborhood: 0 on a plane, more on edges, at most 1/3.
+
+    O(n) memory, bitwise reproducible. Pauly, Gross and Kobbelt, VIS 2002, section 2.2.
 
     Args:
         cloud: Any cloud; normals are not needed.
-        radius: Search radius [m], the boundary excluded; None searches by count alone.
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
+        radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+        max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
     Returns:
-        The cloud with the attribute `curvature`, float32; NaN as in `compute_eigen_features`.
+        The cloud with `curvature`, float32: the smallest eigenvalue over their sum; NaN as `compute_eigen_features`.
 
     Raises:
-        ValueError: Neither limit given, or one out of range.
-
-    Notes:
-        O(n) memory. Same bits from run to run. Pauly, Gross and Kobbelt 2002, section 2.2: the smallest eigenvalue over
-        the sum of all three.
+        ValueError: If both limits are None, or a limit is out of range.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -152,7 +138,6 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
 
 
 def _device_indices(indices: ArrayLike, cloud: PointCloud) -> Any:
-    """Indices into a cloud, those that count from its end resolved, on its device."""
     if is_on_gpu(indices):
         return take_indices("indices", indices, cloud.device, len(cloud), of=f"cloud of {len(cloud)} points")
     what = {"of": f"cloud of {len(cloud)} points", "hint": "; np.flatnonzero turns a mask into them"}

@@ -1,10 +1,7 @@
-"""Places on the Earth on the host, in float64: degrees, metres from its middle, metres about a place, UTM.
+"""Geodetic, geocentric, local (east, north, up) and UTM coordinates in float64 on the host, WGS 84.
 
-WGS 84's ellipsoid throughout. ETRS89, NAD83 and GDA2020 differ from it by up to two metres of datum, and nothing is
-shifted. Heights are passed on as they are, whether they count from the ellipsoid or from the sea.
-
-Source: Bowring 1985 (from the middle of the Earth to degrees, repeated until it stands still); Karney 2011, equations 7
-to 21 and 35 (UTM and back).
+No datum shift (ETRS89, NAD83 and GDA2020 differ by up to 2 m); heights are passed through. Source: Bowring 1985;
+Karney, "Transverse Mercator with an accuracy of a few nanometers", 2011, equations 7 to 21 and 35.
 """
 
 from __future__ import annotations
@@ -22,28 +19,27 @@ from .geographic import krueger_series
 
 Array = NDArray[np.float64]
 
-RADIUS, FLATTENING = 6378137.0, 1 / 298.257223563  # [m] of WGS 84
-NORTHERN, SOUTHERN = 32600, 32700  # EPSG's codes of UTM's zones, which count from 1 to 60
-HIGHEST = 1e5  # [m] from the ellipsoid: what anybody photographs from, and far below where the formulas end
+RADIUS, FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
+NORTHERN, SOUTHERN = 32600, 32700  # EPSG codes of UTM zones are these plus 1 to 60
+HIGHEST = 1e5  # [m] from the ellipsoid: above aerial images, far below the formulas' limit
 
 _SQUARED = FLATTENING * (2 - FLATTENING)  # eccentricity squared
-_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # of UTM, [m]
+_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM [m]
 _THIRD = FLATTENING / (2 - FLATTENING)
 _RECTIFYING = RADIUS / (1 + _THIRD) * (1 + _THIRD**2 / 4 + _THIRD**4 / 64 + _THIRD**6 / 256)
-_TURNS = 8  # each is worth three digits or more: to float64's last one and beyond
+_TURNS = 8  # each iteration gains three or more digits
 
 
 @dataclass(frozen=True)
 class WorldFrame:
-    """Metres east, north and up about a place on the Earth.
+    """Local frame: meters east, north and up from a position on the Earth.
 
     Args:
         latitude, longitude: Of the origin [degrees].
-        altitude: Of the origin [m], from wherever altitudes count.
+        altitude: Of the origin [m], in any vertical datum.
 
     Raises:
-        TypeError: No numbers.
-        ValueError: No place on the Earth.
+        TypeError, ValueError: If an argument is not a number or out of range.
 
     Example:
         >>> import pointloom as loom
@@ -65,7 +61,7 @@ class WorldFrame:
 
     @property
     def epsg(self) -> int:
-        """EPSG's code of the UTM zone of the origin."""
+        """EPSG code of the origin's UTM zone."""
         return utm_zone(self.latitude, self.longitude)
 
     @cached_property
@@ -80,37 +76,37 @@ class WorldFrame:
         return geocentric(np.array([[self.latitude, self.longitude, self.altitude]]))[0]
 
     def to_enu(self, places: ArrayLike) -> Array:
-        """Metres east, north and up.
+        """Convert to meters east, north and up.
 
         Args:
-            places: Latitude, longitude [degrees] and altitude [m], shape [n, 3].
+            places: Latitude, longitude [degrees] and altitude [m], shape (n, 3).
 
         Raises:
-            ValueError: Not of that shape, or no place on the Earth.
+            ValueError: If the shape is wrong or a position is out of range.
         """
         return matmul(geocentric(places) - self._middle, self._turn.T)
 
     def to_geodetic(self, points: ArrayLike) -> Array:
-        """Latitude, longitude [degrees] and altitude [m].
+        """Convert to latitude, longitude [degrees] and altitude [m].
 
         Args:
-            points: Metres east, north and up, shape [n, 3].
+            points: Meters east, north and up, shape (n, 3).
 
         Raises:
-            ValueError: Not of that shape, or not finite.
+            ValueError: If the shape is wrong or a point is not finite.
         """
         metres = check_finite("points", check_rows("points", points, 3).astype(np.float64))
         return geodetic(matmul(metres, self._turn) + self._middle)
 
     def to_utm(self, points: ArrayLike, epsg: int | None = None) -> Array:
-        """Easting, northing and altitude [m].
+        """Convert to easting, northing and altitude [m].
 
         Args:
-            points: Metres east, north and up, shape [n, 3].
-            epsg: The zone, 32601..32660 or 32701..32760; None for that of the origin.
+            points: Meters east, north and up, shape (n, 3).
+            epsg: UTM zone, 32601..32660 or 32701..32760. If None: that of the origin.
 
         Raises:
-            ValueError: Not of that shape, not finite, or another code.
+            ValueError: If the shape or code is wrong, or a point is not finite.
         """
         return utm(self.to_geodetic(points), self.epsg if epsg is None else epsg)
 
@@ -121,11 +117,7 @@ class WorldFrame:
 
 
 def geocentric(places: ArrayLike) -> Array:
-    """Metres from the middle of the Earth, [n, 3], of latitude, longitude [degrees] and altitude [m].
-
-    Raises:
-        ValueError: Not of that shape, or no place on the Earth.
-    """
+    """Geocentric coordinates [m], (n, 3), of latitude, longitude [degrees] and altitude [m]."""
     rows = check_finite("places", check_rows("places", places, 3).astype(np.float64))
     if (np.abs(rows) > (90.0, 360.0, HIGHEST)).any():
         wrong = rows[np.flatnonzero((np.abs(rows) > (90.0, 360.0, HIGHEST)).any(axis=1))[0]]
@@ -137,11 +129,11 @@ def geocentric(places: ArrayLike) -> Array:
 
 
 def geodetic(points: Array) -> Array:
-    """Latitude, longitude [degrees] and altitude [m], [n, 3], of metres from the middle of the Earth."""
+    """Latitude, longitude [degrees] and altitude [m], (n, 3), of geocentric coordinates [m]."""
     x, y, z = points.T
     level = np.hypot(x, y)
     minor = RADIUS * (1 - FLATTENING)
-    reduced = np.arctan2(z * RADIUS, level * minor)  # of the place on the ellipsoid, to begin with
+    reduced = np.arctan2(z * RADIUS, level * minor)  # initial reduced latitude
     second = _SQUARED / (1 - _SQUARED)
     latitude = reduced
     for _ in range(_TURNS):
@@ -155,17 +147,13 @@ def geodetic(points: Array) -> Array:
 
 
 def utm_zone(latitude: float, longitude: float) -> int:
-    """EPSG's code of the zone of a place, 6 degrees wide everywhere, at Norway too."""
+    """EPSG code of the 6 degree zone, without the exceptions of Norway."""
     zone = min(int((longitude + 180) // 6) + 1, 60)
     return (NORTHERN if latitude >= 0 else SOUTHERN) + zone
 
 
 def utm(places: Array, epsg: int) -> Array:
-    """Easting, northing and altitude [m] of latitude, longitude [degrees] and altitude [m], [n, 3].
-
-    Raises:
-        ValueError: Another code than 32601..32660 and 32701..32760.
-    """
+    """Easting, northing and altitude [m] of latitude, longitude [degrees] and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
     e = math.sqrt(_SQUARED)
     turned = np.radians((places[:, 1] - meridian + 180) % 360 - 180)
@@ -179,11 +167,7 @@ def utm(places: Array, epsg: int) -> Array:
 
 
 def from_utm(points: Array, epsg: int) -> Array:
-    """Latitude, longitude [degrees] and altitude [m] of easting, northing and altitude [m], [n, 3].
-
-    Raises:
-        ValueError: Another code than 32601..32660 and 32701..32760, or metres that lie in no zone.
-    """
+    """Latitude, longitude [degrees] and altitude [m] of easting, northing and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
     if (np.abs(points[:, 0] - _EASTING) > 1e6).any() or (points[:, 1] < -1e4).any() or (points[:, 1] > 1.001e7).any():
         raise ValueError(f"points: easting and northing of EPSG:{epsg} expected [m], got {points[0, :2].tolist()}")
@@ -205,7 +189,7 @@ def from_utm(points: Array, epsg: int) -> Array:
 
 
 def _bent(xi: Array, eta: Array) -> tuple[Array, Array]:
-    """What Krueger's series adds."""
+    """Terms of Krüger's series."""
     dx, dy = np.zeros_like(xi), np.zeros_like(eta)
     for j, alpha in enumerate(krueger_series(_THIRD), start=1):
         dx = dx + alpha * np.sin(2 * j * xi) * np.cosh(2 * j * eta)
@@ -214,7 +198,7 @@ def _bent(xi: Array, eta: Array) -> tuple[Array, Array]:
 
 
 def _zone_of(epsg: int) -> tuple[float, float]:
-    """The meridian [degrees] and the northing of the equator [m] of a zone."""
+    """Central meridian [degrees] and false northing [m] of a zone."""
     code = check_count("epsg", epsg)
     zone = code % 100
     if code - zone not in (NORTHERN, SOUTHERN) or not 1 <= zone <= 60:

@@ -1,11 +1,8 @@
-"""Longitude and latitude to metres: the Universal Transverse Mercator projection (UTM), in float64.
+"""Project longitude and latitude to UTM in float64.
 
-Every length that an operation takes, a radius or a voxel, means the same along x, y and z; degrees do not. The series
-is good to a micrometre within 3,900 km of the central meridian. Nothing is shifted from one datum to another: WGS 84,
-ETRS89 and NAD83 differ by metres at most and share this ellipsoid to 0.1 mm.
-
-Source: Karney 2011, "Transverse Mercator with an accuracy of a few nanometers", equations 7 to 12 and 35 (Krueger's
-series to the sixth order).
+Radii and voxels need equal units along all axes. Accurate to a micrometer within 3,900 km of the central meridian; no
+datum shift (WGS 84, ETRS89 and NAD83 share the ellipsoid to 0.1 mm). Source: Karney, "Transverse Mercator with an
+accuracy of a few nanometers", 2011, equations 7 to 12 and 35.
 """
 
 from __future__ import annotations
@@ -31,26 +28,16 @@ from .point_arrays import check_cloud
 if TYPE_CHECKING:
     from .cloud import PointCloud
 
-_RADIUS, _FLATTENING = 6378137.0, 1 / 298.257223563  # [m] of WGS 84
-_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM's factor and false coordinates [m]
-_LATITUDES = (-80.0, 84.0)  # [degrees] which UTM covers
-_FARTHEST = 360.0  # [degrees] of longitude that anybody counts to
-_WIDEST = 30.0  # [degrees] from the central meridian: far beyond any zone's use, well within the series
-_NORTHERN, _SOUTHERN = 32600, 32700  # EPSG's codes of the zones, which count from 1 to 60
+_RADIUS, _FLATTENING = 6378137.0, 1 / 298.257223563  # [m] WGS 84
+_SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM scale and false coordinates [m]
+_LATITUDES = (-80.0, 84.0)  # [degrees] range of UTM
+_FARTHEST = 360.0  # [degrees] limit of longitudes
+_WIDEST = 30.0  # [degrees] from the central meridian: beyond zones, within the series
+_NORTHERN, _SOUTHERN = 32600, 32700  # EPSG codes of zones are these plus 1 to 60
 
 
 def utm_epsg(cloud: PointCloud) -> int:
-    """The UTM zone in which most points of a cloud in degrees lie, as its EPSG code for WGS 84.
-
-    Args:
-        cloud: x is the longitude, y the latitude [degrees].
-
-    Returns:
-        32601..32660 in the north, 32701..32760 in the south; zones are 6 degrees wide everywhere, at Norway too.
-
-    Raises:
-        TypeError: No cloud.
-        ValueError: No finite point, or one beyond 360 degrees of longitude or UTM's -80..84 of latitude.
+    """EPSG code (WGS 84) of the UTM zone with most points of a cloud in degrees (x longitude, y latitude).
 
     Example:
         >>> import pointloom as loom
@@ -71,22 +58,19 @@ def utm_epsg(cloud: PointCloud) -> int:
 
 
 def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
-    """A cloud in degrees of longitude and latitude as one in metres; heights and attributes stay as they are.
+    """Project a cloud in degrees to UTM meters; heights and attributes stay.
 
     Args:
-        cloud: x is the longitude, y the latitude [degrees]; z, in whatever unit, is kept.
-        epsg: The zone; None takes that of `utm_epsg(cloud)`. Clouds of one place want the same.
+        cloud: x is the longitude, y the latitude [degrees]; z is kept.
+        epsg: UTM zone. If None: `utm_epsg(cloud)`. Use one zone for clouds of one site.
 
     Returns:
-        Eastings and northings [m]. Points that are not finite stay so.
+        Eastings and northings [m]. Bitwise identical on every device. 108 B per point temporarily.
 
     Raises:
-        TypeError: No cloud.
-        ValueError: No finite point and no zone, points beyond UTM or 30 degrees from the zone's middle, another code
-            than 32601..32660 and 32701..32760, or normals, which had been fitted to degrees.
-
-    Notes:
-        The same bits on every device. 108 B a point while it works.
+        TypeError: If `cloud` is not a PointCloud.
+        ValueError: If there is neither a finite point nor a zone, points are beyond UTM or 30 degrees from the zone's
+            center, the code is invalid, or the cloud has normals, which were estimated in degrees.
 
     Example:
         >>> import pointloom as loom
@@ -119,14 +103,14 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
 def mercator(
     meridian: float, radius: float, flattening: float, *, scale: float = 1.0, start: tuple[float, float] = (0.0, 0.0)
 ) -> Mercator:
-    """The transverse Mercator projection of an ellipsoid of this radius [m] about a meridian [degrees]."""
+    """Transverse Mercator projection of an ellipsoid of this radius [m] about a meridian [degrees]."""
     n = flattening / (2 - flattening)
     rectifying = radius / (1 + n) * (1 + n**2 / 4 + n**4 / 64 + n**6 / 256)
     return Mercator(meridian, math.sqrt(flattening * (2 - flattening)), scale * rectifying, krueger_series(n), start)
 
 
 def krueger_series(n: float) -> tuple[float, ...]:
-    """Krueger's coefficients (Karney 2011, equation 35)."""
+    """Krüger's coefficients (Karney 2011, equation 35)."""
     return (
         n / 2 - n**2 * 2 / 3 + n**3 * 5 / 16 + n**4 * 41 / 180 - n**5 * 127 / 288 + n**6 * 7891 / 37800,
         n**2 * 13 / 48 - n**3 * 3 / 5 + n**4 * 557 / 1440 + n**5 * 281 / 630 - n**6 * 1983433 / 1935360,
@@ -138,7 +122,7 @@ def krueger_series(n: float) -> tuple[float, ...]:
 
 
 def _box_of(turned: wp.array) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
-    """The box and the number of the finite points of `turn_degrees`, once they are longitudes and latitudes."""
+    """Box and number of the finite points as longitudes and latitudes."""
     low, high, count = bound_points(turned)  # sync
     if count and (low[1] < _LATITUDES[0] or high[1] > _LATITUDES[1] or high[2] > _FARTHEST):
         found = f"longitudes to {high[2]:g} and latitudes {low[1]:g}..{high[1]:g}"

@@ -1,4 +1,4 @@
-"""GeoTIFF files that appear whole or not at all: values and where they were filled, or pictures."""
+"""Atomic writing of GeoTIFF files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 from ..core.atomic import check_writable
 from ..core.errors import FileError, FilePath
 
-BLOCK = 256  # cells along a side of a block
+BLOCK = 256  # cells per side of a block
 ENDINGS = (".tif", ".tiff")
 _VALUES = {"dtype": "float32", "count": 2, "predictor": 3, "interleave": "band"}
 _PICTURE = {
@@ -38,23 +38,9 @@ def geotiff(
     for_maps: bool = False,
     is_picture: bool = False,
 ) -> Iterator[Any]:
-    """A GeoTIFF to write blocks to, which takes its name when all is written.
-
-    It has two bands of float32, values and 1 where they were filled; or red, green, blue and alpha of uint8.
-
-    Args:
-        path: The file.
-        shape: Rows and columns.
-        corner: The low x and y.
-        cell: The side of a cell.
-        told: What has the `kind`, the `crs` and the `nodata`.
-        overwrite: Whether an existing file may be replaced.
-        for_maps: Whether it has overviews, in the order of a Cloud Optimized GeoTIFF; it is written twice for it.
-        is_picture: Whether it has colours and alpha; `told` needs no `kind` and no `nodata` then.
-
-    Raises:
-        FileError: As `Raster.write`.
-    """
+    """GeoTIFF opened for writing blocks, renamed when complete; FileError as `Raster.write`. Two float32 bands (values,
+    1 where filled), or RGBA uint8 if `is_picture`. `told` has `kind`, `crs` and `nodata`; with `for_maps` it is
+    rewritten as a Cloud Optimized GeoTIFF."""
     path, rasterio = check_geotiff(path, overwrite=overwrite)
     part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
     profile = {
@@ -75,7 +61,7 @@ def geotiff(
         if overwrite:
             part.replace(path)
         else:
-            os.link(part, path)  # fails where another process made the file meanwhile
+            os.link(part, path)  # fails if another process created the file
     except FileExistsError as error:
         raise FileError(path, "exists already", remedy="Give another name, or overwrite=True") from error
     except rasterio.errors.CRSError as error:
@@ -89,11 +75,7 @@ def geotiff(
 
 
 def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
-    """Hold that a GeoTIFF can be written; gives its path, and rasterio.
-
-    Raises:
-        FileError: Another ending, a place that cannot be written, or no rasterio.
-    """
+    """Validate a path; returns it and rasterio, FileError if not writable or rasterio is missing."""
     place = check_writable(path, overwrite=overwrite)
     if place.suffix.lower() not in ENDINGS:
         raise FileError(place, "is no name of a GeoTIFF", remedy="End it in .tif")
@@ -101,11 +83,7 @@ def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
 
 
 def _check_blocks(rasterio: Any, part: Path) -> None:
-    """Read every block back: where a disk is full when a file is closed, GDAL tells nobody.
-
-    Raises:
-        RasterioError: A block, or the list of them, is not whole; the checksum of each says so.
-    """
+    """Read every block back, since GDAL does not report a full disk on close; RasterioError if one is damaged."""
     with rasterio.open(part) as file:
         levels = len(file.overviews(1))
     for level in (None, *range(levels)):

@@ -1,4 +1,4 @@
-"""The ground of airborne and terrestrial scans."""
+"""Ground classification of airborne and terrestrial scans."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from .cloud import PointCloud
 from .point_arrays import check_cloud
 
 MOST_CELLS = 2**28  # 7 GB of grids
-MOST_RADIUS = 512  # cells: as many windows, and some 80,000 reads a cell for all of them
+MOST_RADIUS = 512  # cells: number of windows, about 80,000 reads per cell in total
 
 
-CELL, WINDOW, THRESHOLD, SCALING = 1.0, 18.0, 0.5, 1.25  # [m] the paper's
+CELL, WINDOW, THRESHOLD, SCALING = 1.0, 18.0, 0.5, 1.25  # [m] values of the paper
 
 
 def classify_ground(
@@ -37,38 +37,32 @@ def classify_ground(
     *,
     corner: ArrayLike | None = None,
 ) -> NDArray[np.bool_]:
-    """Tell the ground from what stands on it, in a scan whose z axis points up.
+    """Classify ground points of a scan with z up (SMRF).
 
-    The lowest points on a grid are opened by windows of growing radius; what an opening cuts off by more than the
-    terrain's slope explains is an object, and the bare earth is interpolated under it. Points near the bare earth are
-    ground. The defaults are the paper's single set for all landscapes; docs/ground.md has their errors on real tiles.
+    The lowest points on a grid are opened with growing windows; drops beyond the terrain's slope are objects. Points
+    near the interpolated bare earth are ground. The defaults are the paper's; docs/ground.md has their errors on real
+    tiles. 28 B per cell; bitwise reproducible. Pingel, Clarke and McBride, "An improved simple morphological filter for
+    the terrain classification of airborne LIDAR data", ISPRS 2013, with octagons instead of disks.
 
     Args:
         cloud: The scan.
-        cell_size: Edge of the grid's cells [m], about the distance between points.
-        slope: Steepest slope of the terrain, as rise over run: what is steeper is an object.
-        max_window: Radius [m] of the largest window, more than half the width of the largest building; up to 512 cells.
-        elevation_threshold: Distance [m] from the bare earth that is still ground.
-        scaling: Further distance [m] a unit of slope there.
-        corner: A corner of the grid's cells, x and y, fixed in space. A point's answer then depends on nothing beyond
-            `ground_reach` of it, whatever else the cloud holds: parts of a survey, each with as much around it, give
-            the answer of the whole. None starts at the cloud's own corner.
+        cell_size: Edge of the grid's cells [m], about the point spacing.
+        slope: Maximum slope of the terrain, as rise over run.
+        max_window: Radius of the largest window [m], more than half the width of the largest building; up to 512 cells.
+        elevation_threshold: Maximum distance of ground points from the bare earth [m].
+        scaling: Additional distance per unit of slope [m].
+        corner: Fixed corner of the grid, x and y. Results then depend only on points within `ground_reach`, so parts of
+            a survey give the result of the complete one; see docs/terrain.md. If None: the cloud's corner.
 
     Returns:
-        Booleans of shape [n], for `select_by_mask`; False for points that are not finite.
+        Booleans of shape (n,), for `select_by_mask`; False for points that are not finite.
 
     Raises:
-        TypeError: No PointCloud.
-        ValueError: An argument out of range, or a grid of more than 2^28 cells, as one stray point far away makes.
+        TypeError: If `cloud` is not a PointCloud.
+        ValueError: If an argument is out of range, or the grid has more than 2^28 cells.
 
     Warns:
-        UnitWarning: The cloud is in another unit than metres, and a length is the default, which is metres.
-
-    Notes:
-        Pingel, Clarke and McBride, ISPRS Journal 77, 2013 (SMRF), with octagons for disks. 28 B of memory a cell; the
-        same bits from run to run. There are `max_window / cell_size` windows. With a `corner` gaps and what was cut
-        away are filled from nearby: where no ground is for some two windows, nothing is ground; windows pass over cells
-        without a height, and the ground goes on beyond the outermost points. docs/terrain.md has what that changes.
+        UnitWarning: If the cloud is not in meters, and a length is the default in meters.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -96,7 +90,7 @@ def classify_ground(
         near = _near_ground(points, (low, high), fixed - cloud.origin[:2], cell, window)
         return cloud._handed_out(near.mask(steepest, threshold, share), dtype=bool)
     lowest = low.astype(np.float64)
-    with np.errstate(over="ignore"):  # more cells than float64 holds are too many, too
+    with np.errstate(over="ignore"):  # overflow means too many cells
         counts = np.floor((high.astype(np.float64) - lowest) / cell)[:2] + 1
     _check_cells(cell, counts)
     window = min(window, cell * float(counts.max()))
@@ -126,11 +120,6 @@ def _check_cells(cell: float, counts: NDArray[np.float64]) -> None:
 
 
 def check_window(window: float, cell: float) -> None:
-    """Refuse a window of too many cells.
-
-    Raises:
-        ValueError: More than 512.
-    """
     if window > MOST_RADIUS * cell:
         raise ValueError(
             f"max_window: {window:g} m are more than {MOST_RADIUS} cells of {cell} m; take larger cells or a smaller "

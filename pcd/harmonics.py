@@ -1,7 +1,7 @@
-"""Real spherical harmonics as 3D Gaussian splats use them, and how their coefficients turn with a rotation.
+"""Real spherical harmonics of 3D Gaussian splats, and the rotation of their coefficients.
 
-Source: the basis of Kerbl et al. 2023, that of Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), appendix A2,
-with the signs of Condon and Shortley: degree 1 is (-y, z, -x) times sqrt(3 / 4 pi).
+Basis of Kerbl et al. 2023 and Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), appendix A2, with Condon-Shortley
+signs: degree 1 is (-y, z, -x) times sqrt(3 / 4 pi).
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 from ..kernels.linear_algebra import matmul, solve
 
 MOST_DEGREE = 4
-FIRST = 0.5 / math.sqrt(math.pi)  # the harmonic of degree 0
+FIRST = 0.5 / math.sqrt(math.pi)  # harmonic of degree 0
 
 
 def degree_of(count: int) -> int | None:
-    """The degree that has this number of coefficients a colour, the first one among them; None if there is none."""
+    """Degree with this number of coefficients per color, including the first; None if there is none."""
     degree = math.isqrt(count) - 1
     return degree if 0 <= degree <= MOST_DEGREE and (degree + 1) ** 2 == count else None
 
 
 def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
-    """The basis at unit vectors [m, 3]: [m, (degree + 1)^2], band by band, order from -l to l."""
+    """Basis at unit vectors (m, 3): (m, (degree + 1)^2), by band, order -l to l."""
     x, y, z = directions.T
     columns = []
     cosines, sines = _azimuths(x, y, degree)
@@ -37,7 +37,7 @@ def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.flo
 
 
 def sizes_of(degree: int) -> NDArray[np.float64]:
-    """What the Legendre function times the sine or cosine of each harmonic is multiplied by: [(degree + 1)^2]."""
+    """Normalization of each harmonic: ((degree + 1)^2,)."""
     sizes = []
     for band in range(degree + 1):
         for order in range(-band, band + 1):
@@ -48,11 +48,7 @@ def sizes_of(degree: int) -> NDArray[np.float64]:
 
 
 def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
-    """What a rotation of the splats does to the coefficients beyond the first: float64 [K - 1, K - 1], a block a band.
-
-    Each band is closed under rotations, so its block is what least squares over more directions than it has
-    coefficients finds, exact to rounding.
-    """
+    """Rotation matrix of the coefficients beyond the first: float64 (K - 1, K - 1), least squares per band."""
     size = (degree + 1) ** 2 - 1
     turns = np.zeros((size, size))
     directions = _spread(4 * (size + 1))
@@ -66,7 +62,7 @@ def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float6
 
 
 def signs_of_flip(flips: tuple[int, int, int], degree: int) -> NDArray[np.float64]:
-    """The signs that coefficients beyond the first take where axes are turned round (-1 for each that is): [K - 1]."""
+    """Signs of the coefficients beyond the first under axis flips (-1 for each): (K - 1,)."""
     directions = _spread(4 * (degree + 1) ** 2)
     before, after = harmonics_at(directions * np.array(flips, np.float64), degree), harmonics_at(directions, degree)
     return np.sign((before * after).sum(axis=0))[1:]
@@ -75,7 +71,7 @@ def signs_of_flip(flips: tuple[int, int, int], degree: int) -> NDArray[np.float6
 def _azimuths(
     x: NDArray[np.float64], y: NDArray[np.float64], degree: int
 ) -> tuple[list[NDArray[np.float64]], list[NDArray[np.float64]]]:
-    """The real and imaginary parts of (x + i y)^m for m = 0 to degree."""
+    """Real and imaginary parts of (x + i y)^m for m = 0 to degree."""
     cosines, sines = [np.ones_like(x)], [np.zeros_like(x)]
     for _ in range(degree):
         c, s = cosines[-1], sines[-1]
@@ -96,7 +92,7 @@ def _legendre(z: NDArray[np.float64], degree: int) -> dict[tuple[int, int], NDAr
 
 
 def _spread(count: int) -> NDArray[np.float64]:
-    """Unit vectors all round, on a spiral: [count, 3]."""
+    """Unit vectors on a spiral: (count, 3)."""
     place = np.arange(count) + 0.5
     z = 1 - 2 * place / count
     angle, radius = place * math.pi * (1 + math.sqrt(5)), np.sqrt(1 - z * z)

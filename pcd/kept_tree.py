@@ -1,4 +1,4 @@
-"""The search tree that clouds keep with their points: built when it is first asked for, shared by all that follows."""
+"""Search tree cached with the points, built on demand and shared."""
 
 from __future__ import annotations
 
@@ -11,21 +11,14 @@ from ..kernels.arrays.fingerprint import fingerprint
 from ..kernels.memory import download
 from ..kernels.search.point_tree import PointTree
 
-# Squares of distances are float32, and those between 1.2e-38 and 3.4e38 are normal numbers of full precision.
-SMALLEST_EXTENT = 1e-13  # [m] a millionth of it is 1e-19, whose square is the least normal number
-LARGEST_EXTENT = 1e19  # [m] the diagonal of a box as wide still has a square
+# Squared distances are float32, with full precision from 1.2e-38 to 3.4e38.
+SMALLEST_EXTENT = 1e-13  # [m] a millionth is 1e-19, whose square is the smallest normal number
+LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
 
 
 class KeptTree:
-    """An array of points, and the tree over them once there is one.
-
-    All clouds over the same points hold the same KeptTree, so the tree goes when the last of them does. An array that
-    was lent to other code may be written there: its tree is built anew where the points are no longer what they were.
-
-    Args:
-        points: Device array of vec3.
-        lent: Other code can write to it.
-    """
+    """An array of points and its search tree, shared by all clouds over the same points. If the array was `lent` to
+    other code, the tree is rebuilt when the points changed."""
 
     def __init__(self, points: wp.array, *, lent: bool = False):
         self.points, self._lent = points, lent
@@ -33,7 +26,6 @@ class KeptTree:
         self._mark: int | None = None
 
     def adopt(self, tree: PointTree) -> None:
-        """Keep a tree over these very points that was built elsewhere."""
         if self._tree is None and not self._lent and tree.source is self.points:
             self._tree = tree
 
@@ -46,13 +38,13 @@ class KeptTree:
 
     @property
     def known(self) -> PointTree | None:
-        """The search tree where it is built already and the points are still the same."""
+        """The cached tree if the points are unchanged, else None."""
         if self._tree is not None and self._lent and fingerprint(self.points) != self._mark:
             self._tree = None
         return self._tree
 
     def tree(self) -> PointTree:
-        """The search tree over the points as they are now: 20 B a point, 12 of them a copy of the points."""
+        """Search tree of the current points: 20 B per point, 12 B of them a copy of the points."""
         tree = self.known
         if tree is None:
             tree = PointTree(self.points)
@@ -63,18 +55,8 @@ class KeptTree:
 
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
-    """Refuse points whose squared distances are no numbers of float32: all of them would count as zero, or as infinite.
-
-    Single points that lie beyond the others' reach are let through: they are nobody's neighbours.
-
-    Args:
-        name: What the user's argument is called.
-        low, high: The box of the finite points, float32 [3].
-        points: Device array of vec3, looked at only where the box is too large.
-
-    Raises:
-        ValueError: The points span less than 1e-13 m, other than none, or most of them more than 1e19 m.
-    """
+    """Raise ValueError if squared distances exceed float32: an extent below 1e-13 m, or mostly above 1e19 m. Single
+    distant points are allowed; they have no neighbors. `points` is read only if the box is too large."""
     extent = float((np.asarray(high, np.float64) - low).max(initial=0.0))
     if 0 < extent < SMALLEST_EXTENT:
         raise ValueError(

@@ -1,4 +1,4 @@
-"""Keypoints: the few points of a cloud that are told from their surroundings."""
+"""Keypoint detection."""
 
 from __future__ import annotations
 
@@ -51,34 +51,25 @@ def compute_iss_keypoints(
     *,
     return_indices: bool = False,
 ) -> PointCloud | tuple[PointCloud, NDArray[np.int32]]:
-    """Intrinsic shape signatures: points around which the surface varies most, in all three directions.
+    """Detect keypoints by intrinsic shape signatures (ISS).
 
-    A point is salient where the eigenvalues l1 >= l2 >= l3 of its neighbours' covariance differ enough, and a keypoint
-    where no salient point near it has a larger l3.
+    A point is salient if the eigenvalues l1 >= l2 >= l3 of its neighborhood's covariance differ enough, and a keypoint
+    if no salient point near it has a larger l3. O(n) memory, bitwise reproducible. Scale-invariant: l3 counts from
+    1e-12 of the squared radius (Open3D: 1e-12 m^2). Zhong, "Intrinsic shape signatures", ICCV Workshops 2009.
 
     Args:
         cloud: Any cloud; normals are not needed.
-        salient_radius: Radius of the covariance [m], the boundary excluded.
-        non_max_radius: Radius in which no other l3 is larger [m]. Where either radius is 0, as in Open3D both come from
-            the cloud: 6 and 4 times the mean distance of a point to its nearest neighbour.
-        gamma_21: A salient point has l2 / l1 below this.
-        gamma_32: A salient point has l3 / l2 below this.
-        min_neighbors: Points within each radius, the point itself included.
-        return_indices: Return the keypoints' indices too.
+        salient_radius: Exclusive radius of the covariance [m].
+        non_max_radius: Radius of non-maximum suppression [m]. If either is 0: 6 and 4 times the mean spacing.
+        gamma_21, gamma_32: Upper limits of l2 / l1 and l3 / l2 of salient points.
+        min_neighbors: Minimum points within each radius, including the point itself.
+        return_indices: Also return the indices.
 
     Returns:
-        The cloud of the keypoints with all their attributes, in their order in the cloud; with `return_indices` also
-        their indices, int32 [m]. Of keypoints that tie all stay.
+        Cloud of the keypoints in order, ties included; with `return_indices` also their indices, int32 (m,).
 
     Raises:
-        ValueError: A radius or gamma that is negative or not finite, or min_neighbors below 1.
-
-    Notes:
-        O(n) memory. Same bits from run to run. Zhong 2009, with Open3D's choices. Open3D finds none where all entries
-        of the covariance are below 1e-12 m^2, and some on exact planes, where l3 is nothing but rounding; here the size
-        of the cloud does not matter, and l3 counts from 1e-12 of the radius squared on, a thickness of a millionth of
-        the radius. Where points have the same neighbours, Open3D's rounding decides which of them stays. Points that
-        are not finite are left out.
+        ValueError: If an argument is out of range.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,5 +1,4 @@
-"""Lengths that hardly fit a cloud, such as one in another unit: a radius that finds nobody, a voxel that holds all, a
-length that was swapped with a count."""
+"""Warnings for lengths that do not fit a cloud, for example in another unit or swapped with a count."""
 
 from __future__ import annotations
 
@@ -12,30 +11,25 @@ from ..kernels.arrays.sort import positions
 from ..kernels.reconstruction.ball_surface import count_around
 from ..kernels.search.point_tree import PointTree
 
-FEW = 10  # points that need no warning
-MANY = 100  # points that one voxel, cluster or plane is too little for
-SHORT = 0.25  # of the spacing of a surface: a radius below it is looked at
-ALONE = 1.1  # points within a radius on average, the point itself among them: nine in ten have nobody
-FAR = 1000.0  # times the longer of two spans, between two things that have nothing to do with each other
+FEW = 10  # points without a warning
+MANY = 100  # points above which one voxel, cluster or plane is suspicious
+SHORT = 0.25  # of the surface spacing: smaller radii are checked
+ALONE = 1.1  # mean points within a radius, including the point itself: 90% have no neighbor
+FAR = 1000.0  # ratio of distance to extent of unrelated data
 
 
 def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
-    """Refuse a count and a length that were swapped.
-
-    Raises:
-        TypeError: The count is a number with a point, and the length a whole one.
-    """
     if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
         given = f"{count_name}={length}, {length_name}={count}"
         raise TypeError(f"{count_name}: expected a whole number, got {count!r}; swapped? write {given}")
 
 
 def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:
-    """Warn where a radius finds nobody; points are only counted where it is short for a surface as large as theirs."""
+    """Warn if a radius finds no neighbors; points are counted only if it is short for their extent."""
     if radius is None or tree.count <= FEW:
         return
     extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))
-    usual = extent / float(np.sqrt(tree.count))  # between the points of a surface
+    usual = extent / float(np.sqrt(tree.count))  # spacing of a surface
     if radius > SHORT * usual:
         return
     found = count_around(tree, positions(tree.count, tree.device), radius)
@@ -49,7 +43,7 @@ def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: Length
 
 
 def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit: LengthUnit | None, so: str) -> None:
-    """Warn a user where a length is more than all the points span; a library's own step may well do so."""
+    """Warn if a length exceeds the extent of the points."""
     extent = float(np.max(np.asarray(high, np.float64) - low)) if count >= MANY else 0.0
     if not (0 < extent < length and asked_by_user()):
         return
@@ -63,7 +57,7 @@ def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit
 def warn_of_far(
     name: str, low: Any, high: Any, cloud_low: Any, cloud_high: Any, count: int, unit: LengthUnit | None
 ) -> None:
-    """Warn where a box lies so far from a cloud of many points that they are of different places, or units."""
+    """Warn if a box is so far from a large cloud that position or unit differ."""
     gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))
     span = float(max(np.max(np.asarray(high) - low), np.max(np.asarray(cloud_high) - cloud_low)))
     if count >= MANY and gap > FAR * span > 0 and asked_by_user():

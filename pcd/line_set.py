@@ -19,12 +19,12 @@ from .motion import Movable
 
 Rows = NDArray[np.float64]
 
-# The edges of a box between corners in the order of `get_box_points`, and Open3D's way round them.
+# Edges of a box between corners in the order of `get_box_points`, in Open3D's order.
 BOX_EDGES = np.array(
     [(0, 1), (1, 7), (7, 2), (2, 0), (3, 6), (6, 4), (4, 5), (5, 3), (0, 3), (1, 6), (7, 4), (2, 5)], np.int32
 )
 
-# A camera: from its centre to the corners of the picture, round them, and its axes.
+# Camera: from its center to the image corners, around them, and its axes.
 CAMERA_EDGES = np.array(
     [(0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1), (0, 5), (0, 6), (0, 7)], np.int32
 )
@@ -33,18 +33,16 @@ CAMERA_COLORS = np.array([[0.0, 0.0, 1.0]] * 8 + [[1.0, 0.0, 0.0], [0.0, 1.0, 0.
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class LineSet(Movable):
-    """Segments that join points: edges, pairs, paths, for pictures and the viewer.
-
-    Methods return what they make and change nothing in place.
+    """Line segments between points, for rendering and the viewer; immutable.
 
     Args:
-        points: Shape [n, 3] [m], finite.
-        lines: Indices of two points each, shape [m, 2].
-        colors: One a line, shape [m, 3], 0 to 1; None leaves the choice to what draws them.
+        points: Shape (n, 3) [m], finite.
+        lines: Point index pairs, shape (m, 2).
+        colors: One per line, shape (m, 3), 0 to 1, or None.
 
     Raises:
-        TypeError: Not numbers.
-        ValueError: Other shapes, points that are not finite, or lines between points that do not exist.
+        TypeError: If an array is not numeric.
+        ValueError: If a shape is wrong, a point is not finite, or a line index is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -72,7 +70,7 @@ class LineSet(Movable):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, box: AxisAlignedBoundingBox) -> LineSet:
-        """The twelve edges of a box, in its colour.
+        """The twelve edges of a box, in its color.
 
         Example:
             >>> import pointloom as loom
@@ -83,7 +81,7 @@ class LineSet(Movable):
 
     @classmethod
     def create_from_oriented_bounding_box(cls, box: OrientedBoundingBox) -> LineSet:
-        """The twelve edges of a turned box, as `create_from_axis_aligned_bounding_box`."""
+        """The twelve edges of an oriented box, in its color."""
         return cls._of_box(box, OrientedBoundingBox)
 
     @classmethod
@@ -94,10 +92,10 @@ class LineSet(Movable):
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> LineSet:
-        """The edges of a mesh, each once, in the order of their vertices.
+        """The unique edges of a mesh, in vertex order.
 
         Args:
-            mesh: A TriangleMesh, or anything with `vertices` [n, 3] [m] and `triangles` [t, 3].
+            mesh: A TriangleMesh, or an object with `vertices` (n, 3) [m] and `triangles` (t, 3).
         """
         vertices = check_rows("mesh.vertices", getattr(mesh, "vertices", None), 3, dtype=np.float64)
         triangles = check_rows("mesh.triangles", getattr(mesh, "triangles", None), 3)
@@ -106,14 +104,14 @@ class LineSet(Movable):
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: ArrayLike) -> LineSet:
-        """A line from a point of one cloud to a point of another for each pair.
+        """Lines between corresponding points of two clouds.
 
         Args:
-            cloud0, cloud1: Point clouds, or anything with `points` [n, 3] [m].
-            correspondences: Pairs of indices, shape [m, 2].
+            cloud0, cloud1: Point clouds, or objects with `points` (n, 3) [m].
+            correspondences: Index pairs, shape (m, 2).
 
         Raises:
-            ValueError: An index beyond its cloud.
+            ValueError: If an index is out of range.
 
         Example:
             >>> import pointloom as loom
@@ -135,12 +133,12 @@ class LineSet(Movable):
     def create_camera_visualization(
         cls, intrinsic: PinholeCameraIntrinsic, extrinsic: ArrayLike, scale: float = 1.0
     ) -> LineSet:
-        """A camera as a pyramid over its picture (blue) with its axes (red, green, blue).
+        """A camera as a pyramid (blue) with its axes (red, green, blue).
 
         Args:
             intrinsic: The camera.
-            extrinsic: World to camera, 4x4 [m], as Open3D has it.
-            scale: How far before the camera its picture lies, and the length of the axes [m].
+            extrinsic: World to camera, 4x4 [m].
+            scale: Distance of the image from the camera, and length of the axes [m].
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -162,7 +160,6 @@ class LineSet(Movable):
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
 
     def _repr_html_(self) -> str:
-        """The lines in a notebook: what they hold, a row each."""
         held = {"points": self.points, "lines": self.lines, "colors": self.colors}
         return html_table(repr(self), ((n, array_type(np.asarray(v))) for n, v in held.items() if v is not None))
 
@@ -171,31 +168,31 @@ class LineSet(Movable):
 
     @property
     def has_points(self) -> YesOrNo:
-        """Whether there are points; may be called, too."""
+        """True if there are points; also callable."""
         return YesOrNo(len(self.points))
 
     @property
     def has_lines(self) -> YesOrNo:
-        """Whether there are lines; may be called, too."""
+        """True if there are lines; also callable."""
         return YesOrNo(len(self.lines))
 
     @property
     def has_colors(self) -> YesOrNo:
-        """Whether each line has a colour; may be called, too."""
+        """True if each line has a color; also callable."""
         return YesOrNo(self.colors is not None)
 
     @property
     def is_empty(self) -> YesOrNo:
-        """Whether there are no points; may be called, too."""
+        """True if there are no points; also callable."""
         return YesOrNo(len(self.points) == 0)
 
     @returns_new
     def clear(self) -> LineSet:
-        """A set without points and lines: `lines = lines.clear()`."""
+        """Empty set: `lines = lines.clear()`."""
         return LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
 
     def __add__(self, other: LineSet) -> LineSet:
-        """Both sets as one; colours stay where both have some.
+        """Concatenate; colors stay if both sets have some.
 
         Example:
             >>> import pointloom as loom
@@ -212,38 +209,37 @@ class LineSet(Movable):
         return LineSet(np.concatenate([self.points, other.points]), lines, colors)
 
     def get_line_coordinate(self, line_index: int) -> tuple[Rows, Rows]:
-        """The two ends of a line, shape [3] each [m]."""
+        """The two end points of a line [m], shape (3,) each."""
         if check_count("line_index", line_index, minimum=0) >= len(self.lines):
             raise ValueError(f"line_index: expected one of {len(self.lines)} lines, got {line_index}")
         first, second = self.points[self.lines[line_index]]
         return first, second
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """The box of the points."""
+        """Axis-aligned box of the points."""
         return AxisAlignedBoundingBox.create_from_points(self.points)
 
     def get_min_bound(self) -> Rows:
-        """The lowest coordinates of the points [m], shape [3]; zeros where there is none."""
+        """Minimum coordinates of the points [m], shape (3,); zeros if there are none."""
         return self.get_axis_aligned_bounding_box().min_bound
 
     def get_max_bound(self) -> Rows:
-        """The highest coordinates of the points [m], shape [3]; zeros where there is none."""
+        """Maximum coordinates of the points [m], shape (3,); zeros if there are none."""
         return self.get_axis_aligned_bounding_box().max_bound
 
     def get_center(self) -> Rows:
-        """The mean of the points [m]; zero where there are none."""
+        """Mean of the points [m]; zero if there are none."""
         return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> LineSet:
-        """The same lines in one colour: red, green and blue, 0 to 1."""
+        """Set one color for all lines: red, green and blue, 0 to 1."""
         return dataclasses.replace(self, colors=np.tile(check_shape("color", color, (3,)), (len(self.lines), 1)))
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> LineSet:
-        """Moved by a 4x4 matrix."""
+        """Apply a 4x4 matrix."""
         return self._mapped("transformation", check_transformation("transformation", transformation))
 
     def _mapped(self, name: str, T: Rows) -> LineSet:
-        """The lines under an affine map."""
         return dataclasses.replace(self, points=matmul(self.points, T[:3, :3].T) + T[:3, 3])

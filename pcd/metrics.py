@@ -1,4 +1,4 @@
-"""How alike two clouds are: Chamfer distance, Hausdorff distance, F-score."""
+"""Comparison of two clouds: Chamfer distance, Hausdorff distance, F-score."""
 
 from __future__ import annotations
 
@@ -19,10 +19,9 @@ class CloudMetrics(NamedTuple):
     """Distances between two clouds.
 
     Attributes:
-        chamfer: The mean distance from each cloud to the other, the two added [m].
-        hausdorff: The largest distance from a point of either cloud to the other cloud [m].
-        fscore: For each radius, the harmonic mean of the percentages of points of either cloud that have the other
-            cloud within the radius; 0..100, float64.
+        chamfer: Sum of the mean distances in both directions [m].
+        hausdorff: Maximum distance of a point to the other cloud [m].
+        fscore: Harmonic mean of the percentages of points within each radius, 0..100, float64.
     """
 
     chamfer: float
@@ -31,21 +30,18 @@ class CloudMetrics(NamedTuple):
 
 
 def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Sequence[float] = (0.01,)) -> CloudMetrics:
-    """Chamfer distance, Hausdorff distance and F-scores of two clouds, defined as Open3D's tensor form defines them.
+    """Compute Chamfer distance, Hausdorff distance and F-scores of two clouds, as Open3D's tensor implementation.
+
+    O(n + m) memory, float64 sums in fixed order. F-score: Knapitsch et al., "Tanks and Temples", SIGGRAPH 2017.
 
     Args:
-        source: A cloud.
-        target: Another one, on the same device.
-        fscore_radius: Radii of the F-scores [m], the boundary excluded.
+        source, target: The clouds, on one device. Points that are not finite are ignored.
+        fscore_radius: Exclusive radii of the F-scores [m].
 
     Raises:
-        TypeError: No clouds.
-        ValueError: A cloud without finite points or 1.8e19 m away, or a radius that is not positive.
-        DeviceError: The clouds are on different devices.
-
-    Notes:
-        Every point counts once in each direction; points that are not finite do not. O(n + m) memory, sums in float64
-        in a fixed order. F-score: Knapitsch et al., "Tanks and Temples", SIGGRAPH 2017.
+        TypeError: If an argument is not a cloud.
+        ValueError: If a cloud has no finite points or is 1.8e19 m away, or a radius is not positive.
+        DeviceError: If the clouds are on different devices.
 
     Example:
         >>> import pointloom as loom

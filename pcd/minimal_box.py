@@ -1,4 +1,4 @@
-"""Boxes around the vertices of a convex hull: along their principal axes, and the smallest of all."""
+"""Bounding boxes of convex hulls: along principal axes, and of minimal volume."""
 
 from __future__ import annotations
 
@@ -11,19 +11,13 @@ from ..kernels.extent.box_fit import smallest_frame
 from ..kernels.linear_algebra import eigh, matmul, norm
 from .convex_hull import Extremes
 
-ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: of the turn into a box's axes, and of the centre
+ROUNDING = 4 * float(np.finfo(np.float64).eps)  # of a coordinate: rotation into the box axes, and center
 
 Box = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
 
 def fit_principal_box(positions: NDArray[np.float64], origin: NDArray[np.float64], extremes: Extremes) -> Box:
-    """The box along the principal axes of a hull's vertices, largest variance first: (centre, R, extent).
-
-    Args:
-        positions: Shape [n, 3], what to enclose, relative to the origin.
-        origin: Shape [3].
-        extremes: Their hull.
-    """
+    """Box along the principal axes of the hull's vertices, largest variance first: (center, R, extent)."""
     vertices = positions[extremes.rows]
     arms = vertices - vertices.mean(axis=0)
     _, axes = eigh(matmul(arms.T, arms) / len(arms))
@@ -35,14 +29,7 @@ def fit_principal_box(positions: NDArray[np.float64], origin: NDArray[np.float64
 def fit_smallest_box(
     positions: NDArray[np.float64], origin: NDArray[np.float64], extremes: Extremes, device: Any
 ) -> Box:
-    """The box of least volume around points, of least area where they are flat: (centre, R, extent).
-
-    Args:
-        positions: Shape [n, 3], what to enclose, relative to the origin.
-        origin: Shape [3].
-        extremes: Their hull.
-        device: Where to search.
-    """
+    """Box of minimal volume, or area if flat: (center, R, extent)."""
     vertices = positions[extremes.rows]
     arms = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
     size = np.abs(arms).max()
@@ -61,7 +48,7 @@ def fit_smallest_box(
 def _edges_of(
     triangles: NDArray[np.int32], normals: NDArray[np.float64]
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """The edges [e, 2] of a closed surface, and the normals [e, 2, 3] of the triangles on either side."""
+    """Edges (e, 2) of a closed surface, and the normals (e, 2, 3) on both sides."""
     ends = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
     order = np.lexsort((ends[:, 1], ends[:, 0]))
     ends, beside = ends[order], order // 3
@@ -70,7 +57,7 @@ def _edges_of(
 
 
 def _smallest_rectangle(arms: NDArray[np.float64], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
-    """The frame of the rectangle of least area around a flat hull: one of its sides holds an edge."""
+    """Frame of the minimal-area rectangle of a flat hull; one side contains an edge."""
     a, b, c = (arms[triangles[:, k]] for k in range(3))
     normals = np.cross(b - a, c - a)
     normal = normals[np.einsum("ij,ij->i", normals, normals).argmax()]
@@ -86,7 +73,7 @@ def _smallest_rectangle(arms: NDArray[np.float64], triangles: NDArray[np.int32])
 
 
 def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A right-handed frame whose first axis is a direction."""
+    """Right-handed frame with a given first axis."""
     first = direction / norm(direction)
     second = np.cross(np.eye(3)[np.abs(first).argmin()], first)
     second /= norm(second)
@@ -94,16 +81,14 @@ def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDArray[np.float64]) -> Box:
-    """The box with axes R around positions: a few roundings wider than they are, unless flat along a coordinate.
-
-    The frame may come from a hull that leaves out what float32 rounds; the box does not.
-    """
+    """Box with axes R around positions, enlarged by a few roundings unless flat along a coordinate. The frame may come
+    from a hull without points lost in float32 rounding; the box contains them."""
     middle = (positions.min(axis=0) + positions.max(axis=0)) / 2
     turned = matmul(positions - middle, R)
     low, high = turned.min(axis=0), turned.max(axis=0)
     center = origin + (middle + matmul(R, (low + high) / 2))
-    offsets = np.abs(matmul(positions + (origin - center), R)).max(axis=0)  # as a crop to the box finds them
+    offsets = np.abs(matmul(positions + (origin - center), R)).max(axis=0)  # as in a crop to the box
     extent = np.maximum(high - low, 2 * offsets)
     rounding = ROUNDING * (np.abs(positions).max() + np.abs(origin - center).max())
-    along_coordinate = np.abs(R).max(axis=0) == 1  # there a thickness of zero is exact, in any order of sums
+    along_coordinate = np.abs(R).max(axis=0) == 1  # zero thickness is exact there, in any order of sums
     return center, R, np.where((extent == 0) & along_coordinate, 0.0, extent + rounding)

@@ -1,4 +1,4 @@
-"""Moving a cloud, and anything that an affine map moves."""
+"""Affine motions of clouds and other objects."""
 
 from __future__ import annotations
 
@@ -14,26 +14,25 @@ from ..kernels.linear_algebra import matmul
 
 
 class Movable(ToldNames):
-    """What affine maps move, about its middle where no point is given."""
+    """Object with affine motions, by default about its center."""
 
     def get_center(self) -> NDArray[np.float64]:
-        """The middle [m], shape [3]."""
+        """Center [m], shape (3,)."""
         raise NotImplementedError
 
     def _finite_center(self) -> NDArray[np.float64]:
-        """The middle of what is finite [m], which motions start from."""
         return self.get_center()
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        """What it becomes under an affine map; errors call it by the argument that it was made of."""
+        """Apply an affine map; `name` is the argument reported in errors."""
         raise NotImplementedError
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """Moved by a vector [m]; with `relative=False`, its middle (`get_center`) moved there.
+        """Translate by a vector [m]; with `relative=False`, move the center (`get_center`) there.
 
         Raises:
-            ValueError: Not three finite numbers.
+            ValueError: If there are not three finite numbers.
 
         Example:
             >>> import pointloom as loom
@@ -46,15 +45,15 @@ class Movable(ToldNames):
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> Self:
-        """Turned about a point [m], about its middle (`get_center`) if none is given.
+        """Rotate about a point [m], default the center (`get_center`).
 
         Raises:
-            ValueError: R is no rotation matrix [3, 3], or the centre not three finite numbers.
+            ValueError: If R is not a rotation matrix (3, 3), or the center is not three finite numbers.
         """
         T = np.eye(4)
         try:
             T[:3, :3] = check_shape("R", R, (3, 3))
-        except ValueError as error:  # an angle, or three
+        except ValueError as error:  # of another shape, such as angles
             raise ValueError(
                 f"{error}: a rotation matrix; scipy.spatial.transform.Rotation.from_euler('xyz', angles, "
                 "degrees=True).as_matrix() makes one"
@@ -63,12 +62,10 @@ class Movable(ToldNames):
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
-        """Scaled about a point [m], about its middle (`get_center`) if none is given; normals stay.
-
-        A cloud or mesh made so has no known unit; `to_unit` converts lengths.
+        """Scale about a point [m], default the center (`get_center`); the unit becomes unknown (see `to_unit`).
 
         Raises:
-            ValueError: The factor is not above zero, or the centre not three finite numbers.
+            ValueError: If the factor is not positive, or the center is not three finite numbers.
         """
         factor = check_positive("scale", scale, maximum=LARGEST_NUMBER)
         return self._mapped("scale, center", map_about(factor * np.eye(3), self._middle(center)))
@@ -78,7 +75,7 @@ class Movable(ToldNames):
 
 
 def map_about(A: NDArray[np.float64], center: NDArray[np.float64], step: Any = 0.0) -> NDArray[np.float64]:
-    """The 4x4 map that applies A about a point, and then a step."""
+    """4x4 map that applies A about a point, then a translation."""
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = A, center - matmul(A, center) + np.asarray(step, np.float64)
     return T

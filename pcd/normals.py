@@ -30,44 +30,35 @@ from ..kernels.surface.smoothing import average_by_sides, average_passes, averag
 from .length_doubts import warn_of_short
 from .selection import Selection
 
-NORMAL_NEIGHBORS = 30  # a fit where normals are missing, as estimate_normals() takes by itself
+NORMAL_NEIGHBORS = 30  # default of estimate_normals()
 MOST_PASSES = 10_000  # of smoothing
 
 
 class Normals(Selection):
-    """The part of PointCloud that estimates normals and smooths points."""
+    """Methods of PointCloud that estimate normals and smooth points."""
 
     @returns_new
     def estimate_normals(self, *, radius: float | None = None, max_nn: int | None = 30) -> Self:
-        """Fit a plane to the neighbours of each point.
+        """Estimate normals by fitting a plane to the neighbors of each point.
+
+        O(n) memory, bitwise reproducible. Covariances are centered, so large coordinates are safe. Hoppe et al.,
+        "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.1.
 
         Args:
-            radius: Search radius [m], the boundary excluded; with `max_nn` the nearest `max_nn` within it. None
-                searches by count alone.
-            max_nn: Neighbours a fit, the point itself included; None takes all within the radius.
+            radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
         Returns:
-            The cloud with unit normals, shape [n, 3]; (0, 0, 1) where fewer than 3 neighbours are found, NaN for
-            points that are not finite. Each is on the side of the normal that the point had before; without one on
-            Open3D's, where neighbours may lie on two sides of one surface. They are turned with
-            `orient_normals_towards_camera_location` (a scan, from where it was taken),
-            `orient_normals_to_align_with_direction` (terrain) or `orient_normals_consistent_tangent_plane`.
+            The cloud with unit normals (n, 3); (0, 0, 1) with fewer than 3 neighbors, NaN for points that are not
+            finite. Existing normals determine the sign; otherwise it is Open3D's, which is not consistent. Orient with
+            `orient_normals_towards_camera_location` (a scan), `orient_normals_to_align_with_direction` (terrain) or
+            `orient_normals_consistent_tangent_plane`.
 
         Raises:
-            ValueError: Neither limit given, or one out of range.
+            ValueError: If both limits are None, or a limit is out of range.
 
         Warns:
-            UnitWarning: The radius finds hardly any point another one: it is in another unit.
-
-        Notes:
-            O(n) memory. Same bits from run to run. Hoppe et al. 1992, section 3.1. Covariances are centred, so
-            coordinates of any size do no harm (Open3D's legacy form turns 57 % of normals at UTM coordinates), and
-            one NaN spoils no other point's normal. Stored covariances are not used; Open3D takes them where there
-            are some, whatever search it is asked for.
-
-            The side of fresh normals follows from the covariance by the steps of the eigensolver that Open3D has as
-            well: of a LiDAR scan all are Open3D's. Where neighbours are equally far, as in depth images, either takes
-            some of them, and where the side hangs by these it may be the other (0.5 % of a depth frame).
+            UnitWarning: If hardly any point has a neighbor in the radius, which suggests another unit.
         """
         reach, count = check_search(radius, max_nn)
         points = self._arrays["points"]
@@ -80,13 +71,12 @@ class Normals(Selection):
 
     @property
     def covariances(self) -> NDArray[np.float32]:
-        """Covariances [m^2], float32 [n, 3, 3]; on the device the array "covariances" of shape [n, 9], row by row.
+        """Covariances [m^2], float32 (n, 3, 3); stored as device array "covariances" of shape (n, 9). Assignable.
 
-        Assign an array-like of shape [n, 3, 3]. float32 is what the coordinates are held in, and half the memory of
-        float64; an eigenvalue below 1e-7 of the largest is lost in the rounding.
+        Eigenvalues below 1e-7 of the largest are lost in rounding.
 
         Raises:
-            ValueError: The cloud has none, or those assigned have another shape.
+            ValueError: If the cloud has none, or assigned ones have another shape.
         """
         rows = self._required_array("covariances", "call estimate_covariances()")
         return download(rows).reshape(-1, 3, 3).astype(np.float32)
@@ -100,23 +90,18 @@ class Normals(Selection):
 
     @returns_new
     def estimate_covariances(self, *, radius: float | None = None, max_nn: int | None = 30) -> Self:
-        """Measure how the neighbours of each point spread about their mean.
+        """Compute the covariance of the neighbors of each point.
 
         Args:
-            radius: Search radius [m], the boundary excluded; with `max_nn` the nearest `max_nn` within it. None
-                searches by count alone.
-            max_nn: Neighbours, the point itself included; None takes all within the radius.
+            radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
         Returns:
-            The cloud with `covariances`, the mean squares divided by the count as in Open3D; the identity where fewer
-            than 3 neighbours are found, NaN for points that are not finite.
+            The cloud with `covariances`, divided by the count as in Open3D; identity with fewer than 3 neighbors, NaN
+            for points that are not finite. 36 B per point. Bitwise reproducible.
 
         Raises:
-            ValueError: Neither limit given, or one out of range.
-
-        Notes:
-            36 B a point, and 64 MB of lists meanwhile. Same bits from run to run. Moments are taken about each point
-            in float64, so coordinates of any size do no harm; Open3D's E[x x'] - E[x] E[x'] cancels at UTM coordinates.
+            ValueError: If both limits are None, or a limit is out of range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -131,30 +116,30 @@ class Normals(Selection):
 
     @returns_new
     def normalize_normals(self) -> Self:
-        """The cloud with each normal at length 1; a zero normal stays zero, one with NaN is NaN.
+        """Scale normals to unit length; zero normals stay zero, those with NaN become NaN.
 
         Raises:
-            ValueError: The cloud has no normals.
+            ValueError: If the cloud has no normals.
         """
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         return self._with_arrays(self._arrays | {"normals": normalize_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def flip_normals(self) -> Self:
-        """The cloud with each normal on the other side.
+        """Negate all normals.
 
         Raises:
-            ValueError: The cloud has no normals.
+            ValueError: If the cloud has no normals.
         """
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         return self._with_arrays(self._arrays | {"normals": flip_vectors(normals)}, grid=self.grid)
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
-        """The cloud with each normal on the side of a direction; a zero normal becomes the direction.
+        """Flip normals to the side of a direction; zero normals become the direction.
 
         Raises:
-            ValueError: The cloud has no normals, or a direction of another shape or not finite.
+            ValueError: If the cloud has no normals, or the direction is not finite or has another shape.
         """
         shaped = check_shape("orientation_reference", orientation_reference, (3,))
         reference = check_finite("orientation_reference", shaped)
@@ -162,10 +147,10 @@ class Normals(Selection):
 
     @returns_new
     def orient_normals_towards_camera_location(self, camera_location: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
-        """The cloud with each normal on the side of a camera [m].
+        """Flip normals toward a camera position [m].
 
         Raises:
-            ValueError: The cloud has no normals, or a place of another shape or not finite.
+            ValueError: If the cloud has no normals, or the position is not finite or has another shape.
         """
         location = check_finite("camera_location", check_shape("camera_location", camera_location, (3,)))
         return self._orient(location - self._origin, to_point=True)
@@ -174,35 +159,24 @@ class Normals(Selection):
     def orient_normals_consistent_tangent_plane(
         self, k: int, lambda_penalty: float = 0.0, cos_alpha_tol: float = 1.0
     ) -> Self:
-        """The cloud with its normals on one side of the surface, as far as neighbours agree on one.
+        """Orient normals consistently along the surface.
 
-        Signs spread from the lowest point (least z), whose normal is made to look down, along the least spanning tree
-        of the graph that joins each point to its k nearest and weighs an edge by `1 - |n . n'|`. Parts that the graph
-        leaves apart are joined by their shortest bridges.
+        Signs propagate from the lowest point, which faces down, along the minimum spanning tree of the
+        k-nearest-neighbor graph with edge weights `1 - |n . n'|`. Disconnected parts are joined by their shortest
+        bridges. About 4 k + 80 B per point. Bitwise reproducible. Hoppe et al. 1992, section 3.3; Piazza, Valentini and
+        Varetti, "Mesh reconstruction from point cloud", 2023. Open3D's graph lacks edges of its Delaunay step.
 
         Args:
-            k: Neighbours of a point, itself included; 10 to 30 do for most scans.
-            lambda_penalty: Above 0, a neighbour is left out whose distance from the point's tangent plane is an
-                outlier among the k: above their upper quartile by 1.5 times the width between the quartiles.
-            cos_alpha_tol: Below 1, a neighbour is left out where the way to it makes an angle with the normal whose
-                cosine exceeds this: the other side of a thin wall.
+            k: Neighbors of a point, including itself; 10 to 30 suit most scans.
+            lambda_penalty: If positive, ignore neighbors whose distance from the tangent plane is an outlier: above the
+                upper quartile by 1.5 interquartile ranges. Only its sign matters.
+            cos_alpha_tol: If below 1, ignore neighbors whose direction has a larger cosine (thin walls).
 
         Returns:
-            The cloud with the same normals, some turned. Zero normals stay; so do normals with NaN and those of points
-            that are not finite, and they pass no sign on.
+            The cloud with flipped normals. Zero, NaN and non-finite ones stay and do not propagate signs.
 
         Raises:
-            ValueError: The cloud has no normals; k < 1, a negative penalty, or a cosine outside 0..1.
-
-        Notes:
-            4 k B a point for the graph, about 80 B a point beside it. Same bits from run to run. Hoppe et al. 1992,
-            section 3.3; the last two parameters follow Piazza, Valentini and Varetti, "Mesh reconstruction from point
-            cloud", 2023.
-
-            Open3D's graph is the Euclidean least spanning tree and those of the k nearest that are no edge of the
-            Delaunay tetrahedra, so most of the nearest are missing from it; ours holds them all. Its Delaunay step
-            fails on coplanar points and takes most of its time. The size of `lambda_penalty` changes nothing here,
-            only whether it is 0: Open3D also weighs its Euclidean tree with it.
+            ValueError: If the cloud has no normals, k < 1, the penalty is negative, or the cosine is outside 0..1.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -228,26 +202,20 @@ class Normals(Selection):
         return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
     def normal_disagreement(self, k: int = 10) -> float:
-        """The share of near neighbours whose normals point to opposite sides of the surface: whether to orient them.
+        """Fraction of neighbor pairs whose normals are on opposite sides of the surface.
 
-        Pairs are a point and each of its `k` nearest. They count where the lines of their normals lie within 60 degrees
-        of each other and the way between them within 45 degrees of the tangent plane, so that creases and the two sides
-        of a wall do not; they disagree where the normals make more than a right angle.
+        Pairs are a point and each of its `k` nearest. They count if their normal lines differ by less than 60 degrees
+        and their connection is within 45 degrees of the tangent plane, which excludes creases and thin walls.
 
         Args:
-            k: Neighbours of a point, itself not counted.
+            k: Neighbors of a point, without itself.
 
         Returns:
-            0 where all agree, about a half where signs are random. A few per cent may be a seam between two patches of
-            opposite sides, each of which agrees in itself. 0, too, where no pair counts. Zero normals, NaN and points
-            that are not finite are in no pair.
+            0 if all agree or no pair counts, about 0.5 for random signs. A few percent may be a seam. The same number
+            on every device.
 
         Raises:
-            ValueError: The cloud has no normals, or k < 1.
-            TypeError: No whole number.
-
-        Notes:
-            8 B a point beside the search tree. The same number on every device.
+            ValueError, TypeError: If the cloud has no normals, or `k` is not an integer >= 1.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -268,26 +236,22 @@ class Normals(Selection):
 
     @returns_new
     def smooth_mls(self, *, radius: float | None = 0.05, max_nn: int | None = 30) -> Self:
-        """Move each point onto the plane through its neighbours, along the plane's normal.
+        """Project each point along the normal onto the plane fitted to its neighbors.
 
-        Neighbours at distance d weigh exp(-d^2 / radius^2), or all the same where no radius is given. Noise across
-        the surface goes, and so do edges and details finer than the radius (see `smooth_bilateral`).
+        Neighbors at distance d have weight exp(-d^2 / radius^2), or 1 without a radius. Removes noise, but also edges
+        and details finer than the radius (see `smooth_bilateral`). O(n) memory, bitwise reproducible. Alexa et al.,
+        "Computing and rendering point set surfaces", TVCG 2003, section 3.1, without the polynomial.
 
         Args:
-            radius: Search radius [m], the boundary excluded; None searches by count alone.
-            max_nn: Neighbours a plane, the point itself included; None takes all within the radius.
+            radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
         Returns:
-            The cloud with points moved. A point with fewer than 3 neighbours stays, as does one that is not finite.
-            Normals, where there were any, become those of the planes, on the sides they were on.
+            The cloud with moved points. Points with fewer than 3 neighbors and those not finite stay. Existing normals
+            become those of the planes, on the same side.
 
         Raises:
-            ValueError: Neither limit given, or one out of range.
-
-        Notes:
-            Open3D's smooth_mls, but for normals: it turns all of them anew along a spanning tree. O(n) memory. Same
-            bits from run to run. Alexa et al. 2003, "Computing and rendering point set surfaces", with the plane of
-            section 3.1 fitted once and no polynomial over it.
+            ValueError: If both limits are None, or a limit is out of range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -306,29 +270,22 @@ class Normals(Selection):
     def smooth_bilateral(
         self, *, radius: float | None = 0.05, max_nn: int | None = 30, sigma_s: float = 0.05, sigma_r: float = 0.05
     ) -> Self:
-        """Move each point to the mean of its neighbours, those far off its own tangent plane counting little.
+        """Move each point to the mean of its neighbors, with low weight for those off its tangent plane.
 
-        A neighbour weighs exp(-d^2 / (2 sigma_s^2) - h^2 / (2 sigma_r^2)) at distance d and height h over the tangent
-        plane. With `sigma_r` at the size of the noise and below that of the details, edges and steps stay.
+        Weights are exp(-d^2 / (2 sigma_s^2) - h^2 / (2 sigma_r^2)) at distance d and height h over the tangent plane.
+        Edges stay if `sigma_r` is near the noise level. Missing normals are estimated from 30 neighbors. O(n) memory,
+        bitwise reproducible. Jones et al., "Non-iterative, feature-preserving mesh smoothing", SIGGRAPH 2003.
 
         Args:
-            radius: Search radius [m], the boundary excluded; None searches by count alone.
-            max_nn: Neighbours a mean, the point itself included; None takes all within the radius.
-            sigma_s: Deviation of the weight along the surface [m].
-            sigma_r: Deviation of the weight across the surface [m].
+            radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
+            max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
+            sigma_s, sigma_r: Standard deviations along and across the surface [m].
 
         Returns:
-            The cloud with points moved, normals as they were. A point whose normal is zero or NaN stays, as does one
-            that is not finite.
+            The cloud with moved points and unchanged normals. Points without a valid normal or not finite stay.
 
         Raises:
-            ValueError: Neither limit given, or a number out of range.
-
-        Notes:
-            Open3D's smooth_bilateral. Where there are no normals they are fitted to 30 neighbours for this; Open3D
-            also adds them to its result. O(n) memory. Same bits from run to run. Jones et al. 2003, "Non-iterative,
-            feature-preserving mesh smoothing"; Digne and de Franchis 2017, "The bilateral filter for point clouds",
-            move points along the normal alone, this one also along the surface.
+            ValueError: If both limits are None, or a number is out of range.
         """
         reach, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
@@ -341,26 +298,22 @@ class Normals(Selection):
     def smooth_laplacian(
         self, iterations: int = 10, lambda_: float = 0.5, knn: int = 20, use_fixed_neighborhoods: bool = False
     ) -> Self:
-        """Move each point `lambda_` of the way to the mean of its `knn` nearest others, again and again.
+        """Move each point repeatedly by `lambda_` toward the mean of its `knn` nearest neighbors.
 
-        Smooths everything and shrinks what is curved or open; see `smooth_taubin`.
+        Shrinks curved and open surfaces; see `smooth_taubin`. Taubin, "A signal processing approach to fair surface
+        design", SIGGRAPH 1995, equation 2, with equal weights.
 
         Args:
-            iterations: Passes.
-            lambda_: Share of the way a pass.
-            knn: Neighbours, the point itself not included.
-            use_fixed_neighborhoods: Keep the neighbours of the first pass in all of them: faster, and points cannot
-                draw together in clusters; 4 B of memory a neighbour.
+            iterations: Number of passes.
+            lambda_: Fraction of the displacement applied per pass.
+            knn: Neighbors, without the point itself.
+            use_fixed_neighborhoods: Keep the neighbors of the first pass: faster, avoids clustering; 4 B per neighbor.
 
         Returns:
-            The cloud with points moved, normals as they were. Points that are not finite stay.
+            The cloud with moved points and unchanged normals. Points that are not finite stay. Bitwise reproducible.
 
         Raises:
-            ValueError: iterations outside 0..10,000, knn < 1, or `lambda_` not finite.
-
-        Notes:
-            Open3D's smooth_laplacian. O(n) memory, or 4 n (knn + 1) B with fixed neighbourhoods. Same bits from run
-            to run. Each pass rounds to float32. Taubin 1995, equation 2, with equal weights over nearest neighbours.
+            ValueError: If iterations are outside 0..10,000, knn < 1, or `lambda_` is not finite.
         """
         passes = _check_passes(iterations)
         return self._averaged([check_number("lambda_", lambda_)] * passes, knn, use_fixed_neighborhoods)
@@ -374,24 +327,19 @@ class Normals(Selection):
         knn: int = 20,
         use_fixed_neighborhoods: bool = False,
     ) -> Self:
-        """Smooth without shrinking: each iteration is a pass with `lambda_` and one back with `mu`.
+        """Smooth without shrinking: each iteration is a pass with `lambda_` and one with `mu`.
 
         Args:
-            iterations: Pairs of passes.
-            lambda_: Share of the way to the mean of the neighbours, > 0.
-            mu: The same of the second pass; below `-lambda_`, which lets low frequencies through.
-            knn: Neighbours, the point itself not included.
-            use_fixed_neighborhoods: Keep the neighbours of the first pass; see `smooth_laplacian`.
+            iterations: Number of pass pairs.
+            lambda_: Fraction of the displacement to the mean of the neighbors, > 0.
+            mu: Factor of the second pass, below `-lambda_`.
+            knn, use_fixed_neighborhoods: As of `smooth_laplacian`.
 
         Returns:
-            The cloud with points moved, normals as they were. Points that are not finite stay.
+            As `smooth_laplacian`. Taubin, SIGGRAPH 1995, section 3.
 
         Raises:
-            ValueError: iterations outside 0..10,000, knn < 1, or a factor that is not finite.
-
-        Notes:
-            Open3D's smooth_taubin; costs as `smooth_laplacian` with twice the passes. Taubin 1995, "A signal
-            processing approach to fair surface design", section 3.
+            ValueError: If iterations are outside 0..10,000, knn < 1, or a factor is not finite.
         """
         passes = _check_passes(iterations)
         factors = [check_number("lambda_", lambda_), check_number("mu", mu)]

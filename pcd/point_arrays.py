@@ -31,7 +31,7 @@ VECTORS = ("points", "normals", "colors")
 
 
 class Attributes(MutableMapping[str, NDArray[Any]]):
-    """Attributes by name, as read-only NumPy arrays of shape [n] or [n, c]: all but points, normals and colours."""
+    """Read-only NumPy attributes of shape (n,) or (n, c) by name, without points, normals and colors."""
 
     def __init__(self, cloud: PointArrays):
         self._cloud = cloud
@@ -62,20 +62,19 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
 
 
 class PointArrays(InUnit, KnownNames):
-    """The arrays of a cloud by name, checked where they are assigned; PointCloud adds the operations.
+    """Points and attributes of a cloud, validated on assignment; base of PointCloud.
 
-    What is read is a copy that cannot be written to, so that no change is lost in silence: change a `.copy()` of it and
-    assign that.
+    Arrays that are read are read-only copies: modify a `.copy()` and assign it.
 
     Attributes:
-        grid: Rows and columns where the points are the pixels of an image, row by row; else None.
+        grid: Rows and columns if the points are image pixels, row by row; else None.
     """
 
     _arrays: dict[str, wp.array]
     _how_to_add = "An attribute of the points is added by cloud[{name!r}] = values"
-    _kept: KeptTree  # of the points
+    _kept: KeptTree  # points and their search tree
     _origin: NDArray[np.float64]
-    _library: str = NUMPY  # whose arrays operations return, see array_libraries.py
+    _library: str = NUMPY  # library of returned arrays, see array_libraries.py
     grid: tuple[int, int] | None
 
     def __len__(self) -> int:
@@ -83,27 +82,27 @@ class PointArrays(InUnit, KnownNames):
 
     @property
     def has_points(self) -> YesOrNo:
-        """Whether there are points; may be called, too."""
+        """True if there are points; also callable."""
         return YesOrNo(len(self))
 
     @property
     def has_normals(self) -> YesOrNo:
-        """Whether there are normals; may be called, too."""
+        """True if there are normals; also callable."""
         return YesOrNo("normals" in self._arrays)
 
     @property
     def has_colors(self) -> YesOrNo:
-        """Whether there are colours; may be called, too."""
+        """True if there are colors; also callable."""
         return YesOrNo("colors" in self._arrays)
 
     @property
     def has_covariances(self) -> YesOrNo:
-        """Whether `estimate_covariances` has been here; may be called, too."""
+        """True if there are covariances; also callable."""
         return YesOrNo("covariances" in self._arrays)
 
     @property
     def is_empty(self) -> YesOrNo:
-        """Whether there is no point; may be called, too."""
+        """True if there are no points; also callable."""
         return YesOrNo(len(self) == 0)
 
     def __repr__(self) -> str:
@@ -111,22 +110,21 @@ class PointArrays(InUnit, KnownNames):
         return f"{type(self).__name__}({len(self):,} points, {names or 'no attributes'}, {self.device})"
 
     def _repr_html_(self) -> str:
-        """The cloud in a notebook: what it holds, a row each."""
         return html_table(repr(self), ((name, array_type(values)) for name, values in self._arrays.items()))
 
     @property
     def device(self) -> Any:
-        """The device that holds the arrays."""
+        """Device of the arrays."""
         return self._arrays["points"].device
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """The float64 origin [m] that the device's positions are relative to, shape [3]."""
+        """Origin of the device positions [m], float64 (3,)."""
         return read_only(self._origin.copy())
 
     @property
     def points(self) -> NDArray[np.float64]:
-        """World coordinates [m], float64 [n, 3]."""
+        """World coordinates [m], float64 (n, 3)."""
         with quiet():
             return read_only(download(self._arrays["points"]).astype(np.float64) + self._origin)
 
@@ -136,10 +134,10 @@ class PointArrays(InUnit, KnownNames):
 
     @property
     def normals(self) -> NDArray[np.float32]:
-        """Unit normals, float32 [n, 3].
+        """Unit normals, float32 (n, 3).
 
         Raises:
-            ValueError: The cloud has none.
+            ValueError: If the cloud has none.
         """
         return read_only(download(self._required_array("normals", "call cloud = cloud.estimate_normals()")).copy())
 
@@ -153,10 +151,10 @@ class PointArrays(InUnit, KnownNames):
 
     @property
     def colors(self) -> NDArray[np.float32]:
-        """Colours 0..1, float32 [n, 3].
+        """Colors in 0..1, float32 (n, 3).
 
         Raises:
-            ValueError: The cloud has none.
+            ValueError: If the cloud has none.
         """
         return read_only(download(self._required_array("colors", "assign cloud.colors")).copy())
 
@@ -170,22 +168,22 @@ class PointArrays(InUnit, KnownNames):
 
     @property
     def attributes(self) -> Attributes:
-        """The further attributes, a mapping of NumPy arrays of shape [n] or [n, c]; to set an item sets the cloud's."""
+        """Other attributes, a mutable mapping of NumPy arrays of shape (n,) or (n, c)."""
         return Attributes(self)
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        """One attribute as NumPy, `points`, `normals` and `colors` among them."""
+        """Attribute as NumPy array, including `points`, `normals` and `colors`."""
         if name in VECTORS:
             return getattr(self, name)
         return read_only(download(self._required_array(name, f"the cloud has {', '.join(self._arrays)}")).copy())
 
-    __array_ufunc__ = None  # arithmetic of arrays with clouds is an error, whichever stands first
+    __array_ufunc__ = None  # arithmetic of arrays with clouds raises an error, in either order
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The points for `np.asarray(cloud)`, float64 [n, 3] [m]: a copy, that cannot be written to but by `copy=True`.
+        """Points for `np.asarray(cloud)`, float64 (n, 3) [m]: a read-only copy, or writable with `copy=True`.
 
         Raises:
-            ValueError: `copy=False`: the cloud keeps float32 about an origin, so this is always a copy.
+            ValueError: If `copy=False`; positions are stored as float32 about an origin.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -210,26 +208,24 @@ class PointArrays(InUnit, KnownNames):
         raise TypeError("a PointCloud is no sequence; iterate over cloud.points")
 
     def array(self, name: str) -> wp.array:
-        """The device array itself, without a copy: `points` (relative to `origin`), `normals`, `colors`, or a name.
+        """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
 
-        It speaks DLPack and `__cuda_array_interface__`. What is written to it changes this cloud and all that share
-        the array; that points were written is noticed by the next operation, which builds the search tree anew.
+        Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array; the next
+        operation detects changed points and rebuilds the search tree.
         """
         return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
-        """The cloud on another device; itself where it is there already.
+        """Copy the cloud to another device; returns the cloud itself if it is already there.
 
         Args:
-            device: "cpu", "cuda:0", "auto".
-            arrays: The library whose arrays its operations return: "numpy", "warp", "torch", "cupy" or "jax"; None
-                leaves that as it is. A cloud returns the arrays that it was made of, so this is for clouds from files.
+            device: "cpu", "cuda:0" or "auto".
+            arrays: Library of returned arrays: "numpy", "warp", "torch", "cupy" or "jax". If None: unchanged.
 
         Raises:
-            DeviceError: No such device.
-            ValueError: No such library.
-            ImportError: It is not installed.
+            DeviceError: If the device does not exist.
+            ValueError, ImportError: If the library is unknown or not installed.
 
         Example:
             >>> import pointloom as loom
@@ -246,17 +242,13 @@ class PointArrays(InUnit, KnownNames):
         return cloud
 
     def __dlpack_device__(self) -> tuple[int, int]:
-        """Where the points are, as DLPack counts devices."""
         return self._arrays["points"].__dlpack_device__()
 
     def __dlpack__(self, *, stream: int | None = None, **options: Any) -> Any:
-        """The points for `from_dlpack` of another library, without a copy: float32 [n, 3] about `origin`.
-
-        The other library's stream waits for what is queued here.
+        """Points for `from_dlpack` of another library without a copy: float32 (n, 3) about `origin`.
 
         Raises:
-            BufferError: The cloud's origin is not zero, so these are not its coordinates. Take `array("points")` and
-                add `origin`, in float64.
+            BufferError: If the origin is not zero. Add `origin` to `array("points")` in float64 instead.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -273,10 +265,10 @@ class PointArrays(InUnit, KnownNames):
 
     @returns_new
     def without(self, *names: str) -> Self:
-        """The cloud without these attributes, "normals" and "colors" among them.
+        """Remove attributes, including "normals" and "colors".
 
         Raises:
-            ValueError: The cloud has no such attribute, or it is the points.
+            ValueError: If the cloud has no such attribute, or it is the points.
 
         Example:
             >>> import pointloom as loom
@@ -292,38 +284,30 @@ class PointArrays(InUnit, KnownNames):
 
     @returns_new
     def clear(self) -> Self:
-        """A cloud without points and attributes on the same device: `cloud = cloud.clear()`."""
+        """Empty cloud on the same device: `cloud = cloud.clear()`."""
         kind: Any = type(self)
         return kind(device=self.device)
 
     @returns_new
     def copy(self) -> Self:
-        """Another cloud over the same arrays: what is assigned to one does not reach the other."""
+        """Copy that shares arrays; assignments to one do not affect the other."""
         return self._with_arrays(dict(self._arrays), grid=self.grid)
-
-    # -------------------------------------------------------------------------------- for code on the device
 
     @property
     def _device_arrays(self) -> dict[str, wp.array]:
-        """The device arrays by name, `points` relative to `origin`: for code that reads them, as `device_array`."""
+        """Device arrays by name for reading, `points` relative to `origin`."""
         return dict(self._arrays)
 
     @property
     def array_library(self) -> str:
-        """The library whose arrays operations return: that of the arrays which the cloud was made of."""
+        """Library of the arrays that operations return: that of the arrays the cloud was made from."""
         return self._library
 
     @classmethod
     def _from_device_arrays(
         cls, arrays: dict[str, wp.array], origin: NDArray[np.float64], library: str = NUMPY
     ) -> Self:
-        """A cloud around device arrays, for kernels: nothing is copied or checked.
-
-        Args:
-            arrays: By name: `points` (vec3 [n], relative to `origin`), and what else has a row a point.
-            origin: float64 [3].
-            library: Whose arrays its operations return.
-        """
+        """Create a cloud from device arrays without copies or checks; `points` is vec3 (n,) relative to `origin`."""
         cloud = cls.__new__(cls)
         cloud._library = library
         cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
@@ -331,7 +315,7 @@ class PointArrays(InUnit, KnownNames):
         return cloud
 
     def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
-        """A cloud over other device arrays about the same origin; where the points are the same, so is their tree."""
+        """Cloud with other device arrays about the same origin; keeps the search tree if the points are the same."""
         cloud = self._from_device_arrays(arrays, self._origin, self._library)
         cloud.grid, cloud._unit = grid, self._unit
         if arrays["points"] is self._arrays["points"]:
@@ -339,49 +323,40 @@ class PointArrays(InUnit, KnownNames):
         return cloud
 
     def _device_array(self, name: str) -> wp.array:
-        """As `array`, for code that only reads it: the search tree stays.
-
-        Raises:
-            ValueError: The cloud has no such attribute.
-        """
+        """As `array`, for reading only: the search tree stays valid."""
         return self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
 
     def _required_array(self, name: str, remedy: str) -> wp.array:
-        """As `device_array`, for code that can say how the cloud comes by the attribute.
-
-        Raises:
-            ValueError: The cloud has no such attribute; the message ends in the remedy.
-        """
+        """As `_device_array`; the ValueError ends with `remedy`."""
         if name not in self._arrays:
             raise ValueError(escaped(f"the cloud has no {name}: {remedy}"))
         return self._arrays[name]
 
     def search_tree(self) -> PointTree:
-        """The search tree over the points, built at the first call and kept with them: 20 B a point."""
+        """Search tree of the points, built at the first call and cached: 20 B per point."""
         return self._kept.tree()
 
     def _adopt_search_tree(self, tree: PointTree) -> None:
-        """Keep a tree over the points' own array that was built elsewhere, where there is none yet."""
+        """Cache an existing tree of the points' own array, if there is none yet."""
         self._kept.adopt(tree)
 
     @property
     def _known_search_tree(self) -> PointTree | None:
-        """The search tree over the points where an operation has built it; None where none has asked for it yet."""
         return self._kept.known
 
     def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
-        """The points relative to another origin, a device array of vec3."""
+        """Points relative to another origin, a device array of vec3."""
         if (self._origin == origin).all():
             return self._arrays["points"]
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """A result as an array of the library that the cloud was made of; see `hand_out`. NumPy's own their memory."""
+        """Convert a result to the cloud's array library; NumPy arrays own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
 
     def _place(self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None) -> None:
-        """Set the points, where they lie if that is a GPU; else on a device."""
+        """Set the points on their GPU, or on a device."""
         is_copied = library_of(values) == NUMPY
         if is_on_gpu(values):
             points, self._origin = take_points("points", values, origin, device, rows=rows)
@@ -395,7 +370,7 @@ class PointArrays(InUnit, KnownNames):
         self._kept = KeptTree(points, lent=is_shared)
 
     def _set(self, name: str, values: ArrayLike) -> None:
-        if isinstance(values, PointArrays):  # whose array would be its points
+        if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays: other[{name!r}]")
         if is_on_gpu(values):
             self._arrays[name] = self._taken(name, values)
@@ -417,7 +392,7 @@ class PointArrays(InUnit, KnownNames):
             self._arrays[name] = upload(column, kind, self.device, copied=is_copied)
 
     def _taken(self, name: str, values: Any) -> wp.array:
-        """An array on a GPU as an attribute."""
+        """Convert a GPU array to an attribute."""
         if name == "normals":
             return take_vectors(name, values, self.device, rows=len(self))
         if name == "colors":
@@ -426,17 +401,12 @@ class PointArrays(InUnit, KnownNames):
 
 
 def check_cloud(name: str, cloud: Any) -> None:
-    """Refuse what is no PointCloud.
-
-    Raises:
-        TypeError: The message names the argument and says how a cloud is made.
-    """
     if not isinstance(cloud, PointArrays):
         raise TypeError(f"{name}: expected a PointCloud, got {type(cloud).__name__}; {_remedy_of(cloud)}")
 
 
 def _remedy_of(value: Any) -> str:
-    """How a cloud is made of what is none, or taken out of it."""
+    """Hint how to create a cloud from a value of another type."""
     if isinstance(value, tuple) and value and isinstance(value[0], PointArrays):
         return "it is the first of the pair: cloud, rows = ..."
     if isinstance(value, str | os.PathLike):
@@ -447,6 +417,5 @@ def _remedy_of(value: Any) -> str:
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:
-    """The array, which cannot be written to from now on."""
     array.flags.writeable = False
     return array

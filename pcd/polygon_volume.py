@@ -1,4 +1,4 @@
-"""SelectionPolygonVolume: a polygon swept along an axis, as Open3D's viewer writes it to JSON, and what lies inside."""
+"""SelectionPolygonVolume: a polygon swept along an axis, as in Open3D's JSON, for cropping."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     Cloud = TypeVar("Cloud", bound=Selection)
 
-# The coordinates u and v of the polygon's plane, and the axis that it is swept along.
+# Coordinates u and v of the polygon's plane, and the axis.
 AXES = {"X": (1, 2, 0), "Y": (0, 2, 1), "Z": (0, 1, 2)}
 MIN_CORNERS = 3
 _KEYS = frozenset(
@@ -40,22 +40,19 @@ _KEYS = frozenset(
 
 @dataclass(frozen=True, init=False, eq=False)
 class SelectionPolygonVolume:
-    """A polygon swept along a coordinate axis between two heights; it chooses the points that Open3D's chooses.
+    """A polygon swept along a coordinate axis; selects the same points as Open3D.
 
-    Inside is decided by the even-odd rule, in float64 of world coordinates, so a polygon at UTM coordinates is exact
-    too: what a self-intersecting polygon surrounds twice is outside. Both ends of the axis are inclusive; of points on
-    the polygon itself those on a lower or left edge (at the least v or u) are outside, on an upper or right one inside.
-    Points that are not finite are outside (Open3D takes a point whose NaN is along the axis).
+    Even-odd rule in float64 world coordinates. Both ends of the axis are inclusive; points on a lower or left edge are
+    outside, on an upper or right edge inside. Points that are not finite are outside.
 
     Args:
-        bounding_polygon: The corners [m], shape [m, 3], at least three; the coordinate along the axis has no bearing.
+        bounding_polygon: Corners [m], shape (m, 3), at least three; the coordinate along the axis is ignored.
         orthogonal_axis: "X", "Y" or "Z".
-        axis_min: Lower end along the axis [m].
-        axis_max: Upper end [m].
+        axis_min, axis_max: Range along the axis [m].
 
     Raises:
-        ValueError: Fewer than three corners, numbers that are not finite or beyond 1e100, an axis that is none, or
-            axis_min above axis_max.
+        ValueError: If there are fewer than three corners, a number is not finite or beyond 1e100, the axis is unknown,
+            or axis_min exceeds axis_max.
 
     Example:
         >>> import pointloom as loom
@@ -91,11 +88,10 @@ class SelectionPolygonVolume:
 
     @classmethod
     def from_json(cls, path: str | os.PathLike[str]) -> SelectionPolygonVolume:
-        """Read a volume that Open3D's viewer (K, then polygon selection) or `to_json` wrote.
+        """Read a volume written by Open3D's viewer (K, then polygon selection) or `to_json`.
 
         Raises:
-            FileError: Unreadable, not JSON, no SelectionPolygonVolume of version 1.0, or a key that is missing,
-                unknown, given twice or out of range.
+            FileError: If the file is not a valid SelectionPolygonVolume of version 1.0.
         """
         content = read_json_object(path)
         check_keys(path, content, required=_KEYS)
@@ -121,10 +117,10 @@ class SelectionPolygonVolume:
             raise FileError(path, str(error)) from error
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write the volume as Open3D's JSON, all digits kept; an existing file is replaced.
+        """Write the volume as Open3D's JSON without loss of digits; replaces an existing file.
 
         Raises:
-            FileError: The place cannot be written.
+            FileError: If the file cannot be written.
 
         Example:
             >>> import pointloom as loom
@@ -146,20 +142,19 @@ class SelectionPolygonVolume:
             file.write(json.dumps(content, indent=4).encode() + b"\n")
 
     def crop_point_cloud(self, cloud: Cloud, invert: bool = False) -> Cloud:
-        """The points of a cloud inside the volume, or with `invert` all others; the same as `cloud.crop(volume)`."""
+        """Points of a cloud inside the volume, or with `invert` all others; as `cloud.crop(volume)`."""
         check_cloud("cloud", cloud)
         return cloud.crop(self, invert)
 
     def crop_in_polygon(self, points: PointArrays | ArrayLike, invert: bool = False) -> NDArray[np.int32]:
-        """The indices of the points inside the volume, or with `invert` of all others; ascending.
+        """Ascending indices of the points inside the volume, or with `invert` of all others.
 
         Args:
-            points: A cloud, or an array of shape [n, 3], which is taken in float64 on the CPU.
-            invert: Whether to give the others.
+            points: A cloud, or an array of shape (n, 3), processed in float64 on the CPU.
+            invert: Return the points outside.
 
         Raises:
-            ValueError: An array of another shape.
-            TypeError: Not numeric.
+            ValueError, TypeError: If the array has a wrong shape or is not numeric.
         """
         if isinstance(points, PointArrays):
             mask, library = mask_volume(self, points._device_array("points"), points.origin), points.array_library
@@ -170,7 +165,7 @@ class SelectionPolygonVolume:
 
 
 def _wide(points: ArrayLike) -> wp.array:
-    """Positions of shape [n, 3] in float64, an array of vec3d: on a GPU where they lie there, else on the CPU."""
+    """Positions (n, 3) as vec3d, on their GPU or the CPU."""
     if is_on_gpu(points):
         rows = take_rows("points", points, 3)
         return view_as(cast(rows, float64), vec3d, (rows.shape[0],))
@@ -178,7 +173,7 @@ def _wide(points: ArrayLike) -> wp.array:
 
 
 def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-    """uint8 [n] on the device of the points, which are vec3 about an origin or vec3d; 1 inside the volume."""
+    """uint8 (n,) on the device of the points (vec3 about an origin, or vec3d); 1 inside the volume."""
     axes = AXES[volume.orthogonal_axis]
     corners = upload(volume.bounding_polygon[:, axes[:2]], vec2d, points.device)
     return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)

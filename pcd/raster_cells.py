@@ -1,4 +1,4 @@
-"""The cells of rasters, the points that count in them, and the ground between points."""
+"""Cells of rasters, the points that count in them, and ground heights."""
 
 from __future__ import annotations
 
@@ -21,19 +21,14 @@ from ..kernels.terrain.inverse_distance import heights_above, interpolate_centre
 from ..kernels.terrain.triangle_heights import VALUES, keep_listed, lay_rows, triangle_heights
 from .cloud import PointCloud
 
-GROUND, NOISE = (2,), (7, 18)  # classes of LAS
-REACH = 20  # cells, where no reach is given
+GROUND, NOISE = (2,), (7, 18)  # LAS classes
+REACH = 20  # default, in cells
 MOST_CELLS = 2**28
-BYTES = 32  # of memory a cell
-SLACK = 1e-9  # of a cell: a bound that was meant as a cell's is one
+BYTES = 32  # per cell
+SLACK = 1e-9  # of a cell: tolerance for bounds at cell borders
 
 
 def check_classes(classes: Any) -> tuple[int, ...] | None:
-    """Classes of LAS as numbers; None stays.
-
-    Raises:
-        ValueError: No numbers of 0 to 255, or none at all.
-    """
     if classes is None:
         return None
     given = np.atleast_1d(check_numeric("classes", classes))
@@ -43,11 +38,6 @@ def check_classes(classes: Any) -> tuple[int, ...] | None:
 
 
 def check_box(bounds: Any) -> NDArray[np.float64]:
-    """A box in plan.
-
-    Raises:
-        ValueError: No four finite numbers, or no area.
-    """
     box = check_finite("bounds", check_shape("bounds", bounds, (4,)))
     if not (box[0] < box[2] and box[1] < box[3]):
         raise ValueError(f"bounds: expected (x0, y0, x1, y1) with x0 < x1 and y0 < y1, got {shown(bounds)}")
@@ -55,17 +45,11 @@ def check_box(bounds: Any) -> NDArray[np.float64]:
 
 
 def check_lengths(cloud: PointCloud) -> None:
-    """Refuse degrees.
-
-    Raises:
-        ValueError: The cloud's unit is degrees.
-    """
     if cloud.unit is not None and is_same(cloud.unit, DEGREE):
         raise ValueError("cloud: is in degrees, which are no lengths; project_to_utm(cloud) makes metres of them")
 
 
 def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -> FixedCells:
-    """The cells that a raster has."""
     if box is None:
         low, high, finite = bound_points(points)
         if not finite:
@@ -79,14 +63,14 @@ def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -
 
 
 def cells_over(low: Any, high: Any, corner: Any, side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The half-open cells from a low to a high place, both included: the first along x and y, and how many."""
-    with np.errstate(over="ignore", invalid="ignore"):  # more cells than float64 holds are too many, too
+    """Half-open cells that contain a range, both ends included: first cell and count along x and y."""
+    with np.errstate(over="ignore", invalid="ignore"):  # overflow means too many cells
         first, last = (np.floor((end.astype(np.float64)[:2] - corner) / side) for end in (low, high))
         return first, last - first + 1
 
 
 def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The cells of a box that ends at cells or within them, as `cells_over`: low and high x and y from the corner."""
+    """Cells of a box with ends at or within cells, as `cells_over`; x and y from the corner."""
     with np.errstate(over="ignore", invalid="ignore"):
         first = np.floor(ends[0] / side + SLACK)
         return first, np.maximum(np.ceil(ends[1] / side - SLACK) - first, 1.0)
@@ -105,13 +89,13 @@ def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
 
 
 def _rings(reach: float, side: float, held: Any, asked: Any) -> int:
-    """The squares around a cell that may hold points within reach, of cells (first, shape) that are asked and held."""
+    """Number of rings of cells that may contain points within reach."""
     span = np.maximum(held[0] + held[1], asked[0] + asked[1]) - np.minimum(held[0], asked[0])
     return int(min(math.ceil(min(reach / side, 2.0**30)), span.max()))
 
 
 def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
-    """The points of some classes, all but noise for None; of returns the first ones, where it is not the ground."""
+    """Points of some classes (None: all but noise); only first returns, except for the ground."""
     rows = _rows(cloud, classes, is_first=not is_ground, is_needed=is_ground or classes is not None)
     points = cloud._device_array("points")
     if rows is None:
@@ -125,7 +109,7 @@ def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_grou
 
 
 class NoGroundError(ValueError):
-    """There are no ground points to make a height of."""
+    """There are no ground points."""
 
 
 def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool, is_needed: bool) -> Any:
@@ -139,7 +123,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
     if classes is None:
         table[list(NOISE)] = 0
     returns = np.zeros(VALUES, np.uint8)
-    returns[:2] = 1  # some files number none of them
+    returns[:2] = 1  # some files do not number returns
     tables = [("classification", table)] if has_classes else []
     tables += [("return_number", returns)] if is_first and "return_number" in cloud else []
     if not tables:
@@ -151,7 +135,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
 
 
 def ground_heights(ground: Points, window: FixedCells, method: str, reach: float | None, count: int) -> Doubles:
-    """The ground's height at the centre of each cell, about the points' origin."""
+    """Ground height at each cell center, about the points' origin."""
     if method == "tin":
         return triangle_heights(ground, _triangles(ground), window, math.inf if reach is None else reach)
     far = REACH * window.cell if reach is None else reach
@@ -173,10 +157,10 @@ def ground_heights(ground: Points, window: FixedCells, method: str, reach: float
 
 
 def _triangles(ground: Points) -> Any:
-    from scipy.spatial import Delaunay, QhullError  # loads for longer than a first raster needs
+    from scipy.spatial import Delaunay, QhullError  # slow import
 
     places = download(ground).reshape(-1, 3).astype(np.float64)
-    rows = np.flatnonzero(np.isfinite(places).all(axis=1))  # heights too
+    rows = np.flatnonzero(np.isfinite(places).all(axis=1))  # also finite heights
     try:
         found = rows[Delaunay(places[rows, :2]).simplices]
     except (QhullError, ValueError) as error:
@@ -186,7 +170,6 @@ def _triangles(ground: Points) -> Any:
 
 
 def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tuple[int, ...] | None) -> Doubles:
-    """What is measured of the points in each cell."""
     is_first = kind in ("dsm", "chm")
     rows = _rows(cloud, classes, is_first=is_first, is_needed=classes is not None)
     points = cloud._device_array("points")
@@ -203,7 +186,7 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
 
 
 def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base: float) -> NDArray[np.float32]:
-    """The rows of a raster, the northernmost first, of numbers about the origin, whose height is the base."""
+    """Raster rows, north first, from values about the origin at height `base`."""
     if kind == "chm":
         laid = lay_rows(surface, window, below=ground)
     elif kind == "density":
@@ -216,7 +199,7 @@ def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base
 
 
 def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:
-    """How far points lie above the ground points, whose grid has a corner about their origin; NaN far from them."""
+    """Heights of points above ground; NaN far from ground points."""
     low, high, finite = bound_points(ground)
     if not finite:
         return full(points.size, NAN, float64, points.device)

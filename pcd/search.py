@@ -1,4 +1,4 @@
-"""Neighbour search over a cloud: k nearest, radius, and both."""
+"""Neighbor search over a cloud: k nearest, radius, and both."""
 
 from __future__ import annotations
 
@@ -23,18 +23,16 @@ from ..kernels.search.tree_search import search_nearest, search_within
 from .cloud import PointCloud
 from .point_arrays import PointArrays, check_cloud
 
-FEW = 1024  # neighbours that may be asked for beyond the number of points
+FEW = 1024  # allowed neighbors beyond the number of points
 
 
 class Neighbors(NamedTuple):
-    """Neighbours of m queries, by distance, ties by index; of one query of shape [3], without the first axis.
-
-    Arrays of the library that the queries came from; in those of Warp the count of one query is an array of one.
+    """Neighbors of m queries by distance, ties by index; a single query of shape (3,) has no first axis.
 
     Attributes:
-        indices: int32 [m, k]; -1 where there are fewer than k. From `radius_search` flat, [total].
-        sqdists: Squared distances [m^2], float32, of the same shape; infinite at missing neighbours.
-        counts: Neighbours of each query, int32 [m].
+        indices: int32 (m, k), -1 if there are fewer; flat (total,) from `radius_search`.
+        sqdists: Squared distances [m^2], float32, same shape; infinite at missing neighbors.
+        counts: Neighbors of each query, int32 (m,).
     """
 
     indices: NDArray[np.int32]
@@ -43,13 +41,7 @@ class Neighbors(NamedTuple):
 
 
 class _Queries(NamedTuple):
-    """What is searched for, and in what form the answer is wanted.
-
-    Attributes:
-        points: Device array of vec3 about the cloud's origin.
-        is_single: Whether they are one query of shape [3].
-        form: What they came as.
-    """
+    """Queries as a device array of vec3 about the cloud's origin, and their input form."""
 
     points: Any
     is_single: bool
@@ -57,25 +49,21 @@ class _Queries(NamedTuple):
 
 
 def _only(part: Any) -> Any:
-    """What was found for the only query."""
-    return part if isinstance(part, wp.array) and part.ndim == 1 else part[0]  # Warp has no single elements
+    return part if isinstance(part, wp.array) and part.ndim == 1 else part[0]  # Warp has no scalars
 
 
 class NearestNeighborSearch(ToldNames):
-    """Exact neighbour search over a cloud as it is now, by one tree for every radius and count.
+    """Exact neighbor search over a snapshot of a cloud, with one tree for every radius and count.
 
-    Distances are those of float32 coordinates relative to the cloud's origin. Points and queries that are not finite
-    have no neighbours and are nobody's. The same bits from run to run; memory O(n) for the tree, 8 B a neighbour for
-    results, never n x m. Where a GPU has no room for results that go to NumPy, it searches for part of the queries at a
-    time.
+    Uses float32 coordinates about the cloud's origin. Points and queries that are not finite have no neighbors. Bitwise
+    reproducible; O(n) memory for the tree, 8 B per neighbor. Queries are split if a GPU runs out of memory.
 
     Args:
-        cloud: A PointCloud, or points of shape [n, 3].
-        device: For an array: where the search runs.
+        cloud: A PointCloud, or points of shape (n, 3).
+        device: Device for an array.
 
     Raises:
-        ValueError: Points that span less than 1e-13 m, but not none, or of which most lie more than 5e18 m from their
-            middle: float32 does not hold their squared distances. All that searches a cloud refuses these.
+        ValueError: If the extent exceeds float32 squared distances: below 1e-13 m, or mostly beyond 5e18 m.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -91,59 +79,46 @@ class NearestNeighborSearch(ToldNames):
             cloud = PointCloud(rows, device=device)
         elif device is not None:
             cloud = cloud.to(device)
-        self.cloud = cloud.copy()  # as it is now: the tree does not follow what is assigned later
+        self.cloud = cloud.copy()  # snapshot: the tree does not follow later assignments
         self._tree = self.cloud.search_tree()
 
     def __repr__(self) -> str:
         return f"NearestNeighborSearch({len(self.cloud):,} points, {self.cloud.device})"
 
     def __getstate__(self) -> PointCloud:
-        """The cloud, for pickle: the tree is built anew."""
         return self.cloud.copy()
 
     def __setstate__(self, cloud: PointCloud) -> None:
-        """The search over the cloud.
-
-        Raises:
-            TypeError: The state is no cloud.
-        """
         check_cloud("cloud", cloud)
         self.cloud, self._tree = cloud, cloud.search_tree()
 
     def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
-        """The k nearest points of each query.
+        """Find the k nearest points of each query.
 
         Args:
-            queries: A cloud on the same device, or an array of shape [m, 3] or [3]. A query that is one of the points
-                finds itself first.
-            k: Neighbours a query, up to the number of points and 1024 more; where there are fewer points, rows end in
-                -1.
+            queries: A cloud on the same device, or an array of shape (m, 3) or (3,). Points find themselves first.
+            k: Number of neighbors, up to the number of points plus 1024; missing ones are -1.
 
         Raises:
-            ValueError: k out of range or a wrong shape.
-            DeviceError: A cloud on another device.
+            ValueError, DeviceError: If `k` is out of range or the shape is wrong, or if the cloud is on another device.
         """
         return self._nearest(queries, self._check_neighbors("k", k), np.inf)
 
     def hybrid_search(self, queries: PointCloud | ArrayLike, radius: float, max_nn: int) -> Neighbors:
-        """The `max_nn` nearest points closer than `radius` [m], the boundary excluded.
+        """Find up to `max_nn` nearest points closer than `radius` [m].
 
         Raises:
-            ValueError: A radius or a count out of range, or a wrong shape.
-            DeviceError: A cloud on another device.
+            ValueError: If an argument is out of range or the shape is wrong.
+            DeviceError: If the cloud is on another device.
         """
         return self._nearest(queries, self._check_neighbors("max_nn", max_nn), check_positive("radius", radius))
 
     def radius_search(self, queries: PointCloud | ArrayLike, radius: float) -> Neighbors:
-        """All points closer than `radius` [m], the boundary excluded.
-
-        Returns:
-            Flat rows: those of query i begin at sum(counts[:i]).
+        """Find all points closer than `radius` [m]; the rows of query i start at sum(counts[:i]).
 
         Raises:
-            ValueError: A radius that is not positive, a wrong shape, or 2^31 neighbours or more in all; search in
-                parts, or use `hybrid_search`.
-            DeviceError: A cloud on another device.
+            ValueError: If the radius is not positive, the shape is wrong, or there are 2^31 neighbors or more.
+            DeviceError: If the cloud is on another device.
         """
         reach = check_positive("radius", radius)
         asked = self._queries(queries)
@@ -161,7 +136,7 @@ class NearestNeighborSearch(ToldNames):
         return Neighbors(*map(_only, found)) if asked.is_single else found
 
     def _answers(self, asked: _Queries, search: Callable[[Any], tuple[Any, ...]]) -> tuple[Any, ...]:
-        """What is found for queries, in their form; where that is NumPy's, in parts if a GPU has no room at once."""
+        """Search results in the form of the queries; split for NumPy if a GPU runs out of memory."""
 
         def part(begin: int, end: int) -> tuple[Any, ...]:
             points = asked.points if end - begin == asked.points.size else asked.points[begin:end]
@@ -177,7 +152,6 @@ class NearestNeighborSearch(ToldNames):
         return check_count(name, count, maximum=most, because=reason)
 
     def _queries(self, queries: PointArrays | ArrayLike) -> _Queries:
-        """Queries about the cloud's origin on its device."""
         device, origin = self.cloud.device, self.cloud.origin
         if isinstance(queries, PointArrays):
             check_same_device("queries", queries.device, device)

@@ -36,44 +36,39 @@ from .selection import Selection
 from .shape import KINDS, UNKNOWNS, Shape
 from .shape_verdicts import shape_of
 
-MAX_SIZE = 2**31 - 2  # more points than a cloud holds
-# For thresholds: what no cloud reaches is no error.
+MAX_SIZE = 2**31 - 2  # more points than a cloud can have
+# Upper limit of thresholds.
 ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
-EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's shortest patch
-POINT_SHARE = 0.001  # of the points: Open3D's smallest seed
+EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's default
+POINT_SHARE = 0.001  # of the points: Open3D's default
 FEWEST = 10
 MOST_SAMPLES = 10_000_000
-WRAP = 2**30  # numbers of samples stay below 2^31
+WRAP = 2**30  # sample numbers stay below 2^31
 NORMALS = "call cloud = cloud.estimate_normals()"
 
 
 class Segmentation(Selection):
-    """The part of PointCloud that divides it into clusters, planes, shapes and regions."""
+    """Methods of PointCloud that find clusters, planes, shapes and regions."""
 
     @told_arguments
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> NDArray[np.int32]:
-        """Find clusters by density: cores closer than `eps` to each other, and the points around them.
+        """Cluster points by density (DBSCAN), with the labels of Open3D's legacy implementation.
 
-        A point is a core where at least `min_points` points, itself included, are closer than `eps`. Clusters are
-        numbered by their first core in the order of the cloud. A point that is no core takes the lowest label of the
-        cores closer than `eps`. The labels are those of Open3D's legacy form.
+        A core point has at least `min_points` points within `eps`, itself included. Clusters are numbered by their
+        first core. A border point takes the lowest label of its cores. 14 B per point (22 on CUDA) beside the search
+        tree. Bitwise reproducible. Ester et al., "A density-based algorithm for discovering clusters", KDD 1996;
+        Prokopenko et al., "Fast tree-based algorithms for DBSCAN on GPUs", ICPP 2023.
 
         Args:
-            eps: Distance of neighbours [m], excluded.
-            min_points: Neighbours that make a core.
-            print_progress: Say on stderr that it begins, and how long it took.
+            eps: Exclusive neighbor distance [m].
+            min_points: Minimum neighbors of a core point.
+            print_progress: Report start and duration on stderr.
 
         Returns:
-            Labels, int32 [n], from 0; -1 for noise and for points that are not finite.
+            Labels, int32 (n,), from 0; -1 for noise and points that are not finite.
 
         Raises:
-            ValueError: `eps` or `min_points` not positive, or points that `NearestNeighborSearch` refuses for what they
-                span.
-            TypeError: `eps` is no number, or `min_points` no whole one.
-
-        Notes:
-            O(n) memory whatever `eps` is: 14 B a point beside the search tree (22 on CUDA), no list of neighbours.
-            Same bits from run to run, whatever the number of threads. Ester et al. 1996; Prokopenko et al. 2023.
+            ValueError, TypeError: If an argument is not positive, or the extent exceeds `NearestNeighborSearch`.
 
         Example:
             >>> import pointloom as loom
@@ -96,27 +91,20 @@ class Segmentation(Selection):
     def cluster_euclidean(
         self, tolerance: float, min_cluster_size: int = 1, max_cluster_size: int | None = None
     ) -> NDArray[np.int32]:
-        """Find the groups of points that hang together by steps shorter than `tolerance`.
+        """Find connected components of points with steps shorter than `tolerance`.
 
-        Clusters are numbered by size, the largest first as in PCL's EuclideanClusterExtraction; those of one size in
-        the order of their first points.
+        Clusters are numbered by decreasing size (as in PCL), ties by first point. O(n) memory, bitwise reproducible.
+        Rusu, PhD thesis, TU Munich 2009, section 6.2.
 
         Args:
-            tolerance: Length of a step [m], excluded.
-            min_cluster_size: Points that a cluster has at least.
-            max_cluster_size: Points that a cluster has at most; None for any number. Larger ones are left out, not
-                split.
+            tolerance: Exclusive step length [m].
+            min_cluster_size, max_cluster_size: Allowed number of points; None: no maximum. Other clusters are dropped.
 
         Returns:
-            Labels, int32 [n], from 0; -1 for points of clusters of other sizes and for points that are not finite.
+            Labels, int32 (n,), from 0; -1 for points of dropped clusters and points that are not finite.
 
         Raises:
-            ValueError: `tolerance` or a size not positive, no size between the two, or points that
-                `NearestNeighborSearch` refuses for what they span.
-            TypeError: `tolerance` is no number, or a size no whole one.
-
-        Notes:
-            O(n) memory, as `cluster_dbscan` with `min_points=1`. Same bits from run to run. Rusu 2009, section 6.2.
+            ValueError, TypeError: If an argument is not positive, or the extent exceeds `NearestNeighborSearch`.
 
         Example:
             >>> import pointloom as loom
@@ -153,35 +141,28 @@ class Segmentation(Selection):
         radius: float | None = None,
         max_nn: int = 30,
     ) -> list[OrientedBoundingBox]:
-        """Find the flat parts of a cloud by robust statistics; the cloud needs normals.
+        """Find planar patches by robust statistics; the cloud needs normals.
+
+        Unlike Open3D: normals need no consistent side; planes use medians along the normal; patches merge only into
+        patches that they fit, so edges and steps do not join planes; exact planes are found; boxes have minimal area to
+        0.1 degrees. 4 B per neighbor and about 120 B per point; bitwise reproducible. Araujo and Oliveira, "A robust
+        statistics approach for plane detection in unorganized point clouds", Pattern Recognition 2020.
 
         Args:
-            normal_variance_threshold_deg: How far [degrees] normals may spread about a plane's; smaller finds fewer.
-            coplanarity_deg: How thin a plane must be, as the angle [degrees] between its normal and the diagonal of
-                its cross section; larger finds fewer.
-            outlier_ratio: Largest share of outliers among the points of a seed.
-            min_plane_edge_length: Shortest patch [m], by its longest edge; 0 for 1 % of the cloud's longest edge.
-            min_num_points: Points of a seed at least; 0 for a thousandth of the points, and 10 at least.
-            radius: Neighbours closer than this [m]; None for no limit.
-            max_nn: Neighbours that a patch grows to from each of its points, the point itself included.
+            normal_variance_threshold_deg: Maximum spread of normals about a plane's [degrees]; smaller finds fewer.
+            coplanarity_deg: Minimum angle [degrees] of the normal and the section's diagonal; larger finds fewer.
+            outlier_ratio: Maximum fraction of outliers in a seed.
+            min_plane_edge_length: Minimum longest edge of a patch [m]; 0 for 1% of the cloud's longest edge.
+            min_num_points: Minimum points of a seed; 0 for a thousandth of the points, at least 10.
+            radius: Exclusive neighbor distance [m]; None for no limit.
+            max_nn: Neighbors per point when growing, including the point itself.
 
         Returns:
-            A box for each patch, that of the most points first: the columns of R are its two sides and its normal,
-            the last number of `extent` its thickness. It holds all points of the patch, up to rounding.
+            A box per patch, most points first: the columns of R are its two sides and its normal, the last `extent` its
+            thickness. It contains all points of the patch, up to rounding.
 
         Raises:
-            ValueError: The cloud has no normals, or an argument is out of range.
-
-        Notes:
-            Araujo and Oliveira, Pattern Recognition 100, 2020. Where it differs from Open3D: normals need no common
-            side. Planes lie at the median of the heights along their normal; Open3D's, at the medians of the
-            coordinates, miss slanted walls. A patch merges into a larger one that it fits, so what lies along an edge
-            ties no two walls together, as it does in Open3D; nor does a step or a bend of a floor tie its parts, which
-            are patches of their own. Points in an exact plane are one (Open3D finds none
-            without noise). Patches grow side by side, not one after the other. The box has the least area to a tenth
-            of a degree (Open3D's search stops at 5 degrees) and holds all points along its normal, too. Points whose
-            position or normal is not finite belong to no patch. 4 B of memory a neighbour and about 120 B a point; the
-            same bits from run to run.
+            ValueError: If the cloud has no normals, or an argument is out of range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -219,7 +200,7 @@ class Segmentation(Selection):
         return [OrientedBoundingBox(c + self._origin, R, extent) for c, R, extent in zip(*boxes, strict=True)]
 
     def _neighbor_graph(self, max_nn: int, radius: float) -> Any:
-        """The nearest neighbours of each point, int32 device array [n, max_nn], -1 where there are fewer."""
+        """Nearest neighbors of each point, int32 device array (n, max_nn), -1 if fewer."""
         if len(self) * max_nn >= 2**31:
             raise ValueError(
                 f"max_nn: {max_nn} neighbours for each of {len(self)} points are 2^31 or more; take fewer or thin the "
@@ -238,32 +219,25 @@ class Segmentation(Selection):
         *,
         seed: int = 0,
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Find the plane with the most points on it (RANSAC).
+        """Find the plane with the most inliers (RANSAC).
+
+        Most inliers win, then smaller distances. Samples are scored in growing batches. 28 B per point. Bitwise
+        reproducible. Fischler and Bolles, "Random sample consensus", CACM 1981.
 
         Args:
-            distance_threshold: Distance [m] from the plane below which a point is an inlier.
-            ransac_n: Points of a sample; with more than 3 the plane of a sample is its least-squares plane.
-            num_iterations: Samples at most.
-            probability: Ends the search once a sample of inliers alone was drawn with this probability; 1 draws all.
-            seed: Of the samples.
+            distance_threshold: Exclusive inlier distance [m].
+            ransac_n: Points per sample; more than 3 use a least-squares plane.
+            num_iterations: Maximum number of samples.
+            probability: Confidence of an outlier-free sample that ends the search; 1 draws all.
+            seed: Random seed.
 
         Returns:
-            (plane_model, inliers). The model is (a, b, c, d) in world coordinates with ax + by + cz + d = 0, float64
-            [4]; (a, b, c) is a unit normal whose largest component is positive: that of level ground points up.
-            The inliers are indices, int32, ascending: as in Open3D those of the best sample's plane, while the model
-            is the least-squares plane of these inliers, so some may lie beyond the threshold of the model.
+            (plane_model, inliers): (a, b, c, d) in world coordinates with ax + by + cz + d = 0, float64 (4,), the
+            largest component of the unit normal (a, b, c) positive; and ascending int32 indices. The inliers are those
+            of the best sample, the model is their least-squares plane.
 
         Raises:
-            ValueError: An argument out of range, fewer finite points than `ransac_n`, or all samples on lines (Open3D
-                returns a plane of zeros and all points).
-
-        Notes:
-            The best plane has the most inliers, of equals the smaller distances, as in Open3D. Samples are made in
-            float64, scored in float32 relative to the middle of the cloud, and inliers are listed in float64; the same
-            bits from run to run and for any number of threads. Of points that are not finite none is drawn or counted.
-            The final fit minimises the squared distances to the plane (Open3D's those along an axis). Batches of 32,
-            96, 288, ... samples are scored together, and the search may only end between them. 28 B of memory a point.
-            Fischler and Bolles 1981.
+            ValueError: If an argument is out of range, there are too few finite points, or all samples are collinear.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -306,27 +280,19 @@ class Segmentation(Selection):
         max_planes: int | None = None,
         seed: int = 0,
     ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
-        """Find one plane after another: the plane with the most points, then that of the points left, and so on.
+        """Find planes one after another, each with the most inliers among the remaining points.
 
         Args:
-            distance_threshold: As of `segment_plane`, like the three that follow.
-            ransac_n: Points of a sample.
-            num_iterations: Samples at most for each plane.
-            probability: Ends the search for a plane early.
-            min_points: Fewer inliers are no plane, and end the search.
-            max_planes: Planes at most; None for no limit.
-            seed: Of the samples.
+            distance_threshold, ransac_n, num_iterations, probability, seed: As of `segment_plane`, for each plane.
+            min_points: Minimum inliers of a plane; fewer end the search.
+            max_planes: Maximum number of planes; None for no limit.
 
         Returns:
-            (labels, plane_models): int32 [n], the plane of each point in the order found, -1 for none and for points
-            that are not finite; and float64 [planes, 4] as of `segment_plane`.
+            (labels, plane_models): int32 (n,), the plane of each point in order of detection, -1 for none; and float64
+            (planes, 4) as `segment_plane`. 32 B per point. Bitwise reproducible.
 
         Raises:
-            ValueError: An argument out of range.
-
-        Notes:
-            Points stay on the device, which holds 32 B more a point. The first plane is that of `segment_plane`.
-            The same bits from run to run.
+            ValueError: If an argument is out of range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -361,11 +327,11 @@ class Segmentation(Selection):
         return self._handed_out(labels), np.array(models).reshape(-1, 4)
 
     def _world_plane(self, plane: NDArray[np.float64], center: NDArray[np.float64]) -> NDArray[np.float64]:
-        """A plane relative to a place of the cloud's own frame, in world coordinates and with its sign fixed."""
+        """Convert a plane relative to `center` to world coordinates with a fixed sign."""
         normal = plane[:3] / norm(plane[:3])
         if normal[np.argmax(np.abs(normal))] < 0:
             normal, plane = -normal, -plane
-        normal = normal + 0.0  # no minus zero
+        normal = normal + 0.0  # avoids negative zero
         return np.append(normal, plane[3] - matmul(normal, center + self._origin))
 
     @told_arguments
@@ -380,34 +346,29 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the sphere with the most points on it (RANSAC with normals); the cloud needs normals.
+        """Find the sphere with the most inliers (RANSAC with normals); the cloud needs normals.
+
+        Samples are local along a space-filling curve, scored on 2,000 points, then on all; the best six are refined. 24
+        B per point. Bitwise reproducible. Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection",
+        CGF 2007; Lukacs, Martin and Marshall, "Faithful least-squares fitting", ECCV 1998.
 
         Args:
-            distance_threshold: Distance [m] from the surface below which a point may be an inlier.
-            normal_threshold_deg: Largest angle [degrees] between the point's normal and the surface's, whichever way
-                the normal faces; 90 looks at distances alone.
-            num_iterations: Samples at most.
-            probability: Ends the search once a sample of inliers alone was drawn with this probability; 1 draws all.
-            min_radius: Smallest radius of a sample's shape [m].
-            max_radius: Largest radius of a sample's shape [m]; None for the diagonal of the cloud.
-            seed: Of the samples.
+            distance_threshold: Exclusive inlier distance from the surface [m].
+            normal_threshold_deg: Maximum unsigned angle [degrees] between point and surface normals; 90: ignored.
+            num_iterations: Maximum number of samples.
+            probability: Confidence of an outlier-free sample that ends the search; 1 draws all.
+            min_radius: Minimum radius of a sample's shape [m].
+            max_radius: Maximum radius of a sample's shape [m]. If None: the diagonal of the cloud.
+            seed: Random seed.
 
         Returns:
-            (shape, inliers): the shape of least squared distances with its covariance, and the indices of the points
-            within the limits of it, int32, ascending. `shape.reasons` says what speaks against it: points that lie as
-            well on a plane, too small a part to determine the radius or the kind, no more points on the surface than
-            beside it.
+            (shape, inliers): the least-squares shape with its covariance, and ascending int32 indices of its inliers.
+            `shape.reasons` lists failed checks: a plane fits as well, the visible part is too small to determine radius
+            or kind, or there are no more points on the surface than beside it.
 
         Raises:
-            ValueError: The cloud has no normals, fewer finite points than the shape has unknowns, no sample spans a
-                shape, or an argument is out of range.
-
-        Notes:
-            Samples are points near each other: of a run of the cloud's order along a curve, as long as the cloud or a
-            power of two shorter. They are made in float64, scored in float32 relative to the middle of the cloud, on
-            some 2,000 points first and the best on all; the best six are fitted in float64, each to its points again
-            while these grow in number. The same bits from run to run. 24 B of memory a point. Schnabel, Wahl and Klein
-            2007; the fit is to true distances (Lukacs, Martin and Marshall 1998).
+            ValueError: If the cloud has no normals or too few finite points, there is no shape, or an argument is
+                invalid.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -432,10 +393,9 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cylinder with the most points on it (RANSAC with normals); the cloud needs normals.
+        """Find the cylinder with the most inliers (RANSAC with normals); the cloud needs normals.
 
-        Arguments, result and errors are those of `segment_sphere`. The cylinder has no ends; `shape.extent` says how
-        far its points reach along the axis.
+        Arguments, result and errors as `segment_sphere`. The cylinder is unbounded; `shape.extent` limits its points.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -458,10 +418,9 @@ class Segmentation(Selection):
         *,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cone with the most points on it (RANSAC with normals); the cloud needs normals.
+        """Find the cone with the most inliers (RANSAC with normals); the cloud needs normals.
 
-        Arguments, result and errors are those of `segment_sphere`. Half angles lie between 2 and 86 degrees; of the two
-        halves of a double cone one is found.
+        Arguments, result and errors as `segment_sphere`. Half angles are 2 to 86 degrees; one nappe is found.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -486,10 +445,9 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the torus with the most points on it (RANSAC with normals); the cloud needs normals.
+        """Find the torus with the most inliers (RANSAC with normals); the cloud needs normals.
 
-        Arguments, result and errors are those of `segment_sphere`. Its tube is thinner than its ring; `min_radius` is
-        of the tube, `max_radius` of the ring.
+        Arguments, result and errors as `segment_sphere`. `min_radius` limits the tube, `max_radius` the ring.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -534,34 +492,25 @@ class Segmentation(Selection):
         *,
         max_nn: int = 30,
     ) -> NDArray[np.int32]:
-        """Find smooth regions by normals and curvature, PCL's RegionGrowing; the cloud needs normals.
+        """Find smooth regions by normals and curvature, as PCL's RegionGrowing; the cloud needs normals.
 
-        A region grows from a point of small curvature to its neighbours whose normals are within an angle of the
-        point's own, and on from those of small curvature.
+        A region grows from low-curvature points to neighbors with similar normals. Independent of seed order, unlike
+        PCL: a high-curvature point joins the region whose nearest point has the most similar normal, low-curvature
+        points join if either is among the other's neighbors, and high-curvature seeds form no region. 4 B per neighbor
+        and 40 B per point; bitwise reproducible. Rabbani, van den Heuvel and Vosselman, "Segmentation of point clouds
+        using smoothness constraint", ISPRS 2006.
 
         Args:
-            smoothness_threshold_deg: Largest angle [degrees] between the normals of two neighbours, whichever way they
-                face; PCL's default is 30.
-            curvature_threshold: Surface variation (0 .. 1/3, as `estimate_curvature`) below which a region grows on
-                from a point.
-            min_cluster_size: Points of a region at least.
-            max_cluster_size: Points of a region at most; None for any number. Larger ones are left out, not split.
-            max_nn: Neighbours that a region grows to from each point, the point itself included; curvature is that of
-                the same neighbours.
+            smoothness_threshold_deg: Maximum unsigned angle [degrees] between neighboring normals; PCL's default is 30.
+            curvature_threshold: Surface variation (0..1/3, as `estimate_curvature`) below which a region grows on.
+            min_cluster_size, max_cluster_size: Allowed number of points; None: no maximum. Other regions are dropped.
+            max_nn: Neighbors per point, including itself; curvature uses the same neighbors.
 
         Returns:
-            Labels, int32 [n], from 0 for the largest region, those of one size by their first points; -1 for none.
+            Labels, int32 (n,), from 0 for the largest region, ties by first point; -1 for none.
 
         Raises:
-            ValueError: The cloud has no normals, or an argument is out of range.
-
-        Notes:
-            Equal to PCL's regions but for what depends there on the order of its seeds: a point of larger curvature
-            that two regions reach is PCL's first region's, and here the region's whose nearest point agrees with its
-            normal best; two points of small curvature are joined where either is among the other's nearest, in PCL only
-            where the one that is reached first lists the other; and a region of PCL's whose seed is of large curvature
-            is none here. 4 B of memory a neighbour and 40 B a point; the same bits from run to run. Rabbani, van den
-            Heuvel and Vosselman 2006.
+            ValueError: If the cloud has no normals, or an argument is out of range.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -594,7 +543,7 @@ class Segmentation(Selection):
 
 
 def _check_angle(name: str, degrees: Any) -> float:
-    """An angle of 0..90 degrees, in radians."""
+    """Validate an angle of 0..90 degrees; returns radians."""
     angle = check_positive(name, degrees, allow_zero=True)
     if angle > 90:
         raise ValueError(f"{name}: expected degrees in 0..90, got {degrees!r}")
@@ -604,7 +553,6 @@ def _check_angle(name: str, degrees: Any) -> float:
 def _check_search(
     distance_threshold: Any, ransac_n: Any, num_iterations: Any, probability: Any, seed: Any
 ) -> tuple[float, int, int, float, int]:
-    """Distance, points a sample, samples, probability and seed of a search, checked."""
     chance = check_positive("probability", probability)
     if chance > 1:
         raise ValueError(f"probability: expected a number in 0..1, 0 excluded, got {shown(probability)}")
@@ -620,7 +568,7 @@ def _check_search(
 
 
 def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
-    """What makes a point one of a shape, checked; a largest radius of zero stands for none."""
+    """Validate the limits of a shape search; a maximum radius of 0 means none."""
     reach = check_positive("distance_threshold", distance)
     angle = check_positive("normal_threshold_deg", degrees)
     if angle > 90:
@@ -633,7 +581,7 @@ def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> Shape
 
 
 def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
-    """The search among the points that are finite and have normals; the limits with a largest radius."""
+    """Search among the finite points with normals, and limits with a maximum radius."""
     points, normals = cloud._device_array("points"), cloud._required_array("normals", NORMALS)
     search = ShapeSearch(points, normals, usable_in_order(cloud.search_tree(), points, normals))
     largest = limits.largest or 2 * math.sqrt(3) * search.size
@@ -641,7 +589,6 @@ def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, Sh
 
 
 def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int, float, int]:
-    """Samples at most, probability and seed of a search, checked."""
     most = check_count(
         "num_iterations", num_iterations, maximum=MOST_SAMPLES, because="a shape not found by then is none"
     )

@@ -1,4 +1,4 @@
-"""Planes, spheres, cylinders, cones and tori that were found in a cloud: sizes, how well they are known, meshes."""
+"""Detected planes, spheres, cylinders, cones and tori: parameters, uncertainty, meshes."""
 
 from __future__ import annotations
 
@@ -20,23 +20,11 @@ UNKNOWNS = {  # in the order of the covariance
     "cone": ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "half_angle"),
     "torus": ("shift_u", "shift_v", "shift_axis", "tilt_u", "tilt_v", "radius", "minor_radius"),
 }
-ROUND = 64  # steps about an axis of a mesh
+ROUND = 64  # steps around an axis of a mesh
 
 
 class ShapeSurface(NamedTuple):
-    """The surface of a shape as triangles: `loom.TriangleMesh(*surface)` makes a mesh of it.
-
-    Attributes:
-        vertices: World coordinates [m], float64 [m, 3].
-        triangles: int32 [t, 3], counter-clockwise seen from outside; a plane's from where its axis points.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.pcd.shape import ShapeSurface
-        >>> surface = ShapeSurface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-        >>> loom.TriangleMesh(*surface).triangles.shape
-        (1, 3)
-    """
+    """Surface of a shape: `vertices` [m], float64 (m, 3), `triangles`, int32 (t, 3); `loom.TriangleMesh(*surface)`."""
 
     vertices: NDArray[np.float64]
     triangles: NDArray[np.int32]
@@ -44,24 +32,21 @@ class ShapeSurface(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """A simple surface, fitted to points of a cloud.
+    """A geometric shape fitted to points of a cloud.
 
     Attributes:
         kind: "plane", "sphere", "cylinder", "cone" or "torus".
-        center: A place of it in world coordinates [m], float64 [3]: the middle of a plane's points, of a sphere or of a
-            torus, of the part of a cylinder's axis that has points, the apex of a cone.
-        axis: Unit direction, float64 [3]: a plane's normal, a cylinder's and a torus's axis, a cone's from its apex.
-        radius: Of a sphere, a cylinder, a torus's ring [m]; NaN of others.
-        minor_radius: Of a torus's tube [m]; NaN of others.
-        half_angle: Between a cone's axis and its surface [rad]; NaN of others.
-        extent: Where the points lie in `frame` about `center`, (low, high), float64 [2, 3].
-        support: Points on it.
-        rms: Root of their mean squared distance to it [m].
-        coverage: Share of its surface near which there are points, 0..1: of sectors about a cylinder's or a cone's
-            axis, of cells of a sphere or a torus; 1 of a plane.
-        covariance: Of `unknowns`, [m] and [rad]; infinite where the points leave something open.
-        frame: Rows u, v, axis: what the shifts and tilts of `unknowns` are along, float64 [3, 3].
-        reasons: What speaks against it, in words; empty where nothing does.
+        center: World coordinates [m], float64 (3,): center of the points (plane), of the shape, or of the part of a
+            cylinder's axis with points; apex of a cone.
+        axis: Unit direction, float64 (3,): normal of a plane, axis of others; a cone's from its apex.
+        radius, minor_radius: Of a sphere, cylinder or torus ring, and of a torus tube [m]; else NaN.
+        half_angle: Between a cone's axis and surface [rad]; else NaN.
+        extent: (low, high) of the points in `frame` about `center`, float64 (2, 3).
+        support, rms: Number of points, and root mean squared distance [m].
+        coverage: Fraction of the surface near points, 0..1: of sectors (cylinder, cone) or cells (sphere, torus).
+        covariance: Of `unknowns`, [m] and [rad]; infinite if undetermined.
+        frame: Rows u, v, axis, the directions of `unknowns`, float64 (3, 3).
+        reasons: Failed checks; empty if none failed.
     """
 
     kind: str
@@ -80,12 +65,12 @@ class Shape:
 
     @property
     def is_sure(self) -> bool:
-        """Whether nothing speaks against it."""
+        """True if no check failed."""
         return not self.reasons
 
     @property
     def unknowns(self) -> tuple[str, ...]:
-        """Names of what the covariance is of: shifts of the center, tilts of the axis, sizes."""
+        """Names of the covariance's parameters: shifts of the center, tilts of the axis, sizes."""
         return UNKNOWNS[self.kind]
 
     @property
@@ -94,21 +79,7 @@ class Shape:
         return dict(zip(self.unknowns, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     def compute_distances(self, points: ArrayLike) -> NDArray[np.float64]:
-        """The signed distance [m] of some places from the surface, outside above zero.
-
-        Args:
-            points: World coordinates [m], shape [n, 3].
-
-        Raises:
-            ValueError: Another shape.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> ball = loom.PointCloud(loom.TriangleMesh.create_sphere(2.0).vertices).estimate_normals()
-            >>> shape, _ = ball.segment_sphere(0.01)
-            >>> shape.compute_distances([[0, 0, 5]]).round(3).tolist()
-            [3.0]
-        """
+        """Signed distances of points (n, 3) from the surface [m], positive outside."""
         y = check_rows("points", points, 3, dtype=np.float64) - self.center
         h = matmul(y, self.axis)
         q = np.linalg.norm(y - h[:, None] * self.axis, axis=1)
@@ -124,24 +95,8 @@ class Shape:
         return np.where(q * s + h * c < 0, np.linalg.norm(y, axis=1), q * c - h * s)
 
     def to_mesh(self, resolution: int = ROUND) -> ShapeSurface:
-        """Its surface as triangles: of a plane the rectangle, of a cylinder and a cone the part along its points.
-
-        Args:
-            resolution: Steps around, at least 3.
-
-        Returns:
-            The surface; `loom.TriangleMesh(*shape.to_mesh())` makes a mesh of it.
-
-        Raises:
-            ValueError: Too few steps, or more than 2,048.
-
-        Example:
-            >>> import pointloom as loom
-            >>> tube = loom.TriangleMesh.create_cylinder(0.5, 2.0, 60, 40).vertices
-            >>> shape, _ = loom.PointCloud(tube).estimate_normals(max_nn=12).segment_cylinder(0.01)
-            >>> loom.TriangleMesh(*shape.to_mesh())
-            TriangleMesh(130 vertices, 128 triangles, cpu)
-        """
+        """Surface as triangles: the rectangle of a plane, the part with points of a cylinder or cone. `resolution` is
+        the number of steps around, 3 to 2,048. `loom.TriangleMesh(*shape.to_mesh())` is the mesh."""
         steps = check_count("resolution", resolution, minimum=3, maximum=2048, because="more are finer than any scan")
         low, high = self.extent
         if self.kind == "plane":
@@ -165,7 +120,7 @@ class Shape:
         return ShapeSurface(self.center + matmul(rows.reshape(-1, 3), self.frame), _strips(len(profile), steps + 1))
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types; numbers that are not finite are None."""
+        """All fields in JSON's types; numbers that are not finite are None."""
         numbers = {name: getattr(self, name) for name in ("radius", "minor_radius", "half_angle", "rms", "coverage")}
         told = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}
         sigma = {name: value if np.isfinite(value) else None for name, value in self.sigma.items()}
@@ -193,7 +148,7 @@ class Shape:
 
 
 def _strips(rings: int, steps: int) -> NDArray[np.int32]:
-    """Triangles between rings of vertices, each as many; those of no area at poles left out is the caller's."""
+    """Triangles between rings of vertices; degenerate ones at poles are not removed."""
     at = (np.arange(rings - 1)[:, None] * steps + np.arange(steps - 1)).ravel()
     right, above = at + 1, at + steps
     return np.concatenate([np.stack([at, right, above], 1), np.stack([right, above + 1, above], 1)]).astype(np.int32)

@@ -1,4 +1,4 @@
-"""Boxes whose faces are planes that were found: at right angles, touching, each with the others on one side."""
+"""Boxes from detected planes that are perpendicular and touch."""
 
 from __future__ import annotations
 
@@ -23,34 +23,26 @@ from .shape import Shape, ShapeSurface
 from .shape_detection import DetectedShapes
 
 CORNERS = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], np.float64)
-SIDES = np.array(  # of the corners above, counter-clockwise seen from outside: low and high of each axis
+SIDES = np.array(  # corners counterclockwise from outside: low and high of each axis
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
 )
-STEPS = 1000  # of the distance within which faces touch: heights are whole
-MOST_DEGREES = 30.0  # beyond which a plane may be across two axes
-SHARED = 0.5  # of the shorter of two faces, along their edge, that must be beside the other
+STEPS = 1000  # of the contact distance: heights are integers
+MOST_DEGREES = 30.0  # beyond it a plane may be perpendicular to two axes
+SHARED = 0.5  # required overlap of two faces along their edge, of the shorter one
 
 
 @dataclass(frozen=True, eq=False)
 class BoxShape:
-    """A box whose faces were found as planes.
+    """A box whose faces were detected as planes.
 
     Attributes:
-        center: Its middle in world coordinates [m], float64 [3].
-        axes: Rows of unit directions of its edges, right-handed, float64 [3, 3].
-        size: Lengths along the axes [m], float64 [3].
-        faces: For each axis the numbers of the shapes that are its low and its high face, -1 of one not seen, [3, 2].
-        support: Points on its faces.
-        rms: Root of their mean squared distance [m] from their planes.
-        tilt: Largest angle [rad] between a face's own normal and the axis that it was given.
-        reasons: What speaks against it, in words; empty where nothing does.
-
-    Example:
-        >>> import pointloom as loom
-        >>> cube = loom.TriangleMesh.create_box().sample_points_uniformly(6000, seed=1).estimate_normals()
-        >>> (box,) = loom.find_boxes(cube, loom.detect_shapes(cube, 0.01, kinds="plane"), 0.04)
-        >>> box.is_sure, int((box.faces >= 0).sum()), loom.TriangleMesh(*box.to_mesh()).is_watertight()
-        (True, 6, True)
+        center: World coordinates [m], float64 (3,).
+        axes: Unit edge directions as rows, right-handed, float64 (3, 3).
+        size: Lengths along the axes [m], float64 (3,).
+        faces: Shape indices of the low and high face of each axis, -1 if not detected, (3, 2).
+        support, rms: Points on the faces, and root mean squared distance from their planes [m].
+        tilt: Maximum angle between a face's normal and its axis [rad].
+        reasons: Failed checks; empty if none failed.
     """
 
     center: NDArray[np.float64]
@@ -64,16 +56,15 @@ class BoxShape:
 
     @property
     def is_sure(self) -> bool:
-        """Whether nothing speaks against it."""
+        """True if no check failed."""
         return not self.reasons
 
     def to_mesh(self) -> ShapeSurface:
-        """Its six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
+        """Six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
         vertices = self.center + matmul((CORNERS - 0.5) * self.size, self.axes)
         return ShapeSurface(vertices, np.concatenate([SIDES[:, :3], SIDES[:, [0, 2, 3]]]).astype(np.int32))
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axes", "size", "faces")}
         return {
             "kind": "box",
@@ -97,30 +88,26 @@ class BoxShape:
 def find_boxes(
     cloud: PointCloud, found: DetectedShapes, distance_threshold: float = 0.01, angle_threshold_deg: float = 3.0
 ) -> list[BoxShape]:
-    """Join planes that were found into boxes: cartons, cupboards, beams, buildings, or a room seen from inside.
+    """Combine detected planes into boxes: cartons, beams, buildings, or a room seen from inside.
+
+    Faces are neighbors if perpendicular, in contact, and each on one side of the other. A box starts at the largest
+    plane and has at most two faces per axis. Ends without a face are where 98% of the points reach, extrapolated for
+    even spread. Bitwise reproducible; 8 B per pair of planes.
 
     Args:
-        cloud: The cloud that the shapes were found in.
-        found: What `detect_shapes` found in it.
-        distance_threshold: Faces touch that come as near to each other, and may reach as far beyond an edge [m]; some
-            four times that of `detect_shapes`.
-        angle_threshold_deg: Largest angle [degrees] that two faces are off a right one.
+        cloud: The cloud of the shapes.
+        found: Result of `detect_shapes`.
+        distance_threshold: Maximum gap between faces, and overlap beyond an edge [m]; four times that of
+            `detect_shapes`.
+        angle_threshold_deg: Maximum deviation from a right angle [degrees].
 
     Returns:
-        The boxes, the most points first. A shape is a face of one box at most. `box.reasons` says where a length is
-        only that of the points, because no third face, across it, was seen.
+        The boxes, most points first; a shape belongs to at most one. `box.reasons` names lengths that are only the
+        extent of points, because no face limits them.
 
     Raises:
-        ValueError: `found` is of another cloud, or a threshold out of range.
-        TypeError: `found` is not what `detect_shapes` returns.
-
-    Notes:
-        Two planes are neighbours where they are at right angles, the points of either reach the other, and none of them
-        lie on both sides of it: a floor goes on beyond the foot of a carton, and is no face of it. A box is the largest
-        plane, its neighbours and theirs, as far as all are across one of three axes, two an axis at most. Axes are the
-        rotation that is nearest to the normals, by points. A face fixes one end of the box; the other ends are where
-        98 % of the points of the other faces reach, and as much more as even spread says. A carton that stands on
-        another of the same width is one box with it. The same bits from run to run; 8 B a pair of planes.
+        ValueError: If `found` belongs to another cloud, or a threshold is out of range.
+        TypeError: If `found` is not a result of `detect_shapes`.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -154,7 +141,7 @@ def find_boxes(
 
 
 class _Sides:
-    """On which side of each plane the points of each other lie."""
+    """Side of each plane that the points of each other plane are on."""
 
     def __init__(self, cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], gap: float) -> None:
         self._number = {k: n for n, k in enumerate(planes)}
@@ -167,18 +154,17 @@ class _Sides:
         self._low, self._high = reach_across(points, numbers[found.labels], places, normals, gap / STEPS)
 
     def side(self, plane: int, other: int) -> int:
-        """1 or -1 where all points of another plane are on this side of a plane, 0 where some are on either."""
+        """1 or -1 if all points of `other` are on one side of `plane`, else 0."""
         at = self._number[other], self._number[plane]
         return 1 if self._low[at] >= -self.gap else -1 if self._high[at] <= self.gap else 0
 
     def touch(self, plane: int, other: int) -> bool:
-        """Whether the points of two planes reach each other's plane."""
         pairs = ((self._number[a], self._number[b]) for a, b in ((plane, other), (other, plane)))
         return all(self._low[at] <= self.gap and self._high[at] >= -self.gap for at in pairs)
 
 
 def _group_of(first: int, free: list[int], planes: dict[int, Shape], sides: _Sides, off: float) -> dict[int, int]:
-    """The axis of each plane of the box that has a plane for a face, 0 to 2; of that alone where it is none's."""
+    """Axis, 0 to 2, of each plane of the box with the plane `first`; only that plane if there is no box."""
     group, axes, grown = {first: 0}, [planes[first].axis], True
     while grown:
         grown = False
@@ -197,7 +183,7 @@ def _group_of(first: int, free: list[int], planes: dict[int, Shape], sides: _Sid
 
 
 def _fits(k: int, number: int, group: dict[int, int], sides: _Sides) -> bool:
-    """Whether a plane is a face of a box: it touches another, all lie on one side of it, it on one side of each."""
+    """True if a plane touches a face of the box and all planes are on one side of each other."""
     if not any(sides.touch(k, other) for other in group if group[other] != number):
         return False
     faces = [*group, k]
@@ -210,7 +196,7 @@ def _fits(k: int, number: int, group: dict[int, int], sides: _Sides) -> bool:
 
 
 def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.float64]:
-    """The rotation nearest to the normals of a group, each by its points."""
+    """Rotation nearest to the normals of a group, weighted by points."""
     sums = np.zeros((3, 3))
     for k, number in group.items():
         way = np.sign(matmul(sums[number], planes[k].axis)) or 1.0
@@ -224,7 +210,7 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
 
 
 def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
-    """The box of a group of faces: each fixes an end, what the points of the others reach the ends that have none."""
+    """Box of a group of faces; open ends come from the extent of the points."""
     axes, points = _axes_of(planes, group), cloud._device_array("points")
     labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
     place = planes[next(iter(group))].center

@@ -1,4 +1,4 @@
-"""One shape of least squared distances to all points of a cloud."""
+"""Least-squares fit of one shape to all points of a cloud."""
 
 from __future__ import annotations
 
@@ -22,42 +22,34 @@ from .point_arrays import check_cloud
 from .shape import KINDS, UNKNOWNS, Shape
 from .shape_verdicts import ROUNDING, fitted_shape
 
-LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the size of the cloud: how near points are to the starts that are tried
-DRAWN, STARTS = 512, 4  # samples of a level, and how many of them are fitted
-SPREAD = 3.0  # root mean squares within which nearly all points lie
+LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
+DRAWN, STARTS = 512, 4  # samples per level, and fits of them
+SPREAD = 3.0  # root mean squares that contain nearly all points
 
 
 @told_arguments
 def fit_shape(
     cloud: PointCloud, kind: str, *, start: Shape | None = None, weights: ArrayLike | None = None, seed: int = 0
 ) -> Shape:
-    """Fit a plane, sphere, cylinder, cone or torus to all points of a cloud, by least squared distances.
+    """Fit a plane, sphere, cylinder, cone or torus to all points of a cloud by least squares.
 
-    `cloud.segment_sphere` and the others find a shape among points that are not on it; here all points are.
+    Levenberg-Marquardt on true distances in float64 (Lukacs, Martin and Marshall, "Faithful least-squares fitting",
+    ECCV 1998). Bitwise reproducible. 60 B per point. Points that are not finite are ignored.
 
     Args:
-        cloud: The points. Normals, where it has some, only help to find where to start.
+        cloud: The points; normals, if any, only help the initialization.
         kind: "plane", "sphere", "cylinder", "cone" or "torus".
-        start: A shape of this kind to start from; None finds one.
-        weights: Of the points, [n], each 0 or more: 1 over the variance of its distance, but for a common factor.
-            Points of weight 0 are left out. None weighs all alike.
-        seed: Of the samples that starts are made of.
+        start: Initial shape of this kind. If None: searched.
+        weights: (n,), >= 0, proportional to the inverse variance of distances; 0 ignores a point. If None: equal.
+        seed: Random seed of the initialization.
 
     Returns:
-        The shape; `covariance` and `sigma` are from the points' own distances, `support` is how many points were used,
-        `rms` the root of their weighted mean squared distance. `reasons` has what speaks against it, other kinds that
-        fit better among them.
+        The shape; `covariance` and `sigma` from the residuals, `support` the points used, `rms` weighted. `reasons`
+        lists failed checks, including other kinds that fit better.
 
     Raises:
-        TypeError: `start` is no Shape, or `kind` no string.
-        ValueError: A kind that is none of the five, a start of another kind, weights that are negative, not finite, or
-            not one a point, no more points than unknowns, all points equal, or none of the starts a shape.
-
-    Notes:
-        Distances are true ones, not algebraic (Lukacs, Martin and Marshall 1998), by the method of Levenberg and
-        Marquardt in float64. The starts are the best of some 2,000 small samples at four distances, fitted to some
-        4,000 of the points. One pass over all points a step, some 5 to 15 steps. The same bits from run to run. 60 B of
-        memory a point. Points that are not finite are left out.
+        TypeError: If `start` is not a Shape, or `kind` is not a string.
+        ValueError: If the kind, start or weights are invalid, there are too few distinct points, or no fit converges.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -100,7 +92,6 @@ def fit_shape(
 
 
 def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeSearch:
-    """The search among the finite points that have a weight, whose fits are weighted."""
     with_normals = cloud if cloud.has_normals() or len(cloud) == 0 else cloud.estimate_normals()
     points = cloud._device_array("points")
     normals = with_normals._device_array("normals") if len(cloud) else points
@@ -117,7 +108,6 @@ def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeS
 
 
 def _best_start(search: ShapeSearch, kind: int, seed: int) -> ShapeFit | None:
-    """The best fit of many starts to some of the points."""
     rows, fits = search.rows, []
     if rows.size // COMPARED >= 2:
         rows = every_of(rows, rows.size // COMPARED)
@@ -137,7 +127,7 @@ def _fit(search: ShapeSearch, kind: int, shape: NDArray[np.float64]) -> ShapeFit
 
 
 def _numbers(start: Shape, search: ShapeSearch, cloud: PointCloud) -> NDArray[np.float64]:
-    """The eight numbers of a shape about the middle of a search."""
+    """Eight parameters of a shape about the center of a search."""
     kind = KINDS.index(start.kind)
     sizes = [start.radius, start.minor_radius]
     if kind == CONE:
@@ -149,7 +139,6 @@ def _numbers(start: Shape, search: ShapeSearch, cloud: PointCloud) -> NDArray[np
 
 
 def _check_weights(weights: Any, count: int) -> NDArray[np.float64] | None:
-    """Weights, one a point, none below zero; None where none were given."""
     if weights is None:
         return None
     given = check_finite("weights", np.asarray(check_numeric("weights", weights), np.float64))

@@ -1,4 +1,4 @@
-"""What is found on the device as a Shape in world coordinates, and what speaks against it."""
+"""Conversion of detected shapes to world coordinates, with quality checks."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ from ..kernels.segmentation.shape_rivals import Band, Rival, RivalStarts, count_
 from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch, spread_of
 from .shape import KINDS, Shape
 
-ROUNDING = 2e-6  # of the size of the cloud: what float32 positions leave of exact ones
-AS_FLAT = 1.15  # a plane whose rms is as many times the shape's explains the points as well
-UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it open
-CERTAIN = 3.0  # standard deviations that a cone's half angle is from that of a cylinder
-BESIDE = 1.0  # points on a surface for each that lies beside it, up to three times as far: chance gives a half
-RUNS_ON = 0.15  # of them that lie beside it and face alike: a strip of contact has 0.2 to 0.7, noise of half of d 0.05
-WIDER = 1.6  # times the limit of normals: what parts from a surface turns away from it
-BETTER = 0.85  # of the deviations: a rival kind whose own are so much smaller is meant; chance left 0.95 and more
-AS_WELL = 1.1  # a simpler kind whose deviations are no larger explains the points
-RULED_OUT = {  # kinds that are simpler than another, or as simple and no case of it
+ROUNDING = 2e-6  # of the cloud's size: float32 rounding of positions
+AS_FLAT = 1.15  # maximum rms ratio of a plane that explains the points as well
+UNKNOWN = 0.1  # of a radius: a larger standard deviation leaves it undetermined
+CERTAIN = 3.0  # standard deviations between a cone's half angle and a cylinder
+BESIDE = 1.0  # points on a surface per point beside it, up to three times as far: 0.5 by chance
+RUNS_ON = 0.15  # fraction of nearby points with equal normal: contact strips 0.2 to 0.7, half-distance noise 0.05
+WIDER = 1.6  # times the normal limit: surfaces that branch off turn away
+BETTER = 0.85  # deviation ratio of a better kind; by chance 0.95 and more
+AS_WELL = 1.1  # deviation ratio up to which a simpler kind is preferred
+RULED_OUT = {  # kinds simpler than another, or as simple and not a special case
     SPHERE: (PLANE,),
     CYLINDER: (PLANE, SPHERE),
     CONE: (PLANE, SPHERE, CYLINDER),
     TORUS: (PLANE, SPHERE, CYLINDER, CONE),
     PLANE: (),
 }
-COVERED = 0.15  # of a round surface: any that is a little bent has a smaller part in common with some
+COVERED = 0.15  # of a round surface: slightly bent surfaces share a smaller part
 
-# What a turn by half about u makes of the unknowns: shifts along v and the axis change sign, and so does the tilt
-# towards u, while that towards v keeps its own, since v has turned too.
+# A half rotation about u changes the unknowns: shifts along v and the axis change sign, and so does the tilt
+# toward u, while that toward v keeps its sign, since v is rotated too.
 TURNED = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1, 1, 1, 1]}
 
 
@@ -47,10 +47,7 @@ def shape_of(
     origin: NDArray[np.float64],
     every: ShapeSearch | None = None,
 ) -> Shape:
-    """A shape found among other points, with what speaks against it; `every` searches all points of the cloud.
-
-    Three syncs.
-    """
+    """Shape found among other points, with failed checks; `every` searches all points. Three syncs."""
     every = every or search
     extremes, box, cells = search.spread_unread(found)
     wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
@@ -59,7 +56,7 @@ def shape_of(
 
 
 def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
-    """A shape that was fitted to all points, with what speaks against it; three syncs."""
+    """Shape fitted to all points, with failed checks; three syncs."""
     extremes, _, cells = search.spread_unread(found)
     return _looked_over(search, found, limits, origin, search, (extremes, cells))
 
@@ -72,10 +69,7 @@ def _looked_over(
     every: ShapeSearch,
     asked: Sequence[AnyArray],
 ) -> Shape:
-    """A shape with what its points, those beside it and other kinds say.
-
-    `asked` are the extremes and cells of its points, and, where they were counted, the points beside it.
-    """
+    """Shape with the checks of its points, nearby points and other kinds; `asked` are their device statistics."""
     starts = RivalStarts(search, found, limits)
     given = [*asked, search.fitter.add_places(found.rows)]
     told = read_together([*given, *starts.unread])  # sync
@@ -96,7 +90,7 @@ def _undetermined(shape: Shape, fit: ShapeFit) -> str:
 def _shape_in_world(
     search: ShapeSearch, found: Found, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
 ) -> Shape:
-    """A found shape in world coordinates without reasons; bounds are of its points in its own frame."""
+    """Shape in world coordinates without checks; bounds of its points are in its own frame."""
     kind, fit = found.kind, found.fit
     place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:
@@ -127,7 +121,6 @@ def _shape_in_world(
 
 
 def _from_fit(search: ShapeSearch, found: Found, shape: Shape, plane: FlatFit) -> list[str]:
-    """What its own points say against a shape."""
     said, kind, sigma = [], found.kind, shape.sigma
     if kind != PLANE and is_flat(search, found, plane):
         said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
@@ -145,7 +138,6 @@ def _from_fit(search: ShapeSearch, found: Found, shape: Shape, plane: FlatFit) -
 
 
 def _beside(band: Band) -> list[str]:
-    """What the points next to a shape say against it."""
     if band.on < BESIDE * band.beside:
         return [f"chance: {band.on:,} points lie on the surface, and {band.beside:,} beside it"]
     if band.beside_facing > RUNS_ON * band.on_facing:
@@ -155,7 +147,7 @@ def _beside(band: Band) -> list[str]:
 
 
 def _against(found: Found, rivals: Sequence[Rival]) -> list[str]:
-    """The kind that fits the points of a shape better, or as well and is simpler."""
+    """Check for a kind that fits better, or as well and is simpler."""
     better = min(rivals, key=lambda rival: rival.ratio, default=None)
     if better is not None and better.ratio < BETTER:
         fits = f"fits better (rms {better.fit.rms:.3g} m), with {better.support:,} points in all"
@@ -167,7 +159,7 @@ def _against(found: Found, rivals: Sequence[Rival]) -> list[str]:
 
 
 def is_small_part(kind: int, shape: Shape) -> bool:
-    """Whether points are near too little of a round surface to tell its kind, by what as many would cover of all."""
+    """True if points cover too little of a round surface to determine its kind."""
     if kind == PLANE:
         return False
     cells = SECTORS if kind in (CYLINDER, CONE) else SECTORS * BANDS
@@ -175,16 +167,14 @@ def is_small_part(kind: int, shape: Shape) -> bool:
 
 
 def is_flat(search: ShapeSearch, found: Found, plane: FlatFit) -> bool:
-    """Whether a plane fits the points of a shape as well."""
     return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
 
 
 def is_open(found: Found, length: float) -> bool:
-    """Whether a cone may as well be a cylinder: by its half angle's error, or as it tapers by less than the noise."""
+    """True if a cone may be a cylinder: half angle within its error, or taper below the noise."""
     angle = math.atan2(found.fit.shape[7], found.fit.shape[6])
     return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < found.fit.rms)
 
 
 def plane_of(search: ShapeSearch, found: Found) -> FlatFit:
-    """The plane of least squares through the points of a shape."""
     return search.fitter.fit_plane(found.rows)

@@ -1,4 +1,4 @@
-"""3D Gaussian splats: soft ellipsoids with opacity and colour by direction, cleaned, cut and moved."""
+"""3D Gaussian splats: storage, selection, cleaning and similarity transforms."""
 
 from __future__ import annotations
 
@@ -35,34 +35,27 @@ from .splat_pictures import Pictured
 #: The attributes of the cloud that keeps splats, by the names of PLY files: `f_rest` where the degree is above 0.
 NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")
 
-_TURN_TOLERANCE = 1e-5  # how far a transformation may be from a similarity, as a share of its scale
+_TURN_TOLERANCE = 1e-5  # relative deviation of a transformation from a similarity
 
 
 class GaussianSplats(Movable, Pictured):
-    """Splats of 3D Gaussian Splatting (Kerbl et al. 2023), on one device.
+    """Splats of 3D Gaussian Splatting (Kerbl et al., SIGGRAPH 2023).
 
-    A splat is a Gaussian of centre, three axes' standard deviations and a rotation, with an opacity at its middle and a
-    colour that depends on the direction from which it is seen, as spherical harmonics. They are kept as files have
-    them (logarithms of scales, logits of opacities, quaternions of any length), so that what is read and written again
-    is the same to the last bit. Operations return new splats.
+    Stored as in files (logarithms of scales, logits of opacities, unnormalized quaternions), so reading and writing is
+    bitwise lossless. 56 B per splat of degree 0, 236 B of degree 3. Bitwise identical on every device.
 
     Args:
-        centers: Middles [m], shape [n, 3].
-        scales: Standard deviations along the axes [m], above zero, shape [n, 3].
-        rotations: Quaternions (w, x, y, z) that take the axes to the world, of any length above zero, shape [n, 4].
-        opacities: 0 to 1, shape [n].
-        harmonics: Coefficients of the colour, shape [n, K, 3] with K = 1, 4, 9, 16 or 25; the colour is 0.5 plus their
-            sum over the basis (pcd/harmonics.py). Shape [n, 3]: of degree 0.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        centers: Centers [m], shape (n, 3).
+        scales: Standard deviations along the axes [m], positive, shape (n, 3).
+        rotations: Quaternions (w, x, y, z) from axes to world, nonzero, shape (n, 4).
+        opacities: 0 to 1, shape (n,).
+        harmonics: Color coefficients, shape (n, K, 3) with K = 1, 4, 9, 16 or 25, or (n, 3) for degree 0; the color is
+            0.5 plus their sum over the basis (pcd/harmonics.py).
+        device: "cpu" (default), "cuda:0" or "auto".
 
     Raises:
-        ValueError: Wrong shapes or lengths, scales not above zero, opacities out of range, quaternions of no length, or
-            numbers that are not finite.
-        TypeError: Not numeric.
-        DeviceError: No such device.
-
-    Notes:
-        Memory: 56 B a splat of degree 0, 236 B of degree 3. Same bits from run to run and on every device.
+        ValueError, TypeError: If a shape or value is invalid or not finite, or if an array is not numeric.
+        DeviceError: If the device does not exist.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -85,7 +78,7 @@ class GaussianSplats(Movable, Pictured):
         _check_all("centers", np.isfinite(middles).all(axis=1), "three finite numbers")
         try:
             cloud = PointCloud(middles, device=device)
-        except ValueError as error:  # farther apart than float32 holds
+        except ValueError as error:  # extent beyond float32
             raise ValueError(str(error).replace("points:", "centers:", 1)) from None
         count = len(cloud)
         sizes = check_rows("scales", scales, 3, rows=count, dtype=np.float64)
@@ -108,15 +101,14 @@ class GaussianSplats(Movable, Pictured):
 
     @classmethod
     def from_cloud(cls, cloud: PointCloud) -> Self:
-        """The splats whose columns a cloud has as attributes, by the names and in the units of PLY files.
+        """Create splats from a cloud with the attributes of PLY files.
 
         Args:
-            cloud: With `f_dc` [n, 3], `opacity` [n] (logits), `scale` [n, 3] (natural logarithms), `rot` [n, 4] (w, x,
-                y, z), float32, and `f_rest` [n, 3 (K - 1)] where the degree is above 0: red, then green, then blue.
-                Further attributes stay with the splats.
+            cloud: With float32 `f_dc` (n, 3), `opacity` (n,) (logits), `scale` (n, 3) (natural logarithms), `rot` (n,
+                4) (w, x, y, z), and above degree 0 `f_rest` (n, 3 (K - 1)): red, green, blue. Others are kept.
 
         Raises:
-            ValueError: One is missing or has another shape.
+            ValueError: If an attribute is missing or has another shape.
         """
         check_cloud("cloud", cloud)
         for name, width in (("f_dc", 3), ("opacity", 0), ("scale", 3), ("rot", 4)):
@@ -139,43 +131,43 @@ class GaussianSplats(Movable, Pictured):
 
     @property
     def device(self) -> Any:
-        """The device that holds the arrays."""
+        """Device of the arrays."""
         return self._cloud.device
 
     @property
     def cloud(self) -> PointCloud:
-        """The centres with the splats' columns as attributes (`NAMES`), without a copy."""
+        """Centers with the splats' columns as attributes (`NAMES`), without a copy."""
         return self._cloud
 
     @property
     def degree(self) -> int:
-        """Of the harmonics, 0 to 4."""
+        """Degree of the harmonics, 0 to 4."""
         count = self._cloud._device_array("f_rest").shape[1] // 3 + 1 if "f_rest" in self._cloud else 1
         return math.isqrt(count) - 1
 
     @property
     def centers(self) -> NDArray[np.float64]:
-        """Middles [m], float64 [n, 3]."""
+        """Centers [m], float64 (n, 3)."""
         return self._cloud.points
 
     @property
     def scales(self) -> NDArray[np.float32]:
-        """Standard deviations along the axes [m], float32 [n, 3]."""
+        """Standard deviations along the axes [m], float32 (n, 3)."""
         return read_only(np.exp(self._cloud["scale"]))
 
     @property
     def rotations(self) -> NDArray[np.float32]:
-        """Unit quaternions (w, x, y, z), float32 [n, 4]."""
+        """Unit quaternions (w, x, y, z), float32 (n, 4)."""
         return read_only(unit_quaternions(self._cloud["rot"]).astype(np.float32))
 
     @property
     def opacities(self) -> NDArray[np.float32]:
-        """Opacity at the middle, 0 to 1, float32 [n]."""
+        """Opacity at the center, 0 to 1, float32 (n,)."""
         return read_only(shares_of(self._cloud["opacity"]).astype(np.float32))
 
     @property
     def harmonics(self) -> NDArray[np.float32]:
-        """Coefficients of the colour, float32 [n, K, 3]."""
+        """Color coefficients, float32 (n, K, 3)."""
         first = self._cloud["f_dc"][:, None]
         if not self.degree:
             return read_only(first)
@@ -183,16 +175,13 @@ class GaussianSplats(Movable, Pictured):
         return read_only(np.concatenate([first, rest], axis=1))
 
     def covariances(self) -> NDArray[np.float64]:
-        """Covariances R S^2 R^T [m^2], float64 [n, 3, 3]."""
+        """Covariances R S^2 R^T [m^2], float64 (n, 3, 3)."""
         axes = self._axes()
         axes = axes * np.exp(self._cloud["scale"].astype(np.float64))[:, None]
         return matmul(axes, axes.transpose(0, 2, 1))
 
     def to_point_cloud(self) -> PointCloud:
-        """The centres as a cloud: colours as seen from nowhere (degree 0), and `opacity`, 0 to 1.
-
-        Normals are the shortest axes, of either sign.
-        """
+        """Centers as a cloud with degree 0 colors, `opacity` (0 to 1), and the shortest axes as unsigned normals."""
         cloud = PointCloud(self.centers, device=self.device)
         if not len(self):
             return cloud
@@ -201,8 +190,6 @@ class GaussianSplats(Movable, Pictured):
         shortest = self._cloud["scale"].argmin(axis=1)
         cloud.normals = np.take_along_axis(self._axes(), shortest[:, None, None], axis=2)[:, :, 0]
         return cloud
-
-    # ----------------------------------------------------------------------------------------------- choosing
 
     @returns_new
     def select_by_index(self, indices: ArrayLike, invert: bool = False) -> Self:
@@ -218,23 +205,23 @@ class GaussianSplats(Movable, Pictured):
     def crop(
         self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume, invert: bool = False
     ) -> Self:
-        """The splats whose centres lie inside a box or a polygon volume; as `PointCloud.crop`."""
+        """Select splats by center in a box or polygon volume, as `PointCloud.crop`."""
         return self._over(self._cloud.crop(bounding_box, invert))
 
     @returns_new
     def clean(self, *, min_opacity: float = 0.0, min_scale: float = 0.0, max_scale: float | None = None) -> Self:
-        """Without splats that cannot be drawn, are hardly seen, or are too small or too large.
+        """Remove splats that are invalid, nearly transparent, too small or too large.
 
         Args:
-            min_opacity: Least opacity, 0 to 1.
-            min_scale: Least standard deviation of a splat's longest axis [m].
-            max_scale: Largest of it [m]; None for any finite one. Floating fog is mostly a few huge splats.
+            min_opacity: Minimum opacity, 0 to 1.
+            min_scale: Minimum standard deviation of the longest axis [m].
+            max_scale: Its maximum [m]; None for no limit. Floating fog is mostly a few huge splats.
 
         Returns:
-            The others, in their order. What is not finite, or has a quaternion of no length, goes in any case.
+            The others, in order. Splats that are not finite or have a zero quaternion are always removed.
 
         Raises:
-            ValueError: An opacity outside 0 to 1, or a scale that is negative or not a number.
+            ValueError: If the opacity is outside 0..1, or a scale is negative or not a number.
 
         Example:
             >>> import pointloom as loom
@@ -262,12 +249,12 @@ class GaussianSplats(Movable, Pictured):
 
     @classmethod
     def concatenate(cls, splats: Iterable[GaussianSplats]) -> Self:
-        """Several sets as one; degrees below the highest get harmonics of zero.
+        """Concatenate sets; lower degrees are padded with zeros.
 
         Raises:
-            ValueError: None is given.
-            TypeError: One is no GaussianSplats, or an attribute's types differ.
-            DeviceError: They are on different devices.
+            ValueError: If there is no set.
+            TypeError: If an item is not GaussianSplats, or an attribute's types differ.
+            DeviceError: If the sets are on different devices.
         """
         given = check_list("splats", splats, "GaussianSplats")
         if not given:
@@ -281,44 +268,36 @@ class GaussianSplats(Movable, Pictured):
 
     @returns_new
     def copy(self) -> Self:
-        """Another set over the same arrays."""
+        """Copy that shares arrays."""
         return self._over(self._cloud.copy())
 
     @returns_new
     def to(self, device: Any) -> Self:
-        """The splats on another device.
+        """Copy to another device.
 
         Raises:
-            DeviceError: No such device.
+            DeviceError: If the device does not exist.
         """
         return self._over(self._cloud.to(device))
 
-    # ------------------------------------------------------------------------------------------------- moving
-
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the centres [m], shape [3]."""
+        """Mean of the centers [m], shape (3,)."""
         return self._cloud.get_center()
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
-        """The splats under a similarity: centres, axes and scales, and the harmonics turned, computed in float64.
+        """Apply a similarity in float64: centers, axes, scales and harmonics (a rotation matrix per band).
 
         Args:
-            transformation: 4x4: a rotation, one scale for all axes, a translation.
+            transformation: 4x4 matrix: a rotation, one scale, a translation.
 
         Raises:
-            ValueError: Not such a matrix. Shear, reflections and scales that differ by axis would make other colours
-                of other directions, which harmonics cannot follow.
-
-        Notes:
-            Each band of the harmonics is multiplied by the matrix of its rotation, exact to float32's rounding.
+            ValueError: If the matrix is not a similarity; harmonics cannot be sheared, reflected or stretched.
         """
         return self._mapped("transformation", check_transformation("transformation", transformation))
 
-    # ---------------------------------------------------------------------------------------------- internals
-
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        from scipy.spatial.transform import Rotation  # with scipy.sparse, which `draw` is not to wait for
+        from scipy.spatial.transform import Rotation  # lazy: loads scipy.sparse
 
         R, factor = similarity_of(name, T)
         moved = self._cloud.transform(T)
@@ -334,8 +313,7 @@ class GaussianSplats(Movable, Pictured):
         return self._over(cloud)
 
     def _axes(self) -> NDArray[np.float64]:
-        """Directions of the axes, the columns of [n, 3, 3]."""
-        from scipy.spatial.transform import Rotation  # with scipy.sparse, which `draw` is not to wait for
+        from scipy.spatial.transform import Rotation  # lazy: loads scipy.sparse
 
         return Rotation.from_quat(np.roll(self._cloud["rot"].astype(np.float64), -1, axis=1)).as_matrix()
 
@@ -357,19 +335,17 @@ class GaussianSplats(Movable, Pictured):
 
 
 def logits_of(shares: NDArray[np.float64]) -> NDArray[np.float32]:
-    """The logits of opacities, infinite of 0 and 1."""
+    """Logits of opacities, infinite for 0 and 1."""
     with np.errstate(divide="ignore"):
         return (np.log(shares) - np.log1p(-shares)).astype(np.float32)
 
 
 def shares_of(logits: NDArray[Any]) -> NDArray[np.float64]:
-    """Opacities, 0 to 1."""
     with np.errstate(over="ignore"):
         return 1 / (1 + np.exp(-logits.astype(np.float64)))
 
 
 def unit_quaternions(rot: NDArray[Any]) -> NDArray[np.float64]:
-    """Quaternions of length 1."""
     turns = rot.astype(np.float64)
     return turns / np.linalg.norm(turns, axis=1, keepdims=True)
 
@@ -389,7 +365,6 @@ def _check_all(name: str, sound: Any, what: str) -> None:
 
 
 def similarity_of(name: str, T: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """The rotation and the scale of a similarity."""
     A = T[:3, :3]
     factor = cube_root(float(det(A)))
     if not factor > 0 or np.abs(matmul(A, A.T) / factor**2 - np.eye(3)).max() > _TURN_TOLERANCE:

@@ -40,22 +40,22 @@ from .raster_cells import (
 KINDS = ("dtm", "dsm", "chm", "density", "intensity", "lowest")
 METHODS = ("idw", "tin")
 NODATA = -9999.0
-NEIGHBORS = 8  # that a height between points is made of
-MOST_EDGE = 1 << 24  # cells along a side of what gaps are filled in: their centres are float32
+NEIGHBORS = 8  # of an interpolated height
+MOST_EDGE = 1 << 24  # cells along a side for gap filling: their centers are float32
 
 
 @dataclass(frozen=True, eq=False)
 class Raster:
-    """Values on a grid of square cells, as `loom.rasterize` makes it.
+    """Values on a grid of square cells, created by `loom.rasterize`.
 
     Attributes:
-        values: float32 [rows, columns], the northernmost row first; NaN where there is no value.
-        corner: The low x and y of the grid, float64 [2].
-        cell: The side of a cell.
-        filled: bool [rows, columns], cells that `fill_gaps` gave a value.
-        kind: What the values are, such as "dtm".
-        crs: The coordinate system as rasterio takes it, such as "EPSG:26910"; None where it is not known.
-        nodata: What stands in files for NaN.
+        values: float32 (rows, columns), northernmost row first; NaN if empty.
+        corner: Minimum x and y, float64 (2,).
+        cell: Edge of a cell.
+        filled: bool (rows, columns), cells filled by `fill_gaps`.
+        kind: Kind of values, such as "dtm".
+        crs: Coordinate system as rasterio accepts it, such as "EPSG:26910"; None if unknown.
+        nodata: Value in files for NaN.
     """
 
     values: NDArray[np.float32]
@@ -68,30 +68,26 @@ class Raster:
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Low x, low y, high x, high y of the grid."""
+        """(x0, y0, x1, y1) of the grid."""
         (x, y), (rows, columns) = self.corner.tolist(), self.values.shape
         return x, y, x + columns * self.cell, y + rows * self.cell
 
     def __repr__(self) -> str:
-        """Its size, and how much of it has values."""
         (rows, columns), known = self.values.shape, int(np.isfinite(self.values).sum())
         made = f", {int(self.filled.sum()):,} of them filled" if self.filled.any() else ""
         return f"Raster({self.kind or 'values'}, {columns} x {rows} cells of {self.cell:g}, {known:,} known{made})"
 
     @returns_new
     def fill_gaps(self, max_distance: float, *, neighbors: int = NEIGHBORS, device: Any = None) -> Raster:
-        """Fill cells without a value by inverse distance from those that have one, and mark them.
+        """Fill empty cells by inverse distance weighting and set `filled` in them.
 
         Args:
-            max_distance: Between centres of cells [unit of the grid]; what is farther from all values stays empty.
-            neighbors: Cells that a value is made of, about: those in the smallest square around that holds so many.
-            device: "cpu", "cuda:0"; None is the CPU.
-
-        Returns:
-            A Raster, its `filled` set in the cells that were filled.
+            max_distance: Maximum distance between cell centers [unit of the grid].
+            neighbors: Minimum cells with values in the smallest square used.
+            device: "cpu" (default) or "cuda:0".
 
         Raises:
-            ValueError: A distance that is not above 0, a count below 1, or more than 2^24 cells along a side.
+            ValueError: If an argument is out of range, or there are more than 2^24 cells along a side.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -105,7 +101,7 @@ class Raster:
         reach, count = check_positive("max_distance", max_distance), check_count("neighbors", neighbors)
         if max(self.values.shape) > MOST_EDGE:
             raise ValueError(f"values: {self.values.shape} cells are more than 2^24 along a side; fill parts of it")
-        upright = self.values[::-1].T  # column by column from the lowest row, as cells are numbered
+        upright = self.values[::-1].T  # by column from the lowest row, as cells are numbered
         columns, rows = upright.shape
         known = np.isfinite(upright)
         x, y = np.nonzero(known)
@@ -122,14 +118,14 @@ class Raster:
         return dataclasses.replace(self, values=np.ascontiguousarray(made), filled=self.filled | gaps)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
-        """Write a GeoTIFF, whole or not at all: compressed blocks of float32; the second band is 1 where it was filled.
+        """Write a compressed float32 GeoTIFF atomically; the second band is 1 in filled cells.
 
         Args:
-            path: The file, which ends in .tif or .tiff.
-            overwrite: Whether an existing file may be replaced.
+            path: The file, ending in .tif or .tiff.
+            overwrite: Allow replacing an existing file.
 
         Raises:
-            FileError: The file cannot be written, the package rasterio is missing, or it does not know the `crs`.
+            FileError: If the file cannot be written, rasterio is missing, or it does not know the `crs`.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -157,41 +153,33 @@ def rasterize(
     bounds: ArrayLike | None = None,
     crs: str | None = None,
 ) -> Raster:
-    """Rasters of a survey: bare earth, surface, canopy height, density, intensity.
+    """Rasterize a survey: bare earth, surface, canopy height, density or intensity.
 
-    Cells are half-open and counted from a `corner` fixed in space, so that rasters of parts of a survey fit together.
+    Cells are half-open and counted from a fixed `corner`, so rasters of parts fit together. "idw" depends only on
+    points within `reach`, so tiles give identical results; "tin" is closer on slopes (docs/terrain.md). Bitwise
+    reproducible.
 
     Args:
         cloud: The survey, z up.
-        cell: The side of a cell [m].
-        kind: "dtm", the height of the ground at each cell's centre; "dsm", the highest first return in a cell; "chm",
-            canopy height: the dsm less the dtm; "density", points per square unit; "intensity", the mean of the
-            finite values of that attribute; "lowest", the lowest point in a cell.
-        method: Of heights of the ground between its points: "idw", by inverse distance; "tin", on Delaunay triangles,
-            made by SciPy on the CPU.
-        reach: With "idw" how far a cell's centre may be from ground points [m], 20 cells where it is None; with "tin"
-            the longest edge of a triangle, None for any. Cells without ground in reach have no value.
-        neighbors: With "idw" the points that count: all those, within reach, of the smallest square of cells around
-            that holds so many.
-        classes: Classes of LAS of the points that count. None takes ground (2) for the ground, and otherwise all but
-            noise (7 and 18).
+        cell: Edge of a cell [m].
+        kind: "dtm", ground height at cell centers; "dsm", highest first return; "chm", dsm minus dtm; "density", points
+            per square unit; "intensity", mean of the finite values; "lowest", lowest point.
+        method: Ground interpolation: "idw", inverse distance; "tin", Delaunay triangles by SciPy on the CPU.
+        reach: With "idw" the maximum distance of a cell center to ground points [m], default 20 cells; with "tin" the
+            maximum edge of a triangle, default none. Cells beyond are empty.
+        neighbors: With "idw" the minimum ground points in the smallest square of cells used.
+        classes: LAS classes that count. If None: ground (2) for the ground, otherwise all but noise (7 and 18).
         corner: A corner of cells, x and y.
-        bounds: (x0, y0, x1, y1) that the raster covers; None covers the cloud.
-        crs: The coordinate system, for files, as rasterio takes it: "EPSG:26910" or well-known text.
+        bounds: (x0, y0, x1, y1) of the raster. If None: those of the cloud.
+        crs: Coordinate system for files as rasterio accepts it: "EPSG:26910" or well-known text.
 
     Returns:
-        A Raster. A cell without points has no value, and a density of 0.
+        A Raster. Cells without points are empty, with density 0.
 
     Raises:
-        TypeError: No PointCloud.
-        ValueError: An argument out of range; coordinates in degrees; no points that count; no classes, where they are
-            needed; ground points of which there is no triangle; more than 2^28 cells.
-        MemoryError: The raster does not fit into memory.
-
-    Notes:
-        "idw" is the default: what a cell is depends on nothing beyond `reach`, so tiles give the same bits, and it runs
-        on the device; "tin" is closer on slopes and costs a triangulation (docs/terrain.md has both beside each other).
-        Sums are float64 in the points' order; 32 B of memory a cell, 28 B a point. The same bits from run to run.
+        TypeError, ValueError: If `cloud` is not a PointCloud, or if an argument is out of range, coordinates are
+            degrees, no points or required classes exist, the ground has no triangle, or there are more than 2^28 cells.
+        MemoryError: If the raster does not fit into memory.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -237,29 +225,22 @@ def height_above_ground(
     corner: ArrayLike = (0.0, 0.0),
     classes: Any = GROUND,
 ) -> NDArray[np.float32]:
-    """The height of each point above the ground points near it.
-
-    The ground is interpolated by inverse distance in plan, as `loom.rasterize` does.
+    """Height of each point above nearby ground points, interpolated by inverse distance in plan.
 
     Args:
         cloud: A classified survey, z up.
-        reach: How far ground points may be from a point in plan [m].
-        neighbors: Ground points that count: all those, within reach, of the smallest square of cells around the
-            point's that holds so many; its own cell and the next ones at least.
-        cell: The side of those cells [m], about the distance between ground points.
-        corner: A corner of the cells, fixed in space.
-        classes: Classes of LAS that are ground.
+        reach: Maximum distance of ground points in plan [m]; the result depends on nothing beyond.
+        neighbors: Minimum ground points in the smallest square of cells used, at least 3 x 3.
+        cell: Edge of those cells [m], about the ground point spacing.
+        corner: A corner of the cells.
+        classes: LAS classes of the ground.
 
     Returns:
-        float32 [n]; NaN where no ground is within reach, and for points that are not finite.
+        float32 (n,); NaN without ground in reach and for points that are not finite. 28 B per point, 4 B per cell.
 
     Raises:
-        TypeError: No PointCloud.
-        ValueError: An argument out of range; coordinates in degrees; a cloud without `classification`, or without
-            ground.
-
-    Notes:
-        The answer depends on nothing beyond `reach` of a point. 28 B of memory a point and 4 B a cell.
+        TypeError: If `cloud` is not a PointCloud.
+        ValueError: If an argument is out of range, coordinates are degrees, or there is no `classification` or ground.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -282,18 +263,10 @@ def height_above_ground(
 
 
 def ground_reach(cell_size: float = CELL, max_window: float = WINDOW) -> float:
-    """How far around a point, along x and along y, `classify_ground` with a `corner` looks.
+    """Radius along x and y [m] that `classify_ground` with a `corner` depends on.
 
-    Args:
-        cell_size: As `classify_ground` has it.
-        max_window: Likewise.
-
-    Returns:
-        A length [m]: the two small fillings before the openings, the closing of low points, the largest window twice,
-        the filling of the bare earth, and a cell or two of its slope.
-
-    Raises:
-        ValueError: A length that is not above 0, or a window of more than 512 cells.
+    The sum of the two small fillings, the closing of low points, twice the largest window, the filling of the bare
+    earth, and cells of its slope.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Coordinates that are in a unit: `InUnit`, of clouds and meshes."""
+"""`InUnit`: unit of length of clouds and meshes."""
 
 from __future__ import annotations
 
@@ -14,20 +14,18 @@ from ..kernels.linear_algebra import matmul
 
 
 class InUnit:
-    """What has a unit of length."""
+    """An object with a unit of length."""
 
     _unit: LengthUnit | None = None
 
     @property
     def unit(self) -> LengthUnit | None:
-        """The unit of the coordinates, such as "foot", as a file or you told it; None where it is not known.
+        """Unit of the coordinates, such as "foot", from a file or assigned; None if unknown, treated as meters.
 
-        Lengths that operations take and give are in it. What is said where it is not known says metres. To assign a
-        name changes no coordinate: `to_unit` does. It goes along through operations and files.
+        Lengths in arguments and results use it. Assignment changes no coordinate; see `to_unit`.
 
         Raises:
-            TypeError: What is assigned is no text.
-            ValueError: No unit has the assigned name; `LengthUnit` makes further ones.
+            TypeError, ValueError: If the assigned value is not a known unit name or a `LengthUnit`.
 
         Example:
             >>> import pointloom as loom
@@ -44,20 +42,16 @@ class InUnit:
 
     @returns_new
     def to_unit(self, unit: str | LengthUnit) -> Self:
-        """The same in another unit of length: coordinates and origin multiplied, covariances twice.
+        """Convert coordinates, origin and covariances to another unit; other attributes stay.
 
-        Other values, such as an attribute that holds lengths, stay as they are.
+        The origin is scaled in float64, the rest in float32: exact to 6e-8 of the distance from it.
 
         Args:
             unit: Such as "metre", "foot", "US survey foot", or a `LengthUnit`.
 
         Raises:
-            TypeError: No name of a unit.
-            ValueError: No such unit, the own is not known (assign `unit`), one of them is degrees (`project_to_utm`
-                makes metres of these), or coordinates beyond float32.
-
-        Notes:
-            The origin is multiplied in float64, what counts from it in float32: exact to 6e-8 of the distance from it.
+            TypeError: If `unit` is not a unit.
+            ValueError: If a unit is unknown or degrees (see `project_to_utm`), or coordinates exceed float32.
 
         Example:
             >>> import pointloom as loom
@@ -77,10 +71,9 @@ class InUnit:
         return result
 
     def _enlarged(self, factor: float) -> Self:
-        """With all lengths multiplied, about zero."""
         raise NotImplementedError
 
 
 def unit_under(unit: LengthUnit | None, A: NDArray[Any]) -> LengthUnit | None:
-    """The unit behind a map with the 3x3 part A: none where it changes lengths by more than rounding may."""
+    """Unit after a map with the 3x3 part A; None if it changes lengths by more than rounding."""
     return unit if np.abs(matmul(A, A.T) - np.eye(3)).max() <= RIGID_TOLERANCE else None

@@ -1,4 +1,4 @@
-"""What voxel_down_sample_and_trace returns: the means, and which points fell where."""
+"""Result of voxel_down_sample_and_trace."""
 
 from __future__ import annotations
 
@@ -18,28 +18,16 @@ if TYPE_CHECKING:
 
 
 class VoxelTrace:
-    """A down-sampled cloud of m points and where its points came from; unpacks like Open3D's tuple of three.
+    """A down-sampled cloud of m points and the sources of its points.
 
-    `cloud, cubic_id, original_indices = trace` takes a list of m arrays, which is slow to make for millions of
-    voxels; `indices` and `offsets` hold the same without one.
+    Unpacks as Open3D's `cloud, cubic_id, original_indices` (a list); `indices` and `offsets` contain the same.
 
     Attributes:
-        cloud: The mean of each voxel.
-        cubic_id: The last point in each octant of each voxel, int32 [m, 8], -1 where an octant is empty. The octant is
-            1 for the upper half of the voxel along x, plus 2 along y, plus 4 along z.
-        voxel_of_point: The voxel of each point, int32 [n]; -1 for points that are not finite.
-        indices: The points by voxel, int32 [points that are finite]; those of one voxel in ascending order.
-        offsets: Where the points of each voxel begin in `indices`, int32 [m + 1].
-
-    Example:
-        >>> import pointloom as loom
-        >>> cloud = loom.PointCloud([[0.1, 0.1, 0.1], [5.0, 5.1, 5.2], [0.7, 0.1, 0.1]])
-        >>> trace = cloud.voxel_down_sample_and_trace(1.0, min_bound=[0, 0, 0])
-        >>> trace.voxel_of_point.tolist(), [rows.tolist() for rows in trace.original_indices]
-        ([0, 1, 0], [[0, 2], [1]])
-        >>> cloud, cubic_id, original_indices = trace
-        >>> cubic_id[0].tolist()
-        [0, 2, -1, -1, -1, -1, -1, -1]
+        cloud: Mean of each voxel.
+        cubic_id: Last point in each octant, int32 (m, 8), -1 if empty; 1 (x) + 2 (y) + 4 (z) for upper halves.
+        voxel_of_point: Voxel of each point, int32 (n,); -1 for points that are not finite.
+        indices: Finite points by voxel, ascending in each, int32.
+        offsets: Start of each voxel in `indices`, int32 (m + 1,).
     """
 
     def __init__(
@@ -55,7 +43,7 @@ class VoxelTrace:
 
     @cached_property
     def original_indices(self) -> list[NDArray[np.int32]]:
-        """The points of each voxel, ascending: views of `indices`, made when first asked for."""
+        """Points of each voxel, ascending: views of `indices`."""
         if not len(self.cloud):
             return []
         if isinstance(self.indices, np.ndarray):

@@ -1,6 +1,4 @@
-"""Clouds larger than memory: tiles whose answer is that of one machine, planned on disk and worked off by processes.
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""Jobs larger than memory: tiles, fusion, sequences and registration; public names are loaded on first use.
 
 Example:
     >>> import numpy as np, pointloom as loom

@@ -1,8 +1,6 @@
-"""What tiles leave for a step whose answer reaches through any number of them, and the join of all of it.
+"""Border data that tiles leave for a joined step, and the join.
 
-A tile's file appears whole or not at all, and again with the same content where a worker died before it said so. The
-join reads all of them, mapped into memory and not loaded, and leaves a folder that appears under its name when all that
-tiles get is in it.
+Files and the join's folder appear atomically and reproducibly. The join memory-maps all files.
 """
 
 from __future__ import annotations
@@ -29,17 +27,13 @@ WHOLE = "whole.json"
 
 @dataclass(frozen=True)
 class Joined:
-    """What a join found: how many things there are in the whole."""
+    """Result of a join: the global count."""
 
     count: int
 
 
 def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
-    """Write what a tile leaves for the join of a step.
-
-    Raises:
-        FileError: The file cannot be written.
-    """
+    """Write a tile's border data; FileError if the file cannot be written."""
     path = folder / LEFT / str(step) / f"{tile}.npy"
     try:
         refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
@@ -52,17 +46,7 @@ def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any
 
 
 class Leavings:
-    """What all tiles left for the join of a step, by the tile's number.
-
-    Args:
-        folder: Of the job.
-        step: The step's number.
-        counts: How many things each tile's file is about; tiles that left nothing are not there.
-
-    Attributes:
-        path: The folder of what they left.
-        tiles: The numbers of the tiles, ascending.
-    """
+    """Border data of all tiles for the join of a step; `counts` has the items of each tile's file."""
 
     def __init__(self, folder: Path, step: int, counts: dict[int, int]):
         self.path, self._counts = folder / LEFT / str(step), counts
@@ -73,11 +57,7 @@ class Leavings:
         return tile in self._counts
 
     def __getitem__(self, tile: int) -> dict[str, NDArray[Any]]:
-        """A tile's arrays.
-
-        Raises:
-            FileError: The file is missing, damaged, or not the one that the manifest counts.
-        """
+        """Arrays of a tile; FileError if missing, damaged or not as in the manifest."""
         return self._open(tile)
 
     def __iter__(self) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
@@ -102,7 +82,7 @@ class Leavings:
 
 
 def _mapped(whole: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
-    """The array that begins where a file stands, which then stands behind it."""
+    """Map the array at the file position, which advances behind it."""
     version = np.lib.format.read_magic(file)
     if version != (1, 0):
         raise ValueError(f"an array of version {version}")
@@ -115,11 +95,7 @@ def _mapped(whole: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
 
 
 def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) -> Joined:
-    """Join what tiles left for a Step; what an earlier join left unfinished is removed.
-
-    Raises:
-        FileError: What tiles left is missing or damaged; the disk is full.
-    """
+    """Join the border data of a step and remove unfinished joins; FileError if data is damaged or the disk full."""
     done = folder / JOINED / str(number)
     part = done.with_name(f"{done.name}.{owner}.part")
     for old in (done, *done.parent.glob(f"{done.name}.*.part")):
@@ -141,11 +117,7 @@ def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) 
 
 
 def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any] | None]:
-    """How many things a join found, and what it gives a tile; None where the tile left nothing.
-
-    Raises:
-        FileError: It cannot be read.
-    """
+    """Global count of a join, and its result for a tile or None; FileError if unreadable."""
     place = folder / JOINED / str(number)
     try:
         count = int(json.loads((place / WHOLE).read_text())["count"])

@@ -1,9 +1,7 @@
-"""Buckets: the rows of a file that knows no windows, laid on disk by tile in one pass, compressed.
+"""Buckets: rows of a file without windows, sorted into tiles on disk in one pass, compressed.
 
-A file's folder appears under its name when all of its rows are in it. Each tile that has rows has a file of blocks:
-rows as they lie in an uncompressed LAS file, packed by LASzip where it knows the format and the rows are many, and
-their numbers in the file.
-A block says which part of the plane it covers, so that a neighbour's halo reads few of them.
+A file's folder appears when complete. Each tile's file has blocks of uncompressed LAS rows, packed by LASzip if the
+format and count allow, row numbers, and the covered area, so that halos read few blocks.
 """
 
 from __future__ import annotations
@@ -26,24 +24,24 @@ from ..files.points.las import COLORS, LasFile, open_las
 from .manifest import DAMAGE, is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
-MOST_ROWS = 1 << 22  # held in memory before some go to disk
+MOST_ROWS = 1 << 22  # rows in memory before a flush
 MOST_BYTES = 1 << 28
 _READ = 1 << 18  # rows unpacked at a time
-_CELL_ROWS = 16384  # rows from which a block is cut into cells
+_CELL_ROWS = 16384  # rows from which a block is divided into cells
 _MOST_CELLS = 4  # along a side
-_BLOCK = struct.Struct("<4sIIII4dI")  # mark, rows, bytes of rows, bytes of numbers, packed how, box, checksum
+_BLOCK = struct.Struct("<4sIIII4dI")  # magic, rows, bytes of rows, bytes of numbers, packing, box, checksum
 _MARK = b"LOOM"
 _ZLIB, _LASZIP = 0, 1
-Window = tuple[float, float, float, float]  # low x, low y, high x, high y: the low ends included
+Window = tuple[float, float, float, float]  # low x, low y, high x, high y; low ends inclusive
 
 _ANEW = "Remove {} and call retry_tiles(folder)"
-REMOTE = "remote-"  # begins the names of workers that have no lock here; what they left is removed in the end
+REMOTE = "remote-"  # prefix of workers without a local lock; their leftovers are removed at the end
 _LASZIP_FORMATS = (0, 1, 2, 3, 6, 7, 8)
-_LASZIP_ROWS = 500  # from which LASzip packs more tightly than zlib; to begin takes it half a millisecond each time
+_LASZIP_ROWS = 500  # from which LASzip compresses better than zlib; its start takes 0.5 ms
 
 
 class Filled(NamedTuple):
-    """What a pass over a file found: its rows, the value of a full colour, bytes on disk, and rows by tile."""
+    """Result of a pass: rows, full color value, bytes on disk, rows by tile."""
 
     points: int
     full: int
@@ -52,18 +50,13 @@ class Filled(NamedTuple):
 
 
 def folder_of(folder: Path, number: int) -> Path:
-    """Where the buckets of a file lie."""
     return folder / FOLDER / f"{number:06d}"
 
 
 def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
-    """Lay the rows of a file by tile; what dead workers left unfinished is removed.
-
-    A folder that is there already has all rows: it may be that of a worker that was taken for dead, or be read from.
-
-    Raises:
-        FileError: The file is damaged, or has points outside the bounds that its header tells; the disk is full.
-    """
+    """Sort the rows of a file into tiles; removes unfinished data of dead workers. An existing folder is complete and
+    kept, since a worker may still read it. Raises FileError if the file is damaged, has points outside its header's
+    bounds, or the disk is full."""
     source, done = plan.files[number], folder_of(folder, number)
     if (done / INDEX).is_file():
         return _filled(done)
@@ -83,7 +76,7 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
         except OSError:
             if not (done / INDEX).is_file():
                 raise
-            shutil.rmtree(part, ignore_errors=True)  # a worker that was taken for dead has laid the same rows meanwhile
+            shutil.rmtree(part, ignore_errors=True)  # another worker finished the same rows
     except OSError as error:
         shutil.rmtree(part, ignore_errors=True)
         if isinstance(error, FileError):
@@ -96,7 +89,6 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
 
 
 def _filled(done: Path) -> Filled:
-    """What a pass that is over found."""
     try:
         told = json.loads((done / INDEX).read_text())
         return Filled(**told | {"tiles": {int(tile): rows for tile, rows in told["tiles"].items()}})
@@ -138,7 +130,7 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
 
 
 def _checked_places(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
-    """x and y of rows that are known to lie in the box of the header, whose numbers may be rounded."""
+    """x and y of rows, checked to be in the header's box up to rounding."""
     low, high = file.header.bounds
     places = positions_of(file, rows, "XYZ")
     slack = plan.slack + np.array(file.header.scales)
@@ -171,30 +163,25 @@ class _Writer:
 
 
 def positions_of(file: LasFile, rows: NDArray[Any], axes: str = "XY") -> NDArray[np.float64]:
-    """Coordinates of rows, as decoding gives them."""
+    """Coordinates of rows, bitwise as decoding gives them."""
     scales, offsets = file.header.scales, file.header.offsets
     return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate(axes)])
 
 
 def check_size(plan: Any, count: int) -> None:
-    """Refuse a tile that would take more memory than the plan allows.
-
-    Raises:
-        ValueError: It has more points with its halo.
-    """
+    """Raise ValueError if a tile with halo has more points than the plan allows."""
     if count > plan.most:
         reason = f"a tile and its halo hold {count:,} points or more, at most {plan.most:,} may be"
         raise ValueError(f"size: {reason}; plan smaller tiles, or take stray points away first")
 
 
 def inside(places: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
-    """Which places are in a window, its low ends included."""
     x, y = places[:, 0], places[:, 1]
     return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
 
 
 def _lazrs_record(file: LasFile) -> Any:
-    """lazrs's description of how rows are packed; None where it does not know their format."""
+    """lazrs's description of the row format; None if unsupported."""
     if file.header.point_format not in _LASZIP_FORMATS:
         return None
     lazrs = import_for("buckets.laz", "lazrs", "las")
@@ -225,11 +212,7 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArr
 def read_buckets(
     plan: Any, folder: Path, number: int, file: LasFile, window: Any
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """The rows of a file in a window, in the order of the file, and their numbers in it.
-
-    Raises:
-        FileError: A bucket is missing or damaged.
-    """
+    """Rows of a file in a window in file order, and their numbers; FileError if a bucket is damaged."""
     place = folder_of(folder, number)
     counts = _index_of(place, _time_of(place))
     rows, numbers = [], []
@@ -268,7 +251,7 @@ def _index_of(place: Path, time: int) -> dict[int, int]:
 
 
 def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any, NDArray[np.uint64]]], int]:
-    """The rows of a tile's blocks that are in a window, and how many rows all blocks have."""
+    """Rows of a tile's blocks in a window, and the row count of all blocks."""
     found, size = [], 0
     with path.open("rb") as stream:
         while head := stream.read(_BLOCK.size):
@@ -291,7 +274,7 @@ def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any
 
 
 def _inflated(path: Path, packed: bytes, size: int) -> bytes:
-    """The bytes of a zlib stream, of which there must be `size`."""
+    """Decompress a zlib stream of exactly `size` bytes."""
     with foreign_errors(path, "a block is damaged"):
         unpacked = zlib.decompressobj().decompress(packed, size + 1)
     if len(unpacked) != size:

@@ -1,7 +1,6 @@
-"""Other epochs that steps compare a survey with: files of their own, read by windows as those of the first are.
+"""Other epochs that steps compare a survey with.
 
-Each epoch has its files in the plan, with sizes, times and bounds. They are numbered after the first survey's, so that
-buckets are laid for them in the same pass.
+Their files are in the plan, numbered after the survey's, so buckets are made in the same pass.
 """
 
 from __future__ import annotations
@@ -23,18 +22,7 @@ from .steps.step import Step
 def describe_epochs(
     steps: list[Step], sources: list[dict[str, Any]], folder: Path, report: ReportProgress
 ) -> list[dict[str, Any]]:
-    """What the plan writes down of the epochs that steps compare with, each once, in the order of the steps.
-
-    Args:
-        steps: The steps, parsed.
-        sources: Of the first survey, described.
-        folder: Of the job, in which files that are no LAS are written over as LAZ.
-        report: Told what is done of that.
-
-    Raises:
-        FileError: A file cannot be read, goes ill with its epoch's others, or has another coordinate system or unit
-            than the first survey; an epoch holds no points, or lies elsewhere.
-    """
+    """Plan entries of compared epochs, unique and in step order; FileError if one does not match the survey."""
     epochs: list[dict[str, Any]] = []
     for step in steps:
         if not step.epoch or any(epoch["paths"] == step.epoch for epoch in epochs):
@@ -57,7 +45,7 @@ def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], st
     if not filled[0]:
         raise FileError(given_as(other), f"the epoch that {step.name} compares with holds no points")
     if not filled[1]:
-        return  # which is said elsewhere
+        return  # reported elsewhere
     (low, high), (first_low, first_high) = (
         (np.min([source["low"] for source in side], axis=0), np.max([source["high"] for source in side], axis=0))
         for side in filled
@@ -69,11 +57,7 @@ def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], st
 
 
 def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:
-    """The points of the epoch of a step in a window, in the order of its files, about the plan's origin.
-
-    Raises:
-        FileError: A file or a bucket is damaged, or a file has changed.
-    """
+    """Points of a step's epoch in a window, in file order, about the plan's origin; FileError if damaged or changed."""
     number = [epoch["paths"] for epoch in plan.epochs].index(step.epoch)
     table = read_window(plan, folder, fulls, window, epoch=number)
     table.attributes, table.normals, table.colors = {}, None, None

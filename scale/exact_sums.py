@@ -1,4 +1,4 @@
-"""Sums of float64 numbers and of their squares without any rounding: the same in any order and any grouping."""
+"""Exact sums of float64 numbers and their squares, independent of order and grouping."""
 
 from __future__ import annotations
 
@@ -10,18 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 _LOW_BITS = 27
-_PLACES = 1200  # of the unit, 2^-1200: below the smallest float64's half
+_PLACES = 1200  # unit 2^-1200: below half the smallest float64
 
 
 @dataclass(frozen=True)
 class ExactSums:
-    """How many numbers, their sum and that of their squares.
-
-    Attributes:
-        count: Of the numbers.
-        total: Their sum, in units of 2^-1200.
-        squares: The sum of their squares, in units of 2^-2400.
-    """
+    """Count, `total` in units of 2^-1200, and `squares` in units of 2^-2400."""
 
     count: int = 0
     total: int = 0
@@ -29,7 +23,7 @@ class ExactSums:
 
     @classmethod
     def of(cls, values: NDArray[np.float64]) -> ExactSums:
-        """The sums of the finite ones of an array."""
+        """Sums of the finite values."""
         values = values[np.isfinite(values)]
         mantissas, exponents = np.frexp(values)
         whole = np.ldexp(mantissas, 53).astype(np.int64)
@@ -48,7 +42,7 @@ class ExactSums:
         return ExactSums(self.count + other.count, self.total + other.total, self.squares + other.squares)
 
     def mean_and_deviation(self) -> tuple[float, float]:
-        """The mean and the standard deviation with n - 1, each rounded once or twice; NaN of no numbers."""
+        """Mean and standard deviation with n - 1, rounded once or twice; NaN if empty."""
         if not self.count:
             return math.nan, math.nan
         mean = Fraction(self.total, self.count << _PLACES)
@@ -59,5 +53,5 @@ class ExactSums:
 
 
 def _sum(values: NDArray[np.int64]) -> int:
-    """The sum of integers below 2^54, by halves that no number of rows makes overflow."""
+    """Sum of integers below 2^54, in halves that cannot overflow."""
     return (int((values >> 27).sum()) << 27) + int((values & ((1 << 27) - 1)).sum())

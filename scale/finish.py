@@ -1,4 +1,4 @@
-"""The tiles of a finished job as one file."""
+"""Merge the tiles of a finished job into one file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
 
 BLOCK = 1 << 18
-FILES = {"laz": ".laz", "las": ".las", "copc": ".copc.laz"}  # how the name of each kind of file ends
+FILES = {"laz": ".laz", "las": ".las", "copc": ".copc.laz"}  # file extension by kind
 
 
 def finish_tiles(
@@ -45,30 +45,25 @@ def finish_tiles(
     overwrite: bool = True,
     progress: ReportProgress = say_nothing,
 ) -> Path:
-    """Make one file of all tiles, and remove what the job held beside its tiles.
+    """Merge all tiles into one file and remove the job's intermediate data.
+
+    LAZ is written tile by tile; the octree equals that of `write_point_cloud`, from two passes over the tiles. Bitwise
+    independent of workers. Memory: 1 GB; no temporary disk space.
 
     Args:
-        folder: Of `plan_tiles`, all tiles done.
-        path: The file, an octree where it ends in .copc.laz; None takes `result.laz`, or `result.copc.laz` where the
-            plan says "copc", in the folder.
-        output: The format: "laz", "las" or "copc". None takes the format of the name, or else of the plan.
-        workers: Processes that make an octree, 1 GB of memory each, as those of `run_tiles`; 0 makes it in this one.
-            The result has the same bits. A LAZ file is packed by threads of this process, whatever the workers.
-        overwrite: Whether an existing file may be replaced.
-        progress: Called with "points", how many are read, and how many there are to read, twice for an octree.
+        folder: Folder of `plan_tiles`, all tiles done.
+        path: The file. If None: `result.laz` or, if planned, `result.copc.laz` in the folder.
+        output: "laz", "las" or "copc". If None: by the name, or the plan.
+        workers: Processes for an octree, 1 GB of memory each, as of `run_tiles`; 0 uses this process.
+        overwrite: Allow replacing an existing file.
+        progress: Called with "points", the points read and to read (twice for an octree).
 
     Returns:
-        The file; the first raster where the steps left no point but `rasterize` is among them.
+        The file; the first raster if no point remains and `rasterize` is a step.
 
     Raises:
-        ValueError: An output that there is not.
-        FileError: Tiles wait, failed or were set aside; points are missing; a tile is gone or damaged; for an octree,
-            millions of points lie in one place; the name is not that of such a file; the file cannot be written.
-
-    Notes:
-        A LAZ file is written tile by tile. The octree of a COPC file is that of `write_point_cloud` of all tiles'
-        points, in their order; it is made from the tiles on disk, which are read twice. Memory: 1 GB whatever their
-        number; no disk but for the file.
+        ValueError, FileError: If the output is unknown, or if tiles are not done, missing or damaged, millions of
+            points coincide in an octree, or the file has a wrong name or cannot be written.
     """
     report = check_progress(progress)
     _check_output(path, output)
@@ -97,16 +92,15 @@ def finish_tiles(
         else:
             _merge(path, parts, overwrite, report)
         write_mosaics(manifest, plan, mosaics, overwrite)
-        for name in (BUCKETS, LEFT):  # what joins gave stays: a tile whose file is damaged is made again with it
+        for name in (BUCKETS, LEFT):  # join results stay: a damaged tile is recomputed from them
             shutil.rmtree(manifest.folder / name, ignore_errors=True)
-        for left in (manifest.folder / TILES).glob(".*.part"):  # of workers that were killed
+        for left in (manifest.folder / TILES).glob(".*.part"):  # of killed workers
             left.unlink(missing_ok=True)
         clear_locks(manifest.folder)
         return path
 
 
 def _check_output(path: FilePath | None, output: Any) -> None:
-    """Refuse what cannot be made, and a name that says something else."""
     if output is not None and output not in FILES:
         raise ValueError(f"output: expected None or one of {', '.join(map(repr, FILES))}, got {shown(output)}")
     if path is None:
@@ -122,7 +116,6 @@ def _check_output(path: FilePath | None, output: Any) -> None:
 
 
 def _clear_parts(path: Path) -> None:
-    """Remove partial files of killed processes."""
     for part in path.parent.glob(f".{path.name}.*.part"):
         part.unlink(missing_ok=True)
 
@@ -137,7 +130,7 @@ def _check_finished(manifest: Manifest, plan: Plan) -> None:
 
 
 def _check_tiles(manifest: Manifest, plan: Plan) -> None:
-    """Hold that the files of tiles are those that were written; others wait to be made again."""
+    """Check that tile files are those that were written; reset others."""
     with manifest.change() as base:
         base.execute(CHECKSUMS)
     query = "SELECT id, crc FROM tiles JOIN checksums ON tile = id WHERE state = 'done' ORDER BY id"
@@ -186,11 +179,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
 
 
 def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:
-    """Write an octree as COPC.
-
-    Raises:
-        FileError: A tile is gone or damaged, or the file cannot be written.
-    """
+    """Write an octree as COPC; FileError if a tile is damaged or the file cannot be written."""
     first = open_las(tree.files[0].path)
     table = table_of(first, first.decode(np.zeros(1, first.layout.dtype())))
     layout = lay_out(path, table, tree.scales, tree.offsets, first.header, is_part=True)

@@ -1,4 +1,4 @@
-"""How far around its tile each step must see, and which files no tile needs."""
+"""Halo of each step, and files that no tile needs."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 if TYPE_CHECKING:
     from .steps.step import Step
 
-REACH_SLACK = 1 + 1e-5  # of a distance in float32
+REACH_SLACK = 1 + 1e-5  # float32 distance
 
 
 def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[float]:
-    """The halo that each step must be given, and at the end 0, behind the last."""
+    """Halo that each step needs, and 0 after the last."""
     spreads = [0.0]
     for step in steps:
         spreads.append(step.spread_after(spreads[-1]))
@@ -26,17 +26,15 @@ def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[floa
 
 
 def far_files(plan: Any, tiles: list[tuple[Any, ...]]) -> set[int]:
-    """The files without windows that lie beyond all tiles and their halos, by their bounds.
-
-    Where a halo grows as far as one of them in the end, it is laid by tile then (`NotLaidError`).
-    """
+    """Files without windows that are beyond all tiles and halos, by their bounds. If a halo later reaches one of them,
+    it is sorted into tiles then (`NotLaidError`)."""
     reaches = [step.reach for step in plan.steps]
     halo = halos_of(plan.steps, reaches, plan.slack)[0] + max((s.reach for s in plan.steps if s.epoch), default=0.0)
     columns, rows = plan.shape
     ids = np.array([tile[0] for tile in tiles])
     wanted = np.zeros((rows + 1, columns + 1), np.int64)
     wanted[ids // columns + 1, ids % columns + 1] = 1
-    below = wanted.cumsum(axis=0).cumsum(axis=1)  # how many wanted tiles lie below and left of a corner
+    below = wanted.cumsum(axis=0).cumsum(axis=1)  # number of wanted tiles below and left of a corner
     far = set()
     for number, source in enumerate(plan.files):
         if source["kind"] == "copc":

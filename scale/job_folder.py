@@ -14,7 +14,7 @@ from .manifest import NAME
 
 @contextmanager
 def nothing_left(folder: Path) -> Iterator[None]:
-    """Take away what was written over in the folder of a job, and a new folder, where no plan comes of it."""
+    """Remove converted files and a new folder if planning fails."""
     is_new = not folder.exists()
     try:
         yield
@@ -28,11 +28,7 @@ def nothing_left(folder: Path) -> Iterator[None]:
 
 
 def make_folder(folder: Path) -> None:
-    """Make the folder of a run, which may be there and empty.
-
-    Raises:
-        FileError: It holds something, or cannot be made.
-    """
+    """Create a run's folder, which may exist and be empty; FileError otherwise."""
     check_folder(folder)
     try:
         folder.mkdir(exist_ok=True)
@@ -41,11 +37,7 @@ def make_folder(folder: Path) -> None:
 
 
 def check_folder(folder: Path) -> None:
-    """Hold that a folder is missing, empty, or holds what an interrupted plan left.
-
-    Raises:
-        FileError: It holds something else.
-    """
+    """Raise FileError unless a folder is missing, empty, or left by an interrupted plan."""
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     try:

@@ -1,12 +1,8 @@
-"""Clusters of tiles become clusters of the whole: the same point under two names says that both are one.
+"""Join clusters of tiles: a point in two clusters merges them.
 
-Each tile has clusters of its own, of all that it sees. A cluster that no other tile sees is whole. The others' points
-in the halo are listed with the tile that they are at home in, which lists them, too: each pair of a tile's cluster and
-a neighbour's with a point in common is a link. Only these clusters are held in memory, 40 B each and 30 B a link, and
-the lists of a tile and its neighbours are mapped.
-
-Clusters are numbered in the order of (major, minor) keys, their sizes and their first points. However many there are,
-they are ranked a stretch of that order at a time.
+Clusters seen by one tile are complete. Halo points of the others are listed with their home tile, and each point common
+to clusters of two tiles is a link. Memory: 40 B per such cluster, 30 B per link; lists are mapped. Clusters are
+numbered by (major, minor) keys, sizes and first points, in bounded parts of that order.
 """
 
 from __future__ import annotations
@@ -20,24 +16,16 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from .borders import Leavings
 
-MOST_RANKED = 1 << 22  # clusters, about, that are sorted at a time
-MOST_INT32 = 2**31 - 1  # clusters that labels of 32 bits can name
-NEVER = np.iinfo(np.int64).max  # the first point of a cluster that has none at home
-_Keys = tuple[NDArray[np.int64], NDArray[np.int64]]  # (major, minor), in their order
+MOST_RANKED = 1 << 22  # approximate number of clusters sorted at a time
+MOST_INT32 = 2**31 - 1  # maximum clusters of 32-bit labels
+NEVER = np.iinfo(np.int64).max  # first point of a cluster without points in the tile
+_Keys = tuple[NDArray[np.int64], NDArray[np.int64]]  # (major, minor), sorted
 
 
 def leave(
     labels: NDArray[np.int32], count: int, part: Any, sight: Any, bounds: tuple[int, int], by_size: bool
 ) -> dict[str, NDArray[Any]]:
-    """What a tile leaves of its clusters.
-
-    Args:
-        labels: Of the cores of a part, by the tile's own numbers; below zero for other points.
-        count: Clusters.
-        part, sight: The Part and the tile's Sight of it.
-        bounds: The fewest and the most points of clusters that are kept.
-        by_size: Whether the largest come first.
-    """
+    """Border data of a tile's clusters; `labels` are those of cores, else negative, `bounds` the allowed sizes."""
     is_core = labels >= 0
     own = sight.own & is_core
     firsts, sizes = np.full(count, NEVER), np.bincount(labels[own], minlength=count)
@@ -71,20 +59,7 @@ def leave(
 
 
 def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: bool) -> int:
-    """Number the clusters of the whole; each tile gets the label of each of its clusters, -1 for those left out.
-
-    Args:
-        left: What tiles left.
-        folder: Gets an array of each tile.
-        bounds: The fewest and the most points of clusters that are kept.
-        by_size: Whether the largest come first.
-
-    Returns:
-        The number of clusters.
-
-    Raises:
-        FileError: A tile's point is not in the tile that it is at home in.
-    """
+    """Number all clusters, largest first if `by_size`, and write the labels of each tile, -1 for dropped ones."""
     ends = np.cumsum([0, *(len(arrays["edge"]) for _, arrays in left)])
     begins = dict(zip(left.tiles, ends[:-1].tolist(), strict=True))
     sets = _united(int(ends[-1]), _links(left, begins))
@@ -116,7 +91,7 @@ def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: 
 
 
 def _links(left: Leavings, begins: dict[int, int]) -> NDArray[np.int64]:
-    """Pairs of clusters on edges that have a point in common, [2, n]."""
+    """Pairs of border clusters with a common point, (2, n)."""
     found = [np.empty((2, 0), np.int64)]
     for tile, arrays in left:
         owners = np.asarray(arrays["borrowed_tiles"])
@@ -140,8 +115,8 @@ def _disagreement(left: Leavings, tile: int, home: int) -> FileError:
 
 
 def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
-    """The number of the set of each of some things, where linked ones are in one."""
-    from scipy.sparse import coo_array  # loads for longer than a job without a join needs
+    """Set index of each item; linked items are in one set."""
+    from scipy.sparse import coo_array  # slow import
     from scipy.sparse.csgraph import connected_components
 
     if not count:
@@ -151,7 +126,7 @@ def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
 
 
 def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any]]:
-    """Ends of stretches of the order of all keys that hold few enough: (low, high), None where there is none."""
+    """Parts of the key order of limited size, as (low, high), None at the ends."""
     if total <= MOST_RANKED:
         return [(None, None)]
     step = max(1, MOST_RANKED // (len(left.tiles) + 1))
@@ -164,7 +139,7 @@ def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any
 
 
 def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -> int:
-    """How many keys come before a cut."""
+    """Number of keys before a cut."""
     if cut is None:
         return otherwise
     low, high = (int(np.searchsorted(keys[0], cut[0], side)) for side in ("left", "right"))
@@ -174,7 +149,7 @@ def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -
 def _rank_stretch(
     left: Leavings, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
 ) -> int:
-    """Number the clusters of a stretch from `begin` on; where the next one begins."""
+    """Number the clusters of a part from `begin` on; returns the next number."""
     kept, names = named
     owners, lows, pieces = [], [], []
     for tile, keys in [(None, groups), *((tile, (arrays["majors"], arrays["minors"])) for tile, arrays in left)]:

@@ -1,8 +1,7 @@
-"""Files that know neither windows nor steps of their coordinates: PLY, PCD, text, E57 and PTX, taken over as LAZ.
+"""Convert PLY, PCD, text, E57 and PTX files to LAZ for tiling.
 
-Two passes over each, in parts: one finds the bounds and the types of all files together, one writes a LAZ file each
-into the folder of the job, about one offset and in one step. Tiles are made of these. Binary PLY and PCD and text are
-read some rows at a time, E57 and PTX scan by scan; PLY as text, rows with lists and compressed PCD are read whole.
+The first pass finds common bounds and types, the second writes LAZ files with a common offset and scale. Binary PLY and
+PCD and text are read in parts, E57 and PTX by scan; text PLY, rows with lists and compressed PCD at once.
 """
 
 from __future__ import annotations
@@ -36,23 +35,16 @@ from ..files.table import PointTable
 SUFFIXES = (".ply", ".pcd", ".xyz", ".xyzn", ".xyzrgb", ".pts", ".csv", ".txt", ".asc", ".e57", ".ptx")
 FOLDER, MAKING = "sources", "sources.part"
 ROWS = 1 << 18  # at a time
-COARSEST = 1e-4  # step of the coordinates [their unit]; finer where the points lie within 100 units
+COARSEST = 1e-4  # scale of the coordinates [their unit]; finer for points within 100 units
 _STEPS = 2.0**30  # across all points
 Parts = Callable[[], Iterator[PointTable]]
 
 
 @dataclass
 class Found:
-    """What the first pass finds, over all files.
-
-    Attributes:
-        low, high: Bounds, float64 [3].
-        unit: Of the coordinates; None where no file tells one.
-        normals, colors: Whether all points have them.
-        types: Of the attributes that all points have.
-        renamed: The names in LAS of those that it cannot hold under their own (attribute_names.py).
-        counts: Points of each file.
-    """
+    """Result of the first pass over all files. `normals` and `colors` are True if all points have them; `types` are
+    those of common attributes; `renamed` maps names that LAS cannot store (attribute_names.py); `unit` is None if no
+    file has one."""
 
     low: NDArray[np.float64] = field(default_factory=lambda: np.full(3, np.inf))
     high: NDArray[np.float64] = field(default_factory=lambda: np.full(3, -np.inf))
@@ -64,11 +56,7 @@ class Found:
     counts: list[int] = field(default_factory=list)
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
-        """Take a part in.
-
-        Raises:
-            FileError: It holds a point that is not finite.
-        """
+        """Add a part; FileError if it has a point that is not finite."""
         count = len(table.points)
         if is_first:
             if self.counts and _metres(self.unit) != _metres(table.unit):
@@ -99,7 +87,7 @@ class Found:
         }
 
     def shaped(self, table: PointTable) -> PointTable:
-        """A part with what all points have, in the types that hold all values, under names that LAS can have."""
+        """Part with the common attributes, in types and names that LAS supports."""
         attributes = {
             self.renamed.get(name, name): table.attributes[name].astype(dtype)
             for name, (dtype, _) in (self.types or {}).items()
@@ -109,23 +97,19 @@ class Found:
 
     @property
     def scale(self) -> float:
-        """The step of the coordinates, a power of ten."""
+        """Scale of the coordinates, a power of ten."""
         extent = float((self.high - self.low).max())
         return min(COARSEST, 10.0 ** math.ceil(math.log10(max(extent, 1e-9) / _STEPS))) if extent < 1e5 else COARSEST
 
     @property
     def offset(self) -> NDArray[np.float64]:
-        """What the steps count from, a multiple of a hundred of them."""
+        """Offset of the coordinates, a multiple of 100 steps."""
         hundred = 100 * self.scale
         return np.round(np.round((self.low + self.high) / 2 / hundred) * hundred, 9)
 
 
 def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
-    """The attributes that LAS can hold under another name alone, and that name.
-
-    Raises:
-        FileError: LAS has no type for an attribute.
-    """
+    """Attributes that LAS stores under another name only; FileError without a LAS type."""
     shaped = with_scan_angle(table)
     renamed = new_names(shaped.attributes, name_rules(path, shaped))
     under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
@@ -140,7 +124,7 @@ def _metres(unit: LengthUnit | None) -> float | None:
 
 
 def is_made(path: Path) -> bool:
-    """Whether a path in the folder of a job has the name of one that files are written over into."""
+    """True if a path in a job's folder has the name of a converted file."""
     return path.name.split("-")[0] == FOLDER
 
 
@@ -148,22 +132,9 @@ def is_made(path: Path) -> bool:
 def taken_over(
     paths: list[Path], folder: Path, report: ReportProgress, name: str = FOLDER
 ) -> Iterator[dict[Path, Path]]:
-    """Write files over as LAZ in a folder's part; they get their name when the block ends well, else they go.
-
-    Args:
-        paths: The files.
-        folder: Of the job.
-        report: Told what is done.
-        name: Of the folder in it that they are put in.
-
-    Yields:
-        Where each of them is now.
-
-    Raises:
-        FileError: One is damaged, holds no points or one that is not finite; units differ; the disk is full.
-    """
+    """Convert files to LAZ in a subfolder and yield their new paths; they are kept only if the block succeeds."""
     making = folder / MAKING
-    for old in (making, folder / name):  # of a plan that was interrupted
+    for old in (making, folder / name):  # of an interrupted plan
         shutil.rmtree(old, ignore_errors=True)
     try:
         making.mkdir(parents=True)
@@ -181,7 +152,7 @@ def taken_over(
 
 
 def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Parts]]:
-    """The first pass, and the files as they were opened for it."""
+    """First pass: common properties, and the opened files."""
     found, files = Found(), []
     for number, path in enumerate(paths):
         files.append(opened(path))
@@ -198,7 +169,7 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Part
 
 
 def opened(path: Path) -> Parts:
-    """What gives the points of a file, some at a time and each time anew; at least one part, perhaps of none."""
+    """Reader of a file's points in parts, repeatable; at least one part, possibly empty."""
     suffix = path.suffix.lower()
     by_suffix = {".e57": _scans_of, ".ptx": iterate_placed, ".ply": _rows_of, ".pcd": _rows_of}
     return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)
@@ -217,7 +188,6 @@ def _rows_of(path: Path) -> Iterator[PointTable]:
 
 
 def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> None:
-    """The second pass over a file."""
     written, writer, layout = 0, None, None
     with atomic_write(target) as stream, foreign_errors(target, "cannot be written"):
         try:

@@ -1,8 +1,7 @@
-"""The manifest of a job, of tiles or of other tasks: one SQLite file that says what is to be done and who does what.
+"""Manifest of a job: one SQLite file with its plan, tasks and owners.
 
-All changes are transactions, so that any number of processes of one machine, or of machines that share the folder by a
-file system with locks, may work on one folder. Who works is told by a locked file, which the system lets go of however
-the process ends: what a dead worker had claimed is given back, and what a slow one works on is not.
+Changes are transactions, so processes of one machine, or of several on a file system with locks, can share a folder. An
+owner holds a locked file, which the system releases when its process ends; then its claims are returned.
 """
 
 from __future__ import annotations
@@ -32,57 +31,45 @@ except ImportError:  # Windows
 NAME, LOCKS = "plan.sqlite", "locks"
 SCHEMA = 3
 TABLES = ("sources", "tiles", "joins")  # of tasks
-MOST_ATTEMPTS = 3  # deaths of workers at one task
+MOST_ATTEMPTS = 3  # worker deaths per task
 DIED = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
-PATIENCE = 60.0  # [s] for another's transaction
-_REMEDIES = {  # of a manifest that is not there, or is of something else; by whether other tasks than tiles are meant
+PATIENCE = 60.0  # [s] for another transaction
+_REMEDIES = {  # for a missing or different manifest, by whether a job other than tiles is expected
     False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
     True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
-# Errors of Python for values that are not as this version writes them.
+# Python's errors for values in another format.
 DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 DISTRIBUTES = " distributes"
 _OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
-NOT_LAID = -1  # in place of a full colour: a file that is far from all tiles
-OVER = ("done", "empty", "failed", "aside")  # states that a tile leaves by `retry` alone
+NOT_LAID = -1  # instead of a full color: a file far from all tiles
+OVER = ("done", "empty", "failed", "aside")  # final states, reset only by `retry`
 
 
 def canonical(plan: Any) -> str:
-    """A plan, or a part of one, as the one text that stands for it."""
+    """Canonical text of a plan or a part of it."""
     return json.dumps(plan, sort_keys=True, separators=(",", ":"), allow_nan=False)
 
 
 def files_of(plan: dict[str, Any]) -> list[dict[str, Any]]:
-    """What a plan says of all its files, by number: the survey's, then those of the epochs that it is compared with."""
+    """Descriptions of all files by number: the survey's, then those of compared epochs."""
     return [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]
 
 
 def said_of(error: Exception) -> str:
-    """The error of a task as the manifest has it, in one line."""
     return " ".join(f"{type(error).__name__}: {error}".split())[:2000]
 
 
 def hash_of(plan: dict[str, Any]) -> str:
-    """SHA-256 of a plan's text."""
     return hashlib.sha256(canonical(plan).encode()).hexdigest()
 
 
 class Manifest:
-    """An open manifest; use it in one thread.
-
-    Attributes:
-        folder: The job's.
-        plan: What the tiles are and what is done to them, in JSON's types.
-        version: The version of pointloom that planned it.
-    """
+    """An open manifest, for one thread: `folder`, `plan` in JSON's types, `version` of pointloom that planned it."""
 
     def __init__(self, folder: Path, *, is_job: bool = False):
-        """Open the manifest of a folder: of tiles, or of tasks of another job (jobs/job.py).
-
-        Raises:
-            FileError: There is none, one that this version does not read, or one of the other kind.
-        """
+        """Open a manifest of tiles or another job (jobs/job.py); FileError if missing or of another kind."""
         self.folder, path = folder, folder / NAME
         try:
             is_there = path.is_file()
@@ -90,7 +77,7 @@ class Manifest:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
-        for place in folder.iterdir():  # of a folder from elsewhere: nothing is written through a link
+        for place in folder.iterdir():  # symlinks of a foreign folder are not followed for writing
             refuse_link(place)
         self.base = connect(path)
         try:
@@ -113,7 +100,7 @@ class Manifest:
             if isinstance(error, FileError):
                 raise
             code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
-            if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # a full disk, no rights
+            if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # full disk, permissions
                 raise FileError(path, f"the manifest cannot be used: {error}") from error
             raise FileError(path, f"is no manifest: {error}", remedy="Plan it anew") from error
         self.tables = ("tasks",) if is_job else TABLES
@@ -126,24 +113,22 @@ class Manifest:
 
     @contextlib.contextmanager
     def change(self) -> Iterator[sqlite3.Connection]:
-        """One transaction that nobody else's falls into."""
         with told_as_file_errors(self.folder / NAME):
             self.base.execute("BEGIN IMMEDIATE")
             try:
                 yield self.base
                 self.base.execute("COMMIT")
             except BaseException:
-                if self.base.in_transaction:  # which a full disk has ended already
+                if self.base.in_transaction:  # a full disk may have ended it
                     self.base.execute("ROLLBACK")
                 raise
 
     def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
-        """What a query gives."""
         with told_as_file_errors(self.folder / NAME):
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
-        """Take the first waiting row of a table of tasks for a worker; None where none waits."""
+        """Claim the first waiting row of a table for a worker; None if there is none."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
             row = base.execute(query, values).fetchone()
@@ -152,22 +137,19 @@ class Manifest:
         return row
 
     def settle(self, table: str, row: int, owner: str, **values: Any) -> bool:
-        """Write what became of a claimed row; False where it is no longer the worker's."""
+        """Record the result of a claimed row; False if the worker no longer owns it."""
         with self.change() as base:
             return self.settle_in(base, table, row, owner, **values)
 
     @staticmethod
     def settle_in(base: sqlite3.Connection, table: str, row: int, owner: str, **values: Any) -> bool:
-        """As `settle`, inside a transaction."""
         told = ", ".join(f"{name} = ?" for name in values)
         query = f"UPDATE {table} SET {told}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
         return base.execute(query, (*values.values(), row, owner)).rowcount == 1
 
     def give_back(self, *, is_death: bool = True) -> int:
-        """Let others have what dead workers had claimed; how many rows.
-
-        After some deaths a task is set aside; that a worker was told to end is none.
-        """
+        """Release the claims of dead workers; returns the number of rows. A task is quarantined after several deaths; a
+        requested stop does not count."""
         given = 0
         for owner in self.owners():
             lock = lock_of(self.folder, owner)
@@ -187,36 +169,34 @@ class Manifest:
         return given
 
     def owners(self) -> list[str]:
-        """Who has claimed something."""
         queries = [f"SELECT owner FROM {table} WHERE state = 'running'" for table in self.tables]
         return [row["owner"] for row in self.rows(" UNION ".join(queries))]
 
     def has(self, table: str, *states: str) -> bool:
-        """Whether rows are in one of these states, at the price of a look into the index."""
+        """True if rows have one of these states, by index."""
         query = f"SELECT 1 FROM {table} WHERE state IN ({', '.join('?' * len(states))}) LIMIT 1"
         return bool(self.rows(query, *states))
 
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
-        """How many rows are in each state."""
+        """Number of rows in each state."""
         found = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
         return {state: 0 for state in STATES} | {row["state"]: row["n"] for row in found}
 
 
 def connect(path: Path) -> sqlite3.Connection:
-    """A connection whose transactions are begun by hand."""
     with told_as_file_errors(path):
         base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
         base.row_factory = sqlite3.Row
         protect(base, path)
         if is_shared(path.parent):
             _leave_log(base, path)
-        else:  # what is lost where power fails is done again; a process that is killed loses nothing
+        else:  # a power failure may lose finished work, a killed process does not
             base.execute("PRAGMA synchronous = NORMAL")
         return base
 
 
 def _leave_log(base: sqlite3.Connection, path: Path) -> None:
-    """Have transactions locked by file alone: SQLite's log is for the processes of one machine."""
+    """Disable SQLite's write-ahead log, which works for one machine only."""
     try:
         base.execute("PRAGMA journal_mode = DELETE")
     except sqlite3.OperationalError as error:
@@ -228,7 +208,7 @@ def _leave_log(base: sqlite3.Connection, path: Path) -> None:
 
 
 def read_plan(folder: Path) -> dict[str, Any]:
-    """The plan alone, which does not change once it is written: without a lock, and beside whoever writes the rest."""
+    """Read the immutable plan, without a lock."""
     path = folder / NAME
     with told_as_file_errors(path):
         try:
@@ -255,11 +235,8 @@ def write_manifest(
     far: Container[int] = (),
     joins: Iterable[int] = (),
 ) -> None:
-    """Write a new manifest of tiles, whole or not at all.
-
-    Tiles are (id, ix, iy, x0, y0, x1, y1); `far` has the numbers of files that none of them needs, `joins` those of the
-    passes that are followed by one.
-    """
+    """Write a new manifest of tiles atomically. Tiles are (id, ix, iy, x0, y0, x1, y1); `far` are unneeded files,
+    `joins` the passes followed by a join."""
     with a_new_manifest(folder, plan, version, TILES + CHECKSUMS) as base:
         has_windows = [source["kind"] == "copc" for source in files_of(plan)]
         rows = [
@@ -273,7 +250,7 @@ def write_manifest(
 
 @contextlib.contextmanager
 def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) -> Iterator[sqlite3.Connection]:
-    """A manifest with a plan and empty tables, which takes its name when the block has filled these."""
+    """Manifest with a plan and empty tables, renamed to its final name when the block ends."""
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
     with told_as_file_errors(path):
@@ -287,7 +264,7 @@ def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str
             if not is_shared(folder):
                 base.execute("PRAGMA journal_mode = WAL")
             base.close()
-            os.link(part, path)  # fails where another process made it meanwhile
+            os.link(part, path)  # fails if another process created it
         except FileExistsError as error:
             raise FileError(path, "another run plans in this folder", remedy="Wait until it is done") from error
         finally:
@@ -297,10 +274,10 @@ def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str
 
 @contextlib.contextmanager
 def told_as_file_errors(path: Path) -> Iterator[None]:
-    """Turn what SQLite and the system raise over a file into a FileError."""
+    """Convert errors of SQLite and the system to FileError."""
     try:
         yield
-    except (sqlite3.Error, UnicodeDecodeError) as error:  # of a damaged schema, which SQLite quotes
+    except (sqlite3.Error, UnicodeDecodeError) as error:  # a damaged schema, which SQLite quotes
         raise FileError(path, f"the manifest cannot be used: {error}") from error
     except FileError:
         raise
@@ -310,7 +287,7 @@ def told_as_file_errors(path: Path) -> Iterator[None]:
 
 @contextlib.contextmanager
 def damage_as_file_errors(path: Path) -> Iterator[None]:
-    """Turn the errors of a plan or a task that is not as this version writes them into a FileError."""
+    """Convert errors about the content of a plan or task to FileError."""
     try:
         yield
     except FileError:
@@ -321,11 +298,7 @@ def damage_as_file_errors(path: Path) -> Iterator[None]:
 
 
 def lock_of(folder: Path, owner: Any) -> Path:
-    """The path of a worker's lock.
-
-    Raises:
-        FileError: The manifest's name of the worker is none that this library makes, such as a path.
-    """
+    """Path of a worker's lock; FileError if the owner's name is invalid, such as a path."""
     if not isinstance(owner, str) or not _OWNER.fullmatch(owner):
         reason = f"the manifest is damaged: expected the name of a worker, got {owner!r}"
         raise FileError(folder / NAME, reason, remedy="Plan it anew in another folder")
@@ -334,10 +307,8 @@ def lock_of(folder: Path, owner: Any) -> Path:
 
 @contextlib.contextmanager
 def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
-    """The name of an owner of tasks that exists as long as the block, and as its process at most.
-
-    The name of a process that only distributes tasks ends in DISTRIBUTES: its death says nothing about the tasks.
-    """
+    """Name of an owner of tasks for the duration of the block, or until the process ends. A process that only
+    distributes tasks has a name ending in DISTRIBUTES; its death is not counted against tasks."""
     owner = uuid.uuid4().hex + ("" if computes else DISTRIBUTES)
     path = lock_of(folder, owner)
     with told_as_file_errors(path):
@@ -355,11 +326,7 @@ def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
 
 @contextlib.contextmanager
 def only_one(folder: Path, name: str) -> Iterator[None]:
-    """Hold that one process alone is in a block of this name.
-
-    Raises:
-        FileError: Another is.
-    """
+    """Enter a named block exclusively; FileError if another process is in it."""
     path = folder / LOCKS / name
     with told_as_file_errors(path):
         path.parent.mkdir(exist_ok=True)
@@ -377,14 +344,14 @@ def only_one(folder: Path, name: str) -> Iterator[None]:
 
 
 def clear_locks(folder: Path) -> None:
-    """Remove what dead workers have locked, once no task is left: a worker that begins now is taken for none."""
+    """Remove locks of dead workers when no task is left; a worker that starts now is ignored."""
     for path in (folder / LOCKS).glob("*"):
         if _OWNER.fullmatch(path.name) and is_dead(folder, path.name):
             path.unlink(missing_ok=True)
 
 
 def is_dead(folder: Path, owner: str) -> bool:
-    """Whether nobody holds the lock of a worker."""
+    """True if nobody holds a worker's lock."""
     try:
         descriptor = os.open(lock_of(folder, owner), os.O_RDWR)
     except (FileNotFoundError, FileError):  # no worker has another name
@@ -401,7 +368,7 @@ def is_dead(folder: Path, owner: str) -> bool:
         os.close(descriptor)
 
 
-MOUNTS = Path("/proc/self/mountinfo")  # of Linux; elsewhere folders count as local
+MOUNTS = Path("/proc/self/mountinfo")  # Linux; elsewhere folders count as local
 OVER_NETWORKS = {
     "9p", "afs", "beegfs", "ceph", "cifs", "coda", "davfs", "glusterfs", "gpfs", "juicefs", "lustre", "ncpfs", "nfs",
     "nfs4", "ocfs2", "orangefs", "panfs", "pvfs2", "rclone", "s3fs", "smb3", "smbfs", "sshfs", "vboxsf", "virtiofs",
@@ -410,7 +377,7 @@ OVER_NETWORKS = {
 
 
 def is_shared(folder: Path) -> bool:
-    """Whether other machines may have the folder at the same time, by the type of its file system."""
+    """True if the file system type allows access from other machines."""
     try:
         lines = MOUNTS.read_text().splitlines()
         place = folder.resolve()
@@ -420,11 +387,11 @@ def is_shared(folder: Path) -> bool:
     for line in lines:
         before, _, after = line.partition(" - ")
         mount, kind = Path(_unescaped(before.split()[4])), after.split()[0]
-        if place.is_relative_to(mount) and len(mount.parts) >= deepest:  # of two at one place the later one is seen
+        if place.is_relative_to(mount) and len(mount.parts) >= deepest:  # later mounts hide earlier ones
             found, deepest = kind, len(mount.parts)
     return found.removeprefix("fuse.") in OVER_NETWORKS
 
 
 def _unescaped(text: str) -> str:
-    """A path of the table of mounts, which holds blanks as \\040."""
+    """Path from the mount table, which escapes spaces as \\040."""
     return re.sub(r"\\([0-7]{3})", lambda code: chr(int(code[1], 8)), text)

@@ -1,4 +1,4 @@
-"""Planning tiles: what the job is made of, written down once and refused where it is no longer so."""
+"""Plan tiles: files, steps and grid of a job, recorded once and verified later."""
 
 from __future__ import annotations
 
@@ -30,32 +30,20 @@ from .steps.function import Function, UserFunction, resolve_functions
 from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
-POINTS = 2_000_000  # a tile, where nothing is said
-MOST_POINTS = 8  # times the points of a usual tile that one may hold with its halo, and at least
+POINTS = 2_000_000  # default per tile
+MOST_POINTS = 8  # times the usual tile size: maximum points with halo, and its minimum
 LEAST_POINTS = 4_000_000
-LEAST_LEVELS = 12  # of the search tree's curve, which order points that are equally near: 2^26 points a tile
-_passed: dict[str, list[UserFunction]] = {}  # to `plan_tiles` in this process, by the hash of the plan
-_ROUNDING = 2.0**-21  # of a coordinate about the origin: those of two points and of their distance, in float32
+LEAST_LEVELS = 12  # of the search curve, which defines the order of ties: 2^26 points per tile
+_passed: dict[str, list[UserFunction]] = {}  # functions passed to `plan_tiles` in this process, by plan hash
+_ROUNDING = 2.0**-21  # relative float32 rounding of two points and their distance
 
 
 class Plan:
-    """A plan, as tiles work with it.
-
-    Attributes:
-        told: As the manifest holds it, in JSON's types.
-        sources: What it says of each file.
-        epochs: The epochs that steps compare with: "paths" as given, and "sources" as above.
-        files: All of these files, by number.
-        steps: The steps, parsed.
-        origin: Of all tiles' clouds, float64 [3].
-        voxel_corner: Of the grid of voxels, float64 [3].
-        corner: Low corner of the grid of tiles, float64 [2].
-        size: Edge of a tile.
-        shape: Tiles along x and y.
-        slack: What coordinates are rounded by, and more.
-        most: Points that a tile and its halo may have.
-        device: On which this process works; no part of what is planned.
-    """
+    """Plan of a tiled job. `told` is the manifest's JSON form. `sources` describes the files; `epochs` those that steps
+    compare with, as "paths" and "sources"; `files` all of them by number. `origin` (3,) is that of all tiles' clouds,
+    `voxel_corner` (3,) that of the voxel grid, `corner` (2,) that of the tile grid, of `shape` tiles of edge `size`.
+    `slack` exceeds the rounding of coordinates. `most` is the maximum number of points of a tile with halo. `device` is
+    not planned."""
 
     device = "cpu"
 
@@ -71,19 +59,19 @@ class Plan:
         self.slack, self.most = told["slack"], told["most"]
 
     def numbered(self, epoch: int | None = None) -> list[tuple[int, dict[str, Any]]]:
-        """The files of the survey, or of another epoch, with their numbers."""
+        """Files of the survey or another epoch, with their numbers."""
         ends = np.cumsum([len(self.sources), *(len(other["sources"]) for other in self.epochs)]).tolist()
         first, last = (0, ends[0]) if epoch is None else (ends[epoch], ends[epoch + 1])
         return [*enumerate(self.files)][first:last]
 
     def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
-        """The number of the tile that each place is in, [n, 2]; of places beyond the grid the nearest one's."""
+        """Tile number of each position (n, 2); the nearest tile's beyond the grid."""
         cells = np.floor((places - self.corner) / self.size)
         cells = np.clip(cells, 0, np.array(self.shape) - 1).astype(np.int64)
         return cells[:, 1] * self.shape[0] + cells[:, 0]
 
     def tiles_in(self, window: Window) -> list[int]:
-        """The numbers of the tiles that a window reaches into, ascending."""
+        """Numbers of the tiles that a window overlaps, ascending."""
         with np.errstate(invalid="ignore"):
             ends = np.floor((np.array(window).reshape(2, 2) - self.corner) / self.size)
         (x0, y0), (x1, y1) = (
@@ -92,7 +80,7 @@ class Plan:
         return [y * self.shape[0] + x for y in range(y0, y1 + 1) for x in range(x0, x1 + 1)]
 
     def window(self, ix: int, iy: int, halo: float, *, ends: bool = False) -> Window:
-        """A tile and its halo; there is no end where there is no further tile, unless all `ends` are wanted."""
+        """Window of a tile and its halo, open where there is no neighbor tile unless `ends`."""
         (nx, ny), (x, y), size = self.shape, self.corner.tolist(), self.size
         return (
             x + ix * size - halo if ix or ends else -math.inf,
@@ -103,18 +91,18 @@ class Plan:
 
     @property
     def passed_functions(self) -> tuple[str, ...]:
-        """Names, `module:function`, of the functions that were passed in Python."""
+        """Names, `module:function`, of functions passed in Python."""
         calls = [step.params["call"] for step in self.steps if isinstance(step, Function) and step.is_passed]
         return tuple(dict.fromkeys(calls))
 
     @property
     def passes(self) -> list[int | None]:
-        """The step that each pass over the tiles measures for, None of the last one, which does all of them."""
+        """Step that each pass measures for; None for the last one, which runs all steps."""
         return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
 
     @property
     def joined_passes(self) -> list[int]:
-        """The passes that leave something, which is joined before the next begins."""
+        """Passes whose results are joined before the next one."""
         return [number for number, k in enumerate(self.passes) if k is not None and self.steps[k].joins]
 
 
@@ -130,47 +118,35 @@ def plan_tiles(
     output: str = "laz",
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
-    """Plan a job of tiles in a folder: which files, which steps, which tiles; of LAS nothing is read but headers.
+    """Plan a tiled job in a folder: files, steps and tiles; of LAS only headers are read.
 
-    A folder that holds the same plan already keeps all that was done; one that holds another is refused.
+    A folder with the same plan keeps its finished work; one with another plan is rejected. The result is bitwise that
+    of the operations on the complete cloud, for any tile size, except: the voxel grid starts at whole units or the
+    step's `corner`; statistics of outliers are exact sums, so points within 1e-12 of the limit may differ; ties for the
+    k-th neighbor after a step that removed outer points may differ. Memory: 300 B per point of a tile and its halo; 4
+    million rows while sorting into tiles.
 
     Args:
-        sources: Paths of .las and .laz files, of folders of them, and of a .vpc that lists them. COPC files are read by
-            windows; of others one pass lays the points on disk by tile. PLY, PCD, E57 and text (.xyz, .pts, .csv, ...)
-            are written over as LAZ into the folder first, in steps of 1e-4 units, finer within 100 of them; without
-            LAS files in a folder, its others are taken.
+        sources: Paths of .las and .laz files, folders of them, or a .vpc. COPC files are read by windows; other LAS
+            files are sorted into tiles on disk first. PLY, PCD, E57 and text files are first converted to LAZ in the
+            folder, with a resolution of 1e-4 units, finer within 100; in a folder only if there is no LAS file.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
-            smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance,
-            m3c2, cluster_dbscan, cluster_euclidean, reproject. The `call` of a function is a Python function, or the
-            name of an entry point in the group "pointloom.steps". A file can give an entry point only.
-        folder: Of the job; made where it is missing.
+            smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance, m3c2,
+            cluster_dbscan, cluster_euclidean, reproject. The `call` of a function is a Python function (not in files)
+            or an entry point of the group "pointloom.steps".
+        folder: Folder of the job, created if missing.
         size: Edge of a tile [unit of the files].
-        points: Points a tile, about; 2 million where no size is given either.
-        only: (x0, y0, x1, y1), or polygons: a .geojson, .json or .wkt file, POLYGON((...)), GeoJSON as a dictionary, or
-            corners [n, 2]. Only the tiles that this area touches; numbers of the whole are then theirs.
-        only_crs: The coordinate system of these polygons, such as "EPSG:4326"; None for that of the files.
-        output: "laz" or "copc", what `finish_tiles` makes.
-        progress: Called with what is done, how much, and of how much, while files are written over.
-
-    Returns:
-        A TileStatus.
-
-    Notes:
-        The result is that of the operations on a cloud of all files in their order, about the plan's origin: the same
-        bits, whatever the tiles' size, but for three things. The grid of voxels starts at the lowest corner in whole
-        units, or at the step's `corner`, as with `voxel_down_sample_and_trace(size, corner)`. The mean and
-        the deviation of statistical outliers are exact sums, where those in memory are rounded: a point whose distance
-        is within a part in 10^12 of the limit may differ. And of points that are equally far as the k-th neighbour,
-        those taken after a step that removed the outermost points of all may be others than in memory; whatever the
-        tiles' size they are the same.
-
-        Memory: a tile and its halo, 300 B a point; 4 million rows while points are laid by tile.
+        points: Approximate points per tile, default 2 million if there is no size.
+        only: Process only tiles that touch an area: (x0, y0, x1, y1), or polygons: a .geojson, .json or .wkt file,
+            POLYGON((...)), a GeoJSON dictionary, or corners (n, 2). Tile numbers stay those of the complete grid.
+        only_crs: Coordinate system of these polygons, such as "EPSG:4326". If None: that of the files.
+        output: Format of `finish_tiles`: "laz" or "copc".
+        progress: Called with the activity, its progress and total while files are converted.
 
     Raises:
-        FileError: A file cannot be read, goes ill with the others, or holds degrees; the folder holds another plan,
-            and what of it differs.
-        ValueError: A step or a parameter that there is not, one that needs the whole cloud; too many tiles.
+        FileError: If a file cannot be read, does not match the others or is in degrees, or the folder has another plan.
+        ValueError: If a step or parameter is unknown, a step needs the complete cloud, or there are too many tiles.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -220,11 +196,7 @@ def plan_tiles(
 
 
 def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
-    """The manifest of a folder and its plan, once it is sure that version and files are those it was made with.
-
-    Raises:
-        FileError: There is none, or what has changed.
-    """
+    """Open a manifest and its plan; FileError if missing, or if version or files changed."""
     manifest = Manifest(path_of(folder, "folder"))
     try:
         if manifest.version != __version__:
@@ -240,12 +212,7 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
 
 
 def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunction | str]) -> None:
-    """Set the functions of a plan's steps: entry points, those given, and those passed when this process planned it.
-
-    Raises:
-        FileError: The plan names another function.
-        TypeError: `functions` is no list of functions.
-    """
+    """Set the functions of a plan's steps; FileError if the plan names another one."""
     if callable(functions) or isinstance(functions, str):
         raise TypeError(f"functions: expected a list of functions, got {shown(functions)}")
     try:
@@ -256,23 +223,13 @@ def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunc
 
 
 def plan_alone(folder: Path, functions: Iterable[str]) -> Plan:
-    """The plan of a folder for a worker elsewhere: without the manifest's locks, which need one machine.
-
-    Raises:
-        FileError: There is none.
-        ValueError: It names a function that is neither registered nor among those given.
-    """
+    """Plan for a remote worker, without the manifest's locks, which require one machine."""
     plan = Plan(read_plan(folder))
     resolve_functions(plan.steps, functions)
     return plan
 
 
 def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
-    """Hold that a manifest is of a plan and of this version.
-
-    Raises:
-        FileError: What differs.
-    """
     changed = []
     if manifest.version != __version__:
         changed.append(f"pointloom is {__version__}, was {manifest.version}")
@@ -311,7 +268,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     if not np.isfinite(corners).all():
         raise FileError(filled[0]["path"], "the bounds in a header are not finite")
     origin = choose_origin(corners, np.array(sources[0]["scales"]))
-    extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # of a line of points, too
+    extent = np.maximum((high - low)[:2], np.max((high - low)[:2]) / 1000)  # also for collinear points
     area = max(float(np.prod(extent)), 1e-12)
     if size is None:
         share = check_count("points", POINTS if points is None else points)
@@ -344,7 +301,6 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
 
 
 def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[Any] | None:
-    """Where tiles are made, in JSON's types: x0, y0, x1, y1, or polygons."""
     is_box = isinstance(only, list | tuple | np.ndarray) and np.shape(only[0] if len(only) else 0) == ()
     if crs is not None and (only is None or is_box):
         raise ValueError("only_crs: it is that of polygons, and only= has none")
@@ -356,7 +312,7 @@ def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[
 
 
 def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
-    """All tiles row by row; those outside `only` are not in the manifest, their numbers are left out."""
+    """All tiles row by row, without those outside `only`, whose numbers are skipped."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
     cells = np.stack(np.divmod(np.arange(nx * ny), nx)[::-1], axis=1)
     wanted = _touched(plan.told["only"], plan.corner + cells * size, plan.corner + (cells + 1) * size)
@@ -369,7 +325,7 @@ def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
 
 
 def _touched(area: list[Any] | None, lows: NDArray[np.float64], highs: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Which boxes [n, 2] are wanted: all, or those that the area of a plan touches."""
+    """Mask of boxes (n, 2) that overlap the plan's area."""
     if area is None:
         return np.ones(len(lows), np.bool_)
     if isinstance(area[0], list):

@@ -1,4 +1,4 @@
-"""Check the plan of a tile job that a manifest contains: the folder may come from somebody else, or be damaged."""
+"""Validate the plan in a manifest, since the folder may be damaged or from another source."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..core.checks import shown
 
 MOST_TILES = 1 << 22
 OUTPUTS = ("laz", "copc")
-LARGEST = 1e300  # of all numbers, so that sums of them are finite
+LARGEST = 1e300  # sums of numbers stay finite
 
 Check = Callable[[Any], bool]
 
@@ -84,11 +84,7 @@ _EPOCH: dict[str, Check] = {
 
 
 def check_plan(plan: Any) -> None:
-    """Check the types and ranges of all values of a plan.
-
-    Raises:
-        ValueError: The first value that is missing or wrong.
-    """
+    """Raise ValueError for the first missing or invalid value of a plan."""
     _check("plan", plan, _PLAN)
     if len(plan["guesses"]) != len(plan["steps"]):
         raise ValueError(f"plan: expected one guess for each of {len(plan['steps'])} steps, got {len(plan['guesses'])}")

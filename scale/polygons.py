@@ -1,10 +1,7 @@
-"""Areas as polygons: what users give as GeoJSON, well-known text or corners, and what of a plane they hold.
+"""Areas as polygons from GeoJSON (RFC 7946), well-known text (OGC 06-103r4) or corners, and point tests.
 
-An area is a list of polygons, a polygon a list of rings, a ring its corners [n, 2]. A place is in a polygon by the
-even-odd rule over all of its rings, so that holes are outside, and in an area where it is in any of its polygons.
-Places on an edge: as `SelectionPolygonVolume` has them.
-
-Source: RFC 7946 (GeoJSON); OGC 06-103r4 (well-known text).
+An area is a list of polygons, a polygon a list of rings, a ring corners (n, 2). Even-odd rule per polygon, union of
+polygons; edges as in `SelectionPolygonVolume`.
 """
 
 from __future__ import annotations
@@ -33,20 +30,13 @@ Ring = NDArray[np.float64]
 Area = list[list[Ring]]
 SUFFIXES = (".geojson", ".json", ".wkt")
 MOST_CORNERS = 1_000_000
-MOST_NESTED = 100  # collections in each other
-# Possessive, so that a text of blanks takes linear time.
+MOST_NESTED = 100  # nesting depth of collections
+# Possessive quantifiers: linear time for blank text.
 _WKT = re.compile(r"(?:SRID=\d++;\s*+)?(MULTI)?POLYGON\s*+(?:(?:ZM|Z|M)\s*+)?(?=\()", re.IGNORECASE)
 
 
 def parse_area(name: str, value: Any) -> Area:
-    """The area of a .geojson, .json or .wkt file, of such text, of GeoJSON as a dictionary, or of corners [n, 2].
-
-    Rings of rings as `to_json` makes them are taken, too.
-
-    Raises:
-        FileError: The file cannot be read, or is no area.
-        ValueError: What is given is none; what is wrong with it.
-    """
+    """Parse a .geojson, .json or .wkt file, such text, a GeoJSON dictionary, corners (n, 2), or `to_json` output."""
     if isinstance(value, Path) or (isinstance(value, str) and value.lower().endswith(SUFFIXES)):
         path = Path(value)
         try:
@@ -70,7 +60,6 @@ def parse_area(name: str, value: Any) -> Area:
 
 
 def to_json(area: Area) -> list[Any]:
-    """An area in JSON's types."""
     return [[ring.tolist() for ring in polygon] for polygon in area]
 
 
@@ -104,7 +93,6 @@ def _from_text(name: str, text: str) -> Any:
 
 
 def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
-    """The polygons of an object of GeoJSON."""
     waiting: list[tuple[Any, int]] = [(told, 0)]
     while waiting:
         each, depth = waiting.pop()
@@ -127,7 +115,7 @@ def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
             yield part
 
 
-# What an object of GeoJSON is made of, by its type, and whether there are several of them.
+# Members of GeoJSON objects by type, and whether there are several.
 _PARTS = {
     "FeatureCollection": ("features", True),
     "Feature": ("geometry", False),
@@ -138,7 +126,7 @@ _PARTS = {
 
 
 def _check_polygon(name: str, rings: Any, is_told: bool) -> list[Ring]:
-    """The rings of a polygon; of a text's (`is_told`), values of another type are wrong values."""
+    """Validate the rings of a polygon; `is_told` if they come from text."""
     if not isinstance(rings, list | tuple):
         raise ValueError(f"{name}: expected a list of rings, got {shown(rings)}")
     try:
@@ -161,24 +149,12 @@ def _check_ring(name: str, ring: Any) -> Ring:
 
 
 def bounds_of(area: Area) -> tuple[Ring, Ring]:
-    """The lowest and the highest corner."""
     corners = np.concatenate([ring for polygon in area for ring in polygon])
     return corners.min(axis=0), corners.max(axis=0)
 
 
 def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, Any]]) -> Area:
-    """An area in the coordinates of a survey; edges are straight there.
-
-    Args:
-        name: Of the argument, for errors.
-        area: It.
-        crs: The system that it is in, as pyproj reads it; None for that of the survey.
-        sources: The files of the survey, described.
-
-    Raises:
-        ValueError: It lies elsewhere, in degrees it seems, or the system cannot be read.
-        FileError: The survey's system cannot be read or is not told, or pyproj is missing.
-    """
+    """Transform an area from `crs` (None: the survey's) to a survey's coordinates; edges stay straight."""
     filled = [source for source in sources if source["points"]]
     if crs is not None:
         area = _transformed(name, area, crs, Path(sources[0]["path"]))
@@ -209,7 +185,7 @@ def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
 
 
 def mask_area(area: Area, points: Any, origin: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """True for the points inside an area, shape [n]; the points are a device array as `mask_polygon` takes it."""
+    """Mask of device points inside an area, shape (n,)."""
     found = np.zeros(points.size, np.bool_)
     for polygon in area:
         inside = np.zeros(points.size, np.bool_)
@@ -221,7 +197,7 @@ def mask_area(area: Area, points: Any, origin: NDArray[np.float64]) -> NDArray[n
 
 
 def boxes_that_meet(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
-    """Which boxes [n, 2] an area has a place in common with."""
+    """Mask of boxes (n, 2) that overlap an area."""
     corners = upload(np.pad(lows, ((0, 0), (0, 1))), vec3d, resolve_device("cpu"))
     meets = mask_area(area, corners, np.zeros(3))
     for polygon in area:
@@ -232,7 +208,7 @@ def boxes_that_meet(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
 
 
 def _edge_meets(a: Ring, b: Ring, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
-    """Which boxes an edge passes through or touches (slabs)."""
+    """Mask of boxes that an edge touches (slab test)."""
     enter, leave = np.zeros(len(lows)), np.ones(len(lows))
     for axis in range(2):
         way = b[axis] - a[axis]

@@ -1,7 +1,7 @@
-"""Tasks run by this process, by processes of this machine, or by the workers of a dask scheduler.
+"""Run tasks in this process, in local processes, or on the workers of a dask scheduler.
 
-Several processes are always workers of dask.distributed, which restarts workers that die and repeats their tasks. The
-calling process claims tasks in the manifest and records their results. The workers read the files of the job.
+Several processes are dask.distributed workers, which restart after a death. The calling process claims tasks and
+records results in the manifest; workers read the job's files.
 """
 
 from __future__ import annotations
@@ -36,23 +36,17 @@ Result = TypeVar("Result")
 
 
 class Book(Protocol):
-    """The tasks that one run claims in a manifest."""
+    """Tasks that one run claims in a manifest."""
 
     def take(self) -> Any:
         """Claim a task. True if one may follow after running tasks, False if none is left."""
         ...
 
-    def do(self, task: Any, device: str) -> Any:
-        """Run a task in this process."""
-        ...
+    def do(self, task: Any, device: str) -> Any: ...
 
-    def settle(self, task: Any, found: Any) -> None:
-        """Record the result of a task."""
-        ...
+    def settle(self, task: Any, found: Any) -> None: ...
 
-    def fail(self, task: Any, error: Exception) -> None:
-        """Record the error of a task."""
-        ...
+    def fail(self, task: Any, error: Exception) -> None: ...
 
     def set_aside(self, task: Any, reason: str) -> None:
         """Record that workers died repeatedly at a task."""
@@ -70,23 +64,10 @@ def run_tasks(
     security: Any = None,
     device: str = "cpu",
 ) -> None:
-    """Run all tasks that this run can claim.
-
-    Args:
-        manifest: Of the job.
-        book_of: Returns the book for the name of this run.
-        call: Called in worker processes with a task and a device; they import it.
-        tell: Called after each task.
-        workers: Processes of this machine.
-        scheduler: The address of a dask scheduler instead; None and 0 workers run the tasks in this process.
-        security: A `distributed.Security` for the scheduler.
-        device: "cpu" or "cuda": a GPU for each process.
-
-    Raises:
-        FileError: distributed is not installed, the workers cannot be started or have another version of pointloom, or
-            the scheduler cannot be reached.
-        DeviceError: There is no such device, or no GPU is free for a worker.
-    """
+    """Run all tasks that this run can claim; FileError or DeviceError if workers cannot be started. `book_of` returns
+    the book of the named run, `call` is imported by workers and gets a task and a device, `tell` is called after each
+    task. Without `workers` and `scheduler` (an address, with `security`) tasks run in this process. With "cuda" each
+    process gets its own GPU."""
     path = manifest.folder / NAME
     try:
         with contextlib.ExitStack() as stack:
@@ -106,12 +87,7 @@ def run_tasks(
 
 
 class Processes:
-    """Worker processes of this machine that apply functions to many arguments; 0 uses this process.
-
-    Args:
-        count: Number of processes.
-        path: The output file, for errors.
-    """
+    """Local worker processes that map functions; count 0 uses this process. `path` is the output file, for errors."""
 
     def __init__(self, count: int, path: Any):
         self.count, self._path, self._client = count, path, None
@@ -126,11 +102,7 @@ class Processes:
         self._stack.close()
 
     def map(self, call: Callable[..., Result], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Result]:
-        """Yield `call(*task)` in the order of the tasks; about one result per process is computed ahead.
-
-        Raises:
-            FileError: Processes died repeatedly at one task.
-        """
+        """Yield `call(*task)` in task order, about one per process ahead; FileError after repeated deaths."""
         if self._client is None:
             yield from (call(*task) for task in tasks)
             return
@@ -157,7 +129,7 @@ def _run_here(manifest: Manifest, book: Book, device: str, tell: Callable[[], No
             continue
         try:
             found = book.do(task, device)
-        except Exception as error:  # of steps, which may be a user's
+        except Exception as error:  # user code in steps
             book.fail(task, error)
         else:
             book.settle(task, found)
@@ -167,7 +139,7 @@ def _run_here(manifest: Manifest, book: Book, device: str, tell: Callable[[], No
 def _run_on(
     client: Any, manifest: Manifest, book: Book, call: Callable[..., Any], device: str, tell: Callable[[], None]
 ) -> None:
-    """Run the tasks on the workers of a client, one at a time on each: dask counts a death against all of its tasks."""
+    """Run tasks on a client's workers, one at a time each: dask counts a death against all tasks of a worker."""
     path, running, ready = manifest.folder / NAME, {}, set[str]()
     seen = time.monotonic()
     while True:
@@ -190,7 +162,7 @@ def _run_on(
 
 
 def _ended(running: dict[Any, Any]) -> list[Any]:
-    """The futures that end within LOOK seconds."""
+    """Futures that end within LOOK seconds."""
     if not running:
         time.sleep(LOOK)
         return []
@@ -209,7 +181,7 @@ def _settle(path: Path, book: Book, task: Any, future: Any) -> None:
         found = future.result()
     except importlib.import_module("distributed").KilledWorker:
         book.set_aside(task, DIED)
-    except Exception as error:  # of steps, which may be a user's
+    except Exception as error:  # user code in steps
         book.fail(task, error)
     else:
         book.settle(task, found)
@@ -217,7 +189,7 @@ def _settle(path: Path, book: Book, task: Any, future: Any) -> None:
 
 @contextlib.contextmanager
 def _local_client(path: Any, count: int) -> Iterator[Any]:
-    """A client of so many new processes of this machine, which end with this one."""
+    """Client of new local processes that end with this one."""
     distributed, config = _imported(path, "distributed"), _imported(path, "dask.config")
     threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
     options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1, "memory_limit": 0, "host": "127.0.0.1"}
@@ -247,7 +219,7 @@ def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
     with contextlib.ExitStack() as stack:
         stack.enter_context(_quiet())
         try:
-            with ThreadPoolExecutor(1) as pool:  # a Client that finds none is waited for again when it is released
+            with ThreadPoolExecutor(1) as pool:  # an unsuccessful Client waits again when released
                 pool.submit(lambda: asyncio.run(_touch(distributed, address, security))).result()
             client = distributed.Client(address, timeout=PATIENCE, set_as_default=False, security=security)
         except (OSError, ValueError, TimeoutError, RuntimeError, TypeError) as error:
@@ -267,19 +239,19 @@ def _imported(path: Any, module: str) -> Any:
 
 
 def _close(client: Any) -> None:
-    with contextlib.suppress(TimeoutError, OSError):  # of a scheduler that has gone
+    with contextlib.suppress(TimeoutError, OSError):  # the scheduler is gone
         client.close(timeout=2)
 
 
 async def _touch(distributed: Any, address: str, security: Any) -> None:
-    """Open a connection to the scheduler, and close it."""
+    """Test the connection to the scheduler."""
     arguments = (security or distributed.Security()).get_connection_args("client")
     (await distributed.comm.connect(address, timeout=PATIENCE, **arguments)).abort()
 
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """Have distributed not print what is an error here, or none, such as a connection that ends."""
+    """Suppress distributed's log output for errors that are handled here, such as closed connections."""
     loggers = [logging.getLogger(f"distributed.{name}") for name in _QUIET]
     levels = [logger.level for logger in loggers]
     for logger in loggers:
@@ -301,7 +273,7 @@ def _workers(client: Any, path: Path) -> set[str]:
 
 
 def _prepared(client: Any, path: Path, workers: set[str], device: str) -> set[str]:
-    """Reserve the devices of new workers and check their versions; those that answered."""
+    """Reserve devices of new workers and check their versions; returns those that answered."""
     told = client.run(_prepare, device, workers=[*workers], on_error="return") if workers else {}
     told = {address: version for address, version in told.items() if not isinstance(version, OSError)}
     for address, version in told.items():
@@ -315,9 +287,9 @@ def _prepared(client: Any, path: Path, workers: set[str], device: str) -> set[st
     return {*told}
 
 
-_ONE = threading.Lock()  # a worker may have several threads, and has one device
+_ONE = threading.Lock()  # a worker may have several threads, but has one device
 _held = contextlib.ExitStack()
-_devices: dict[str, str] = {}  # those that this process has reserved, by what was asked for
+_devices: dict[str, str] = {}  # devices reserved by this process, by request
 
 
 def _device(asked: str) -> str:
@@ -327,14 +299,13 @@ def _device(asked: str) -> str:
 
 
 def _prepare(device: str) -> str:
-    """In a worker: reserve its device; its version of pointloom."""
+    """In a worker: reserve its device; returns its version of pointloom."""
     with _ONE:
         _device(device)
     return __version__
 
 
 def _call(call: Callable[..., Any], task: Any, device: str) -> Any:
-    """In a worker: run a task."""
     with _ONE:
         return call(task, _device(device))
 
@@ -344,22 +315,12 @@ try:
 except ImportError:  # Windows
     fcntl = None
 
-LOCKS = "pointloom-gpus"  # in the temporary folder of the machine
+LOCKS = "pointloom-gpus"  # in the machine's temporary folder
 
 
 @contextmanager
 def reserved_device(device: str) -> Iterator[str]:
-    """Reserve a device for this process: the CPU, which needs none, or a GPU that no other run of the machine uses.
-
-    Args:
-        device: "cpu", "cuda" for any GPU, or "cuda:1" for that one.
-
-    Yields:
-        Warp's name of the device.
-
-    Raises:
-        DeviceError: There is no such device, or none is free.
-    """
+    """Reserve the CPU (no lock) or a free GPU: "cpu", "cuda" or "cuda:1"; yields Warp's device name."""
     first = resolve_device(device)
     if not first.is_cuda:
         yield device
@@ -380,15 +341,15 @@ def reserved_device(device: str) -> Iterator[str]:
 
 
 def _lock(uuid: str) -> int | None:
-    """The descriptor of a GPU's lock, or None where another process holds it."""
+    """Descriptor of a GPU's lock, or None if another process holds it."""
     folder = Path(tempfile.gettempdir()) / LOCKS
     path = folder / uuid
     try:
         if not folder.is_dir():
             folder.mkdir(exist_ok=True)
-            folder.chmod(0o1777)  # of all users of the machine
+            folder.chmod(0o1777)  # shared by all users
         try:
-            lock = os.open(path, os.O_RDONLY)  # another user's is not written to
+            lock = os.open(path, os.O_RDONLY)  # opened read-only, since it may belong to another user
         except FileNotFoundError:
             lock = os.open(path, os.O_RDONLY | os.O_CREAT, 0o644)
     except OSError as error:

@@ -1,7 +1,7 @@
-"""Rasters of tiles, and the mosaics of them.
+"""Rasters of tiles and their mosaics.
 
-All tiles share one grid. A cell is of the tile that its centre is in, and what it is depends on points within a reach
-that the tile's halo covers, so a mosaic takes each cell from one tile and is the raster of the whole.
+All tiles share one grid. A cell belongs to the tile that contains its center and depends only on points in the halo, so
+the mosaic equals the raster of the complete cloud.
 """
 
 from __future__ import annotations
@@ -30,21 +30,12 @@ from .sources import file_of
 from .steps.raster import Rasterize
 
 FOLDER = "rasters"
-STRIP = 1024  # cells along a side of the windows that a mosaic is written by: 12 MB
-MOST_OPEN = 64  # rasters of tiles at a time
-_PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF's key of the system's number
+STRIP = 1024  # cells per side of the mosaic windows: 12 MB
+MOST_OPEN = 64  # open rasters of tiles
+_PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
 
 
 def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, place: tuple[int, int]) -> None:
-    """Write the raster of a tile, of a cloud that holds all within the step's reach of it; none where it has no cell.
-
-    Args:
-        step: The step.
-        cloud: The points about the plan's origin.
-        plan: The Plan.
-        folder: Of the job.
-        place: Of the tile, ix and iy.
-    """
     cells = tile_cells(step, plan, place)
     if cells is None:
         return
@@ -55,7 +46,7 @@ def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, p
 
 
 def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np.int64]) -> Raster:
-    """The raster of the cells (x0, y0, x1, y1), the last ones not among them."""
+    """Raster of the cells (x0, y0, x1, y1), upper ends exclusive."""
     params, corner = step.params, np.array(step.params["corner"])
     rim = 0 if step.fill is None else math.ceil(step.fill / step.cell)
     told = {name: params[name] for name in ("kind", "reach", "neighbors", "classes", "corner")}
@@ -79,14 +70,14 @@ def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np
 
 
 def grid_cells(step: Rasterize, plan: Plan) -> list[int]:
-    """The cells that a raster of all files has: (x0, y0, x1, y1), the last ones not among them."""
+    """Cells of the complete raster: (x0, y0, x1, y1), upper ends exclusive."""
     corner = np.array(step.params["corner"])
     low, high = (np.floor((np.array(plan.told[end])[:2] - corner) / step.cell) for end in ("low", "high"))
     return [*low.astype(np.int64).tolist(), *(high + 1).astype(np.int64).tolist()]
 
 
 def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[np.int64] | None:
-    """The cells whose centres are in a tile: (x0, y0, x1, y1), the last ones not among them; None where none is."""
+    """Cells with centers in a tile: (x0, y0, x1, y1), upper ends exclusive; None if there are none."""
     every, found = grid_cells(step, plan), np.empty(4, np.int64)
     for axis in range(2):
         corner, begin = step.params["corner"][axis], plan.corner[axis] + place[axis] * plan.size
@@ -103,12 +94,11 @@ def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[n
 
 
 def raster_path(folder: Path, name: str, place: tuple[int, int]) -> Path:
-    """The raster of a tile."""
     return folder / FOLDER / name / f"{place[0]}_{place[1]}.tif"
 
 
 def crs_of(plan: Plan) -> str | None:
-    """The coordinate system of the files, for rasterio; None where none is told by text or number."""
+    """Coordinate system of the files for rasterio; None if unknown."""
     header = file_of(plan.sources[0]).header
     text = find_text(header)
     if text:
@@ -118,23 +108,13 @@ def crs_of(plan: Plan) -> str | None:
 
 
 def mosaics_of(plan: Plan, path: Path) -> list[Path]:
-    """The files of the rasters of all tiles, beside the result of this path: `result.dtm.tif` beside `result.laz`."""
+    """Mosaic files beside a result: `result.dtm.tif` beside `result.laz`."""
     stem = path.name.removesuffix(path.suffix).removesuffix(".copc")
     return [path.with_name(f"{stem}.{step.raster}.tif") for step in plan.steps if isinstance(step, Rasterize)]
 
 
 def write_mosaics(manifest: Manifest, plan: Plan, paths: list[Path], overwrite: bool) -> None:
-    """Make one GeoTIFF of each raster of all tiles, window by window.
-
-    Args:
-        manifest: The job's.
-        plan: The Plan.
-        paths: Those of `mosaics_of`.
-        overwrite: Whether existing files may be replaced.
-
-    Raises:
-        FileError: A raster of a tile is missing or of another size, or a mosaic cannot be written.
-    """
+    """Write a GeoTIFF per raster, window by window; FileError if a tile's raster is wrong or writing fails."""
     steps = [step for step in plan.steps if isinstance(step, Rasterize)]
     for step, path in zip(steps, paths, strict=True):
         _write_mosaic(manifest, plan, step, path, overwrite)
@@ -169,7 +149,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
 
 
 class _Tiles:
-    """The rasters of tiles, a few open at a time."""
+    """Rasters of tiles, a few open at a time."""
 
     def __init__(self, folder: Path, step: Rasterize, held: dict[Any, Any]):
         self.folder, self.step, self.held = folder, step, held
@@ -182,7 +162,7 @@ class _Tiles:
         self.files.clear()
 
     def lay(self, place: tuple[int, int], own: Any, box: Any, out: NDArray[np.float32]) -> None:
-        """Lay what a tile has in a box of cells; a tile without points near it has no file, and no values."""
+        """Copy a tile's values in a box of cells; a tile without points has no file."""
         path = raster_path(self.folder, self.step.raster, place)
         if self.files.find(place) is None and not path.exists():
             return

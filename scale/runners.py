@@ -1,7 +1,4 @@
-"""Run a job of tiles: in this process, by several of this machine, as one part of an array job, or on a cluster.
-
-Any number of runs on one folder share its tiles. A run claims files to be laid by tile, then tiles, pass after pass.
-"""
+"""Run a job of tiles: in this process, in local processes, as a part of an array job, or on a cluster."""
 
 from __future__ import annotations
 
@@ -35,43 +32,34 @@ def run_tiles(
     functions: Iterable[Callable[..., Any]] = (),
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
-    """Work the tiles of a folder off; what earlier runs have done stays.
+    """Process the tiles of a folder; finished ones stay.
 
-    Several runs may work on one folder at once: each tile is one run's. A worker that dies is replaced and its tile is
-    done again; after three deaths at one tile it is set aside. A tile whose steps raise an error has failed, and the
-    others go on.
+    Several runs may share a folder; each tile belongs to one run. A tile is repeated if its worker dies and is
+    quarantined after three deaths. If a step fails on a tile, the others continue. Interrupted tiles wait again.
 
     Args:
-        folder: Of `plan_tiles`.
-        workers: Processes of this machine, started by dask.distributed with one thread each; 0 works in this one.
-            Processes need `pip install "pointloom[tiling]"`, and in a script a call below
-            `if __name__ == "__main__":`.
-        part: (17, 400): only the 17th of 400 shares of the tiles, for array jobs of a cluster whose machines share the
-            folder. Where a step needs numbers of the whole, a share ends where it needs the others': run it again.
-        tile: "3_4": only this one, which is done again if it failed or was set aside.
-        scheduler: "tcp://host:8786": by the workers of that dask scheduler, which see the folder and the files under
-            the same paths and have the same version. Give workers no memory limit (`--memory-limit 0`): they do not
-            see what kernels use.
-        security: A `distributed.Security` with the certificates for a "tls://" scheduler; None takes those of dask's
-            own configuration.
-        device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
-            "cuda:1" is that one. The result is the same, see the notes.
-        functions: Functions of the plan's `function` steps, if another process planned them. A plan can name a function
-            but never allows it: only functions that are passed here or to `plan_tiles`, and registered entry points,
-            are called.
-        progress: Called with "files", "tiles" or "pass 1 of 2", how many are done, and how many there are.
+        folder: Folder of `plan_tiles`.
+        workers: Number of local dask.distributed processes with one thread each; 0 uses this process. Needs
+            `pip install "pointloom[tiling]"`, and in a script a call below `if __name__ == "__main__":`.
+        part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
+            needs others.
+        tile: "3_4": only this tile, also if it failed or was quarantined.
+        scheduler: "tcp://host:8786": use a dask scheduler whose workers see the same paths and have the same version.
+            Start workers with `--memory-limit 0`.
+        security: A `distributed.Security` for a "tls://" scheduler. If None: dask's configuration.
+        device: "cpu" or "cuda": each worker gets its own GPU exclusively; or one such as "cuda:1". Results are equal.
+        functions: Functions of the plan's `function` steps, if another process planned them. Only functions passed here
+            or to `plan_tiles`, and registered entry points, are called.
+        progress: Called with "files", "tiles" or "pass 1 of 2", the progress and the total.
 
     Returns:
-        A TileStatus; look at `failed` and `aside`.
+        A TileStatus; check `failed` and `aside`.
 
     Raises:
-        FileError: There is no plan, it is of other files or of another version, it names a function that was not
-            passed, a file cannot be laid by tile, or workers cannot be started.
-        ValueError: There is no such tile, or a part is given too; workers and a scheduler.
-        DeviceError: There is no such device, or fewer GPUs are free than workers want.
-
-    Notes:
-        Where the call is interrupted, the tiles that were worked on wait again; that is not held against them.
+        FileError: If there is no plan, files or version changed, a function was not passed, sorting fails, or workers
+            cannot start.
+        ValueError: If the tile does not exist, or options are contradictory.
+        DeviceError: If the device does not exist, or fewer GPUs are free than needed.
     """
     count, report = check_count("workers", workers, minimum=0), check_progress(progress)
     if tile is not None and part is not None:
@@ -99,7 +87,7 @@ def run_tiles(
 
 
 def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
-    """Hold that nothing failed that all tiles wait for."""
+    """Raise FileError if something failed that all tiles need."""
     remedy = "Mend it and call retry_tiles(folder)"
     bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
     if bad:
@@ -112,7 +100,7 @@ def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
 
 
 def retry_tiles(folder: FilePath) -> TileStatus:
-    """Have the tiles that failed or were set aside, and such files, wait again; `run_tiles` then does them."""
+    """Reset failed and quarantined tiles and files to waiting; then call `run_tiles`."""
     with Manifest(path_of(folder, "folder")) as manifest:
         manifest.give_back()
         with manifest.change() as base:
@@ -124,7 +112,7 @@ def retry_tiles(folder: FilePath) -> TileStatus:
 
 
 def check_part(part: Any) -> tuple[int, int]:
-    """(which, of how many) of a `part`; all of one where there is none."""
+    """(index, count) of a `part`."""
     if part is None:
         return 1, 1
     if not isinstance(part, tuple | list) or len(part) != 2:
@@ -134,7 +122,7 @@ def check_part(part: Any) -> tuple[int, int]:
 
 
 def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
-    """The part of an array job that one tile is, which waits again if it failed."""
+    """Part that consists of one tile, reset if it failed."""
     found = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
     rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, found.groups())) if found else []
     if not rows:
@@ -147,7 +135,7 @@ def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
 
 
 def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
-    """Tell how many files are laid by tile, then how many tiles are over, or through the pass that is done now."""
+    """Report sorted files, then tiles finished or through the current pass."""
     if report is say_nothing:
         return
     if any(source["kind"] != "copc" for source in plan.files):

@@ -1,4 +1,4 @@
-"""The tables of a manifest, and the check that a database has these."""
+"""Tables of a manifest."""
 
 from __future__ import annotations
 
@@ -31,16 +31,12 @@ CREATE TABLE tasks (
     state TEXT NOT NULL DEFAULT 'waiting', owner TEXT, attempts INTEGER NOT NULL DEFAULT 0, error TEXT);
 CREATE INDEX tasks_by_state ON tasks (stage, state, id);
 """
-# Of the files of tiles, by tile. In a table of its own, which runs that began without it are given.
+# Checksums of tile files. In a separate table, which is added to manifests of older runs.
 CHECKSUMS = "CREATE TABLE IF NOT EXISTS checksums (tile INTEGER PRIMARY KEY, crc INTEGER NOT NULL)"
 
 
 def check_schema(base: sqlite3.Connection, tables: str) -> None:
-    """Check that a database has the tables of a manifest.
-
-    Raises:
-        ValueError: It has others.
-    """
+    """Raise ValueError if a database has other tables than a manifest."""
     query = "SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name != 'checksums'"
     with contextlib.closing(sqlite3.connect(":memory:")) as empty:
         empty.executescript(tables)

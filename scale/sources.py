@@ -1,8 +1,7 @@
-"""The files of a job: what the plan writes down of each, and the rows of a window in their canonical order.
+"""Files of a job: their description in the plan, and the points of a window in canonical order.
 
-The order of points is that of the files and of the rows in them, whatever tile or window they are read for. COPC files
-are read by windows; of other LAS and LAZ files a pass over the whole has made buckets (buckets.py). Of yet others a LAZ
-file is made first (loose_files.py).
+Points are ordered by file and row for every tile. COPC files are read by windows, other LAS and LAZ files from buckets
+(buckets.py), all others through a LAZ conversion (loose_files.py).
 """
 
 from __future__ import annotations
@@ -37,18 +36,12 @@ from .loose_files import SUFFIXES as LOOSE
 from .loose_files import taken_over
 from .manifest import NAME, NOT_LAID, read_plan
 
-IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # which are notes as often as points
-ROW_BITS = 40  # of a point's key, for its row in the file; what is above is the file's number
+IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # these may be notes
+ROW_BITS = 40  # bits of a point's key for its row; the rest is the file number
 
 
 def list_files(sources: Any) -> list[Path]:
-    """The files that paths of files, folders and indexes stand for, absolute and without repeats, in their order.
-
-    Of a folder these are its LAS and LAZ files; where it has none, its other files of points.
-
-    Raises:
-        FileError: One is not there or cannot be read, is no file of points, or a folder or an index holds none.
-    """
+    """Absolute unique paths of the files given by files, folders (LAS and LAZ, else other point files) and indexes."""
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
     found: dict[Path, None] = {}
     for path in map(path_of, given):
@@ -81,19 +74,8 @@ def list_files(sources: Any) -> list[Path]:
 def describe_all(
     paths: list[Path], folder: Path, report: ReportProgress, epoch: int | None = None
 ) -> list[dict[str, Any]]:
-    """What the plan writes down of files; of those that are no LAS it has LAZ files made in the folder of the job.
-
-    What a plan in the folder says of files that are as they were is taken from there.
-
-    Args:
-        paths: The files of a survey.
-        folder: Of the job.
-        report: Told what is done.
-        epoch: The number of the epoch that these are; None for the survey that the job is of.
-
-    Raises:
-        FileError: As of `describe` and of `taken_over`; a file that was made of one is gone.
-    """
+    """Descriptions of files for the plan; converts files that are not LAS, in the job's folder. Descriptions of
+    unchanged files are taken from an existing plan. `epoch` is None for the survey itself."""
     loose = [path for path in paths if path.suffix.lower() in LOOSE]
     if not loose:
         return [describe(path) for path in paths]
@@ -119,7 +101,6 @@ def describe_all(
 
 
 def _state_on_disk(path: Path) -> dict[str, Any]:
-    """A file's name, and what tells whether it is still the same."""
     try:
         told = path.stat()
     except OSError as error:
@@ -128,11 +109,7 @@ def _state_on_disk(path: Path) -> dict[str, Any]:
 
 
 def describe(path: Path) -> dict[str, Any]:
-    """What the plan writes down of a LAS file, in JSON's types.
-
-    Raises:
-        FileError: It cannot be read, does not go with its header, or holds degrees.
-    """
+    """Description of a LAS file in JSON's types; FileError if damaged or in degrees."""
     file = open_las(path)
     header = file.header
     if is_geographic(header):
@@ -140,7 +117,7 @@ def describe(path: Path) -> dict[str, Any]:
         raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
     kind = "copc" if is_copc(file) else "rows"
     if kind == "copc":
-        octree_of(file)  # held against the chunks
+        octree_of(file)  # validates it against the chunks
     units = units_of(header)
     low, high = header.bounds
     return {
@@ -159,11 +136,7 @@ def describe(path: Path) -> dict[str, Any]:
 
 
 def check_alike(sources: list[dict[str, Any]]) -> None:
-    """Hold that files may be taken for one cloud.
-
-    Raises:
-        FileError: One has another coordinate system, unit, scale or other attributes than the first.
-    """
+    """Raise FileError if files differ in coordinate system, unit, scale or attributes."""
     first = sources[0]
     for other in sources[1:]:
         for key, what in (
@@ -178,7 +151,7 @@ def check_alike(sources: list[dict[str, Any]]) -> None:
 
 
 def warn_of_lost_records(sources: list[dict[str, Any]]) -> None:
-    """Warn of what the first file has and tiles do not: waveforms, or other records if there are several files."""
+    """Warn about waveforms, or records of several files, which tiles do not keep."""
     header = file_of(sources[0]).header
     if lost := left_out_of(header):
         warn_of_loss(given_as(sources[0]), " and the ".join(lost), "tiles hold points alone")
@@ -188,7 +161,7 @@ def warn_of_lost_records(sources: list[dict[str, Any]]) -> None:
 
 
 def given_as(source: dict[str, Any]) -> str:
-    """The path of a file as the user knows it: not that of the LAZ that was made of it."""
+    """Path of the file as given by the user, not of its LAZ conversion."""
     return source.get("original", source)["path"]
 
 
@@ -199,11 +172,7 @@ def _said(value: Any) -> str:
 
 
 def check_same(source: dict[str, Any]) -> None:
-    """Hold that a file is still the one that was planned with.
-
-    Raises:
-        FileError: It is gone, or its size or time is another.
-    """
+    """Raise FileError if a file is missing, or its size or time changed."""
     if "original" in source:
         check_same(source["original"])
     path = Path(source["path"])
@@ -220,7 +189,6 @@ def check_same(source: dict[str, Any]) -> None:
 
 
 def file_of(source: dict[str, Any]) -> LasFile:
-    """A file of the plan, opened; it stays so for a while."""
     return _opened(*_state_of(source))
 
 
@@ -235,7 +203,7 @@ def _opened(path: str, size: int, mtime_ns: int) -> LasFile:
 
 @lru_cache(maxsize=8)
 def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray[np.int64]]:
-    """A COPC file, and the row in the file at which each of its nodes begins."""
+    """A COPC file and the first row of each node."""
     copc = octree_of(_opened(path, size, mtime_ns))
     in_file = np.argsort(copc.nodes["begin"], kind="stable")
     counts = copc.nodes["count"][in_file].astype(np.int64)
@@ -245,32 +213,17 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
 
 
 class NotLaidError(Exception):
-    """A tile needs a file that was far from all tiles when they were planned; its number is the argument."""
+    """A tile needs a file that was far from all tiles during planning; the argument is its number."""
 
 
 def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
-    """The points of all files in a window, in canonical order, as `read_rows`."""
     return read_rows(plan, folder, fulls, window, epoch)[0]
 
 
 def read_rows(
     plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None
 ) -> tuple[PointTable, NDArray[np.int64]]:
-    """The points of all files in a window, in canonical order, and a key of each, which is ascending.
-
-    A key is the number of the file and that of the row in it.
-
-    Args:
-        plan: The Plan.
-        folder: Where the buckets are.
-        fulls: The value of a full colour of each file with buckets.
-        window: Which points.
-        epoch: Of which other epoch; None for the survey itself.
-
-    Raises:
-        FileError: A file or a bucket is damaged, or a file has changed.
-        NotLaidError: A file's rows were not laid by tile.
-    """
+    """Points of all files in a window in canonical order, and ascending keys made of file number and row."""
     tables, keys, listed = [], [], plan.numbered(epoch)
     for number, source in listed:
         if not _meets(source, window, plan.slack):
@@ -288,7 +241,7 @@ def read_rows(
         if len(rows):
             tables.append(_decoded(file, rows, full))
             keys.append(numbers + (np.int64(number) << ROW_BITS))
-        check_same(source)  # not written to while it was read
+        check_same(source)  # not modified during reading
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
         file = file_of(listed[0][1])
@@ -306,7 +259,7 @@ def _rows_of_copc(
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
     low, high = np.array([*window[:2], -np.inf]), np.array([*window[2:], np.inf])
     which = copc.nodes_within(low, high)
-    check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # of which many may lie outside
+    check_size(plan, int(copc.nodes["count"][which].sum()) // 4)  # many of them may be outside
     which = which[np.argsort(copc.nodes["begin"][which], kind="stable")]
     rows = np.frombuffer(copc.unpack(which), copc.file.layout.dtype())
     _check_nodes(copc, which, rows, plan)
@@ -317,7 +270,7 @@ def _rows_of_copc(
 
 
 def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], plan: Any) -> None:
-    """Hold that points lie in the cubes of their nodes: elsewhere a window would miss them."""
+    """Raise FileError if points are outside the cubes of their nodes, where a window would miss them."""
     nodes = copc.nodes[which]
     widths = copc.side / 2.0 ** nodes["level"]
     lows = copc.corner + nodes["cell"] * widths[:, None]
@@ -356,11 +309,7 @@ INDEX = ".vpc"
 
 
 def files_of_index(path: Path) -> list[Path]:
-    """The files that a virtual point cloud (.vpc: STAC items) lists, in its order.
-
-    Raises:
-        FileError: It cannot be read, is none, lists what is not there or no LAS file, or says of one what is not so.
-    """
+    """Files listed in a virtual point cloud (.vpc: STAC items); FileError if an entry is wrong."""
     try:
         items = read_json_object(path)["features"]
         hrefs = [_data_of(item["assets"])["href"] for item in items]
@@ -380,7 +329,7 @@ def files_of_index(path: Path) -> list[Path]:
             if not file.is_file():
                 file = (path.parent / unquote(href)).resolve()
             is_there = file.is_file()
-        except (OSError, ValueError) as error:  # a name that is too long, or has NUL once it is unquoted
+        except (OSError, ValueError) as error:  # name too long, or with NUL after unquoting
             raise FileError(path, f"lists {shown(href)}: {error}", where=where) from error
         if file.suffix.lower() not in SUFFIXES:
             raise FileError(path, f"lists {href}, which is neither .las nor .laz", where=where)
@@ -394,7 +343,7 @@ def files_of_index(path: Path) -> list[Path]:
 
 
 def _data_of(assets: dict[str, Any]) -> dict[str, Any]:
-    """The asset of an item that holds its points: the one called so, or the only one with that role or such a name."""
+    """Asset with the points of an item: the one named "data", or the only one with that role or extension."""
     if "data" in assets:
         return assets["data"]
     told = [asset for asset in assets.values() if "data" in asset.get("roles", ())]
@@ -405,11 +354,7 @@ def _data_of(assets: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_item(path: Path, item: dict[str, Any], file: Path, where: str) -> None:
-    """Hold that what an item says of a file is so: its number of points, and its bounds to a step of its coordinates.
-
-    Raises:
-        FileError: It is not.
-    """
+    """Raise FileError if an item's point count or bounds disagree with its file."""
     header, told = open_las(file).header, item.get("properties") or {}
     if not isinstance(told, dict):
         raise FileError(path, f"expected an object of properties, got {shown(told)}", where=where)

@@ -1,4 +1,4 @@
-"""How far a job of tiles is."""
+"""Progress of a job of tiles."""
 
 from __future__ import annotations
 
@@ -17,21 +17,17 @@ from .steps.parse import KNOWN
 
 @dataclass(frozen=True)
 class TileStatus:
-    """How far a job of tiles is.
+    """Progress of a job of tiles.
 
     Attributes:
-        folder: The job's.
-        waiting, running, done, empty, failed, aside: Tiles in each state. Empty ones have no points in the end; failed
-            ones ended in an error that would come again; at those set aside workers died.
-        sources_waiting: Files whose points are not laid by tile yet.
-        points: Points in the files.
-        points_in: Points of the tiles that are done, without halos.
-        points_out: What the steps left of them.
-        bucket_bytes: On disk meanwhile.
-        troubles: The tile, and the error with the command that repeats it alone, of tiles that failed or were set
-            aside; files that cannot be laid by tile, and why.
-        which_pass, passes: The pass that tiles are in, from 1, of so many.
-        through: Tiles that are through it.
+        folder: Folder of the job.
+        waiting, running, done, empty, failed, aside: Number of tiles in each state. Empty ones have no points left,
+            failed ones raised an error, quarantined ones (aside) killed their workers.
+        sources_waiting: Files not yet sorted into tiles.
+        points, points_in, points_out: Points of the files, of finished tiles without halos, and after the steps.
+        bucket_bytes: Temporary disk space [B].
+        troubles: Failed and quarantined tiles with their error and command to repeat, and files that cannot be sorted.
+        which_pass, passes, through: Current pass, from 1, number of passes, and tiles through it.
     """
 
     folder: str
@@ -53,11 +49,10 @@ class TileStatus:
 
     @property
     def is_finished(self) -> bool:
-        """Whether every tile is done or empty."""
+        """True if every tile is done or empty."""
         return not (self.waiting or self.running or self.failed or self.aside)
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON types."""
         return plain(asdict(self))
 
     def __str__(self) -> str:
@@ -75,10 +70,10 @@ class TileStatus:
 
 
 def tile_status(folder: FilePath) -> TileStatus:
-    """How far the job of a folder is.
+    """Progress of the job of a folder.
 
     Raises:
-        FileError: The folder holds no manifest.
+        FileError: If the folder has no manifest.
     """
     with Manifest(path_of(folder, "folder")) as manifest:
         told = status_of(manifest)
@@ -88,7 +83,7 @@ def tile_status(folder: FilePath) -> TileStatus:
 
 
 def _lost_of(manifest: Manifest) -> dict[str, str]:
-    """What files that were written over as LAZ for a job are no longer so, and why."""
+    """Converted files that changed, and why."""
     lost = {}
     for source in files_of(manifest.plan):
         if "original" in source:
@@ -100,7 +95,6 @@ def _lost_of(manifest: Manifest) -> dict[str, str]:
 
 
 def status_of(manifest: Manifest) -> TileStatus:
-    """How far the job of an open manifest is."""
     counts: dict[str, Any] = manifest.counts()
     sources = manifest.counts("sources")
     query = "SELECT sum(points_in) AS a, sum(points_out) AS b FROM tiles"

@@ -1,6 +1,6 @@
-"""The tasks of a job of tiles: files to be laid by tile, then tiles, pass after pass.
+"""Tasks of a job of tiles: sort files into tiles, then process tiles, pass by pass.
 
-A task is claimed in the manifest, done by a function of the files alone, which may run anywhere, and settled.
+A task is claimed in the manifest, computed from the files alone, and recorded.
 """
 
 from __future__ import annotations
@@ -28,16 +28,9 @@ Found = Filled | Outcome | Joined
 
 @dataclass(frozen=True)
 class Task:
-    """A file to be laid by tile, one pass over a tile, or the join of what all tiles left in a pass.
-
-    Attributes:
-        table: "sources", "tiles" or "joins".
-        number: Of the file, the tile or the pass.
-        which_pass: Over the tile.
-        numbers: What those measured over all tiles, by the step that needs it.
-        fulls: The value of a full colour of each file with buckets.
-        left: How many things each tile left for the join, of those that left any.
-    """
+    """A file to sort, one pass over a tile, or the join after a pass. `table` is "sources", "tiles" or "joins";
+    `numbers` are global sums by step, `fulls` full color values of bucket files, `left` the number of items that tiles
+    left for the join."""
 
     table: str
     number: int
@@ -48,13 +41,12 @@ class Task:
 
 
 def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Found:
-    """Do a task."""
     if task.table == "sources":
         check_same(plan.files[task.number])
         filled = fill_buckets(plan, folder, task.number, owner)
         try:
             check_same(plan.files[task.number])
-        except FileError:  # it was written to meanwhile: the rows are half of each
+        except FileError:  # modified meanwhile: the rows are mixed
             shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
             raise
         return filled
@@ -67,14 +59,7 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Found:
 
 
 def do_task_alone(folder: str, functions: Iterable[str], task: Task, device: str) -> Found:
-    """Do a task in a worker process, which opens the plan itself and claims nothing.
-
-    Args:
-        folder: Of the job.
-        functions: Names of the functions that the caller passed, which are imported.
-        task: The task.
-        device: Where to compute.
-    """
+    """Run a task in a worker process, which opens the plan and imports the named functions."""
     plan = _plan_of(folder, (Path(folder) / NAME).stat().st_ino, (*functions,))
     plan.device = device
     return do_task(plan, Path(folder), task, REMOTE + uuid.uuid4().hex)
@@ -86,14 +71,7 @@ def _plan_of(folder: str, inode: int, functions: tuple[str, ...]) -> Plan:
 
 
 class Taskbook:
-    """What one run claims and settles in a manifest.
-
-    Args:
-        manifest: Of the job.
-        plan: Its plan.
-        part: (which, of how many): its share of the tiles.
-        owner: The run's name.
-    """
+    """Claims and results of one run in a manifest; `part` is (index, count)."""
 
     def __init__(self, manifest: Manifest, plan: Plan, part: tuple[int, int], owner: str):
         self._manifest, self._plan, self.owner = manifest, plan, owner
@@ -102,7 +80,7 @@ class Taskbook:
         self._fulls: dict[int, int] | None = None
 
     def take(self) -> Task | bool:
-        """Claim the next task; True where one may come once others are done, False where none is left."""
+        """Claim the next task; True if one may follow, False if none is left."""
         manifest = self._manifest
         row = manifest.claim("sources", self.owner)
         if row is not None:
@@ -127,10 +105,10 @@ class Taskbook:
             return False
         if manifest.counts("tiles", "pass = ?", number)["running"]:
             return True
-        return bool(manifest.counts("tiles", *here)["waiting"])  # else other shares have tiles of this pass to do
+        return bool(manifest.counts("tiles", *here)["waiting"])  # otherwise other parts still process this pass
 
     def _join_task(self, number: int) -> Task | bool | None:
-        """The join that a pass is followed by; as `take`, or None where it is done."""
+        """Join after a pass; as `take`, or None if done."""
         if self._manifest.claim("joins", self.owner, "id = ?", number) is not None:
             rows = self._manifest.rows("SELECT tile, count FROM numbers WHERE pass = ? AND count > 0", number)
             return Task("joins", number, left={row["tile"]: row["count"] for row in rows})
@@ -141,17 +119,15 @@ class Taskbook:
         for earlier, step in enumerate(self._plan.passes[: row["pass"]]):
             if step is not None and not self._plan.steps[step].joins and step not in self._numbers:
                 self._numbers[step] = sums_of(self._manifest, earlier)
-        if self._fulls is None:  # all files are laid, so they stay
+        if self._fulls is None:  # all files are sorted, so the values are final
             self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
         return Task("tiles", row["id"], row["pass"], dict(self._numbers), self._fulls)
 
     def do(self, task: Task, device: str) -> Found:
-        """Do a task in this process."""
         self._plan.device = device
         return do_task(self._plan, self._manifest.folder, task, self.owner)
 
     def settle(self, task: Task, found: Found) -> None:
-        """Write down what came of a task."""
         if isinstance(found, Filled):
             told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
             self._manifest.settle("sources", task.number, self.owner, state="done", error=None, **told)
@@ -175,10 +151,7 @@ class Taskbook:
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
     def fail(self, task: Task, error: Exception) -> None:
-        """Write down that a task ended in an error, which would come again.
-
-        A tile that needs a file which is not laid waits for that.
-        """
+        """Record the error of a task; a tile that needs an unsorted file waits for it."""
         if isinstance(error, NotLaidError):
             self._fulls = None
             with self._manifest.change() as base:
@@ -189,12 +162,11 @@ class Taskbook:
         self._manifest.settle(task.table, task.number, self.owner, state="failed", error=said_of(error))
 
     def set_aside(self, task: Task, reason: str) -> None:
-        """Write down that workers died at a task."""
         self._manifest.settle(task.table, task.number, self.owner, state="aside", error=reason)
 
 
 def lay_again(manifest: Manifest) -> None:
-    """Have files wait whose rows by tile are gone, where tiles need them."""
+    """Reset files whose buckets are missing but needed by tiles."""
     counts = manifest.counts()
     if not counts["waiting"]:
         return
@@ -206,14 +178,13 @@ def lay_again(manifest: Manifest) -> None:
 
 
 def next_pass(manifest: Manifest) -> int | None:
-    """The pass that tiles are to be done in now: one begins where all are through the one before."""
+    """Current pass; the next one starts when all tiles are through."""
     query = "SELECT pass FROM tiles WHERE state = ? ORDER BY pass LIMIT 1"
     found = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
     return min(found, default=None)
 
 
 def sums_of(manifest: Manifest, number: int) -> ExactSums:
-    """The sums of a pass over all tiles."""
     total = ExactSums()
     for row in manifest.rows("SELECT * FROM numbers WHERE pass = ?", number):
         total += ExactSums(row["count"], int(row["total"], 16), int(row["squares"], 16))

@@ -1,18 +1,9 @@
-"""One octree over the points of many LAZ files, made from the disk in bounded memory.
+"""Octree over the points of many LAZ files in bounded memory; files/points/copc_writer.py writes its nodes as COPC.
 
-files/points/copc_writer.py writes its nodes as COPC.
-
-The tree is the one of `write_copc` over all points in the order of the files: the same cube, the same level of each
-point, the same nodes. A point's level depends on the points of its voxel at the coarsest level alone, 1/128 of the
-cube. So the cube is halved until each cell has few enough points to be held, and the levels of a cell are found by
-themselves. Points of levels above a cell wait for the cells beside it; of each level one node is open at a time, as the
-cells follow the Morton curve. Cells that are smaller than such a voxel lack one thing: how far the point that stands
-for the whole cell reaches beyond it. There all cells are asked for that point first.
-
-Cost: two passes over the files. The first counts points by cell and takes the box of each chunk; the second reads for
-each cell the chunks that reach into it, of which the last ones are kept.
-
-Memory: 150 B a point of a cell, 256 MiB of chunks, one open node a level.
+The tree equals that of `write_copc` over all points in file order. The cube is halved until each cell fits in memory;
+levels are computed per cell, along the Morton curve, with one open node per level. Cells smaller than a voxel of the
+coarsest level (1/128 of the cube) first compare their representative points. Two passes over the files; 150 B per point
+of a cell, 256 MiB of chunks.
 """
 
 from __future__ import annotations
@@ -35,22 +26,19 @@ from ..kernels.sampling.detail_levels import DEPTH, LAST_CELL, LEVELS, NODE_BITS
 from ..pcd.detail_nodes import NodeTable, cells_of, make_nodes
 from .processes import Processes
 
-# Points of a cell. Of a cell with more, its own level takes 128^3 voxels at most, so that what is deeper is more than
-# what may join the node above (pcd/detail_nodes.py): no node ends above the cells.
+# Points of a cell. In larger cells, their own level takes at most 128^3 voxels, so more points are deeper than may be
+# merged into the parent (pcd/detail_nodes.py): no node ends above the cells.
 MOST = 2_800_000
-GRID_DEPTH = 14  # halvings to the cells that are counted, fewer where so many cells have points
+GRID_DEPTH = 14  # halvings to the counted cells, fewer if too many have points
 MOST_CELLS = 1 << 20
-LEAST = 8192  # deeper points that join the node above, as in write_copc
+LEAST = 8192  # deeper points merged into the parent, as in write_copc
 _BATCH = 1 << 20  # points read at a time
 _KEPT_BYTES = 1 << 28
 _AXES = ("X", "Y", "Z")
 
 
 class Node(NamedTuple):
-    """A cell of the octree with points: its level, the cell along each axis, its rows in the order of the files.
-
-    `chunk` is what `pack` made of them, where it was asked.
-    """
+    """Octree cell: level, cell coordinates, rows in file order, and the `chunk` made by `pack`, if given."""
 
     level: int
     cell: tuple[int, int, int]
@@ -63,7 +51,7 @@ Pack = Callable[[list[NDArray[Any]]], list[bytes]]
 
 
 class Leaf(NamedTuple):
-    """A cell that is worked at once: halvings of the cube, its Morton code, its points."""
+    """Cell processed at once: number of halvings, Morton code, points."""
 
     depth: int
     code: int
@@ -72,7 +60,7 @@ class Leaf(NamedTuple):
 
 @dataclass
 class _Chunks:
-    """All chunks of all files: the file, the chunk in it, the number of its first point, its box in finest cells."""
+    """All chunks: file, chunk index, first point, box in finest cells."""
 
     files: NDArray[np.int64]
     chunks: NDArray[np.int64]
@@ -82,25 +70,9 @@ class _Chunks:
 
 
 class TileTree:
-    """An octree over files of points.
-
-    Args:
-        paths: LAZ files in one format, scale and offset, each with points.
-        counts: The points that each must have.
-        report: Called with "points" and how many of twice the points are read.
-        pool: Processes that read, find levels and pack; None is this process.
-
-    Attributes:
-        files: The files.
-        corner: Low corner of the cube, float64 [3].
-        side: Of the cube.
-        low, high: Lowest and highest coordinates, float64 [3].
-        count: Points of all files.
-        leaves: The cells, along the Morton curve.
-
-    Raises:
-        FileError: A file is missing, damaged, or not the one that was counted; too many points lie in one place.
-    """
+    """Octree over LAZ files of one format, scale and offset; FileError if a file changed or too many points coincide.
+    `counts` are the points per file; `report` is called with "points" and progress of twice the points; `pool` reads
+    and packs. `corner`, `side`, `low` and `high` are the cube and the bounds; `leaves` the cells in Morton order."""
 
     def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress, pool: Processes | None = None):
         self._pool, self._least = pool or Processes(0, paths[0]), LEAST
@@ -121,15 +93,14 @@ class TileTree:
         self.leaves = self._split(depth, cells, held)
 
     def positions(self, rows: NDArray[Any]) -> NDArray[np.float64]:
-        """Coordinates of rows, float64 [n, 3]."""
+        """Coordinates of rows, float64 (n, 3)."""
         return _places(rows, self.scales, self.offsets)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What worker processes need."""
         return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
-        """(halvings, codes, counts) of cells with points; the box of each chunk is kept."""
+        """(halvings, codes, counts) of cells with points; also stores chunk boxes."""
         grid, at = _Grid(), 0
         boxes: list[list[NDArray[Any]]] = []
         tasks = [(file, which) for file in self.files for which in _runs(file.counts, _BATCH)]
@@ -156,7 +127,7 @@ class TileTree:
         return grid.finish()
 
     def _cells_of(self, steps: NDArray[Any]) -> NDArray[np.int64]:
-        """The finest cells of coordinates in steps of the files, [n, 3]."""
+        """Finest cells of integer coordinates (n, 3)."""
         places = steps * self.scales + self.offsets
         return np.floor((places - self.corner) * Cube(self.corner, self.side).scale).astype(np.int64)
 
@@ -181,14 +152,7 @@ class TileTree:
         return leaves
 
     def nodes(self, pack: Pack | None = None) -> Iterator[Node]:
-        """The nodes that have points, those of a cell before those around it; each once.
-
-        Args:
-            pack: What makes the chunks of nodes, from the rows of each.
-
-        Raises:
-            FileError: A file is gone or damaged, or has changed meanwhile.
-        """
+        """Yield nodes with points, children before parents; `pack` makes their chunks."""
         champions = self._champions()
         pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
         done = 0
@@ -207,7 +171,7 @@ class TileTree:
                 yield from _packed([node], pack)
 
     def cell(self, leaf: Leaf, champion: int | None, pack: Pack | None) -> tuple[list[Node], Above]:
-        """The nodes in a cell, and what is above it; `champion` as of `_champions`."""
+        """Nodes in a cell, and points for levels above; `champion` as of `_champions`."""
         rows, numbers = self._gather(leaf)
         keys, order, levels = self._levels_of(leaf, rows, numbers)
         if champion is not None:
@@ -228,7 +192,7 @@ class TileTree:
         return keys, order, levels
 
     def _champions(self) -> dict[Leaf, int]:
-        """The level of the point that stands for a whole cell, of cells smaller than a voxel of the coarsest level."""
+        """Level of the representative point of cells smaller than a voxel of the coarsest level."""
         found = []
         for leaf in self.leaves:
             if leaf.depth <= NODE_BITS:
@@ -244,7 +208,6 @@ class TileTree:
         return told
 
     def _gather(self, leaf: Leaf) -> tuple[NDArray[Any], NDArray[np.int64]]:
-        """The rows in a cell and their numbers, both ascending."""
         shift = DEPTH - leaf.depth
         low = cells_of(np.array([leaf.code]))[0] << shift
         high = low + (1 << shift) - 1
@@ -266,7 +229,7 @@ class TileTree:
         return np.concatenate(rows), np.concatenate(numbers)
 
     def _steps_from(self, cells: NDArray[np.int64]) -> NDArray[np.int64]:
-        """The first whole step of the coordinates along each axis that lies in a finest cell or behind it."""
+        """First integer coordinate along each axis in or after a finest cell."""
         low, high = np.full(3, -(1 << 31)), np.full(3, (1 << 31) - 1)
         for _ in range(33):
             middle = (low + high) // 2
@@ -285,7 +248,7 @@ class TileTree:
 
 @dataclass
 class _Look:
-    """What the first pass asks of chunks of a file: points by cell, and the boxes of the chunks in steps."""
+    """First pass over chunks of a file: points by cell, and chunk boxes in steps."""
 
     scales: NDArray[np.float64]
     offsets: NDArray[np.float64]
@@ -293,7 +256,7 @@ class _Look:
     side: float
 
     def __call__(self, file: LazChunks, which: NDArray[np.int64]) -> tuple[NDArray[Any], ...]:
-        """(cells after GRID_DEPTH halvings, points of each, lows, highs)."""
+        """(cells after GRID_DEPTH halvings, point counts, lows, highs)."""
         rows, starts = file.rows(which), np.cumsum(file.counts[which]) - file.counts[which]
         lows, highs = (
             np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
@@ -316,13 +279,13 @@ def _packed(nodes: list[Node], pack: Pack | None) -> list[Node]:
 
 
 class _Grid:
-    """Points by cell, of cells so fine that not too many have points."""
+    """Points by cell, with limited resolution."""
 
     def __init__(self) -> None:
         self.depth, self._parts = GRID_DEPTH, [(np.empty(0, np.int64), np.empty(0, np.int64))]
 
     def add(self, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> None:
-        """Count points by their cells after GRID_DEPTH halvings, which ascend."""
+        """Add counts of ascending cells after GRID_DEPTH halvings."""
         self._parts.append(_counted(codes >> 3 * (GRID_DEPTH - self.depth), counts))
         if sum(len(codes) for codes, _ in self._parts[1:]) > MOST_CELLS:
             self._join()
@@ -337,14 +300,13 @@ class _Grid:
         self._parts = [joined]
 
     def finish(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
-        """(halvings, codes, counts)."""
         self._join()
         codes, counts = self._parts[0]
         return self.depth, codes, counts
 
 
 def _counted(codes: NDArray[np.int64], counts: NDArray[np.int64] | None) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Ascending codes, each once, and how many points each has."""
+    """Unique ascending codes and their point counts."""
     starts = np.flatnonzero(np.diff(codes, prepend=-1))
     if counts is None:
         return codes[starts], np.diff(np.append(starts, len(codes)))
@@ -352,7 +314,7 @@ def _counted(codes: NDArray[np.int64], counts: NDArray[np.int64] | None) -> tupl
 
 
 def _runs(counts: NDArray[np.int64], most: int) -> Iterator[NDArray[np.int64]]:
-    """Numbers of chunks side by side, with no more points than so many where a chunk has fewer."""
+    """Consecutive chunk numbers with at most `most` points, unless a single chunk has more."""
     ends, begin = np.cumsum(counts), 0
     while begin < len(counts):
         before = int(ends[begin - 1]) if begin else 0
@@ -374,7 +336,7 @@ def _joined(level: int, code: int, parts: list[tuple[NDArray[Any], NDArray[np.in
 
 
 def _shared_depth(leaf: Leaf, other: Leaf) -> int:
-    """Halvings to the smallest cell around two others."""
+    """Halvings to the smallest common cell of two leaves."""
     depth = min(leaf.depth, other.depth)
     differing = (leaf.code >> 3 * (leaf.depth - depth)) ^ (other.code >> 3 * (other.depth - depth))
     return depth - -(-differing.bit_length() // 3)

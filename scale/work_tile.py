@@ -1,9 +1,7 @@
-"""One tile, as a pure function of the files, the plan and the numbers of the passes before.
+"""Process one tile, as a pure function of files, plan and results of earlier passes.
 
-The rows of the tile and its halo are read in their canonical order, so that sums over neighbours and voxels run in the
-order that they have in the whole. The tree of a search stands on one curve for all tiles, by which it orders points
-that are equally near. After each step only what is sure to be right is kept, and in the end the points at home in the
-tile.
+Rows are read in canonical order and search trees use one global curve, so sums and ties equal those of the complete
+cloud. After each step only verified points are kept, at the end those of the tile.
 """
 
 from __future__ import annotations
@@ -45,14 +43,7 @@ MOST_DOUBLINGS = 40
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a tile in one pass.
-
-    Attributes:
-        points_in: Points of the files in the tile.
-        points_out: What the steps left, in the last pass.
-        sums: Of the values that the pass measures; of what it leaves for a join the count alone.
-        checksum: CRC-32 of the tile's file; None where there is none.
-    """
+    """Result of a tile in one pass: points in and out, sums (for a join the count), CRC-32 of its file or None."""
 
     points_in: int
     points_out: int
@@ -61,7 +52,7 @@ class Outcome:
 
 
 class HaloError(Exception):
-    """A step of the k nearest saw too little to be sure of its result."""
+    """A step of the k nearest saw too little data to verify its result."""
 
     def __init__(self, step: int):
         super().__init__(step)
@@ -71,28 +62,15 @@ class HaloError(Exception):
 def work_tile(
     plan: Plan, folder: Path, tile: int, number: int, numbers: dict[int, ExactSums], fulls: dict[int, int]
 ) -> Outcome:
-    """Work one pass over a tile off; the last one writes the tile's file, if it has points.
-
-    Args:
-        plan: The Plan.
-        folder: Of the job.
-        tile: Its number.
-        number: Of the pass.
-        numbers: What earlier passes measured, by the step that needs them.
-        fulls: The value of a full colour of each file with buckets.
-
-    Raises:
-        FileError: A file, a bucket or the tile's own file.
-        ValueError: A step.
-    """
+    """Run one pass over a tile; the last one writes its file if it has points."""
     iy, ix = divmod(tile, plan.shape[0])
     target = plan.passes[number]
     steps = plan.steps if target is None else plan.steps[: target + 1]
-    chain = plan.steps if any(step.joins for step in steps) else steps  # whose halos each pass must have alike
+    chain = plan.steps if any(step.joins for step in steps) else steps  # steps whose halos must be equal in each pass
     reaches = [step.reach for step in chain]
     for _ in range(MOST_DOUBLINGS):
         halos = halos_of(chain, reaches, plan.slack)
-        # Borders are rounded: somewhat more is read, and its number tells a tile's own.
+        # Borders are rounded: read slightly more; the tile number decides.
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
         table, keys = read_rows(plan, folder, fulls, window)
         if not len(table.points):
@@ -167,7 +145,7 @@ def _run(
 
 
 def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[int, int]) -> NDArray[np.bool_]:
-    """Which homes are in a tile and its halo; without a halo by the number of the tile, whose rounding counts."""
+    """Mask of homes in a tile and its halo; without a halo by tile number, which defines the rounding."""
     if window == plan.window(*place, 0.0):
         return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
     x, y = homes[:, 0], homes[:, 1]
@@ -175,7 +153,7 @@ def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[i
 
 
 def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
-    """What a tile may rely on within a halo; others see what lies within theirs, which is as wide."""
+    """Sight of a tile within a halo; other tiles have the same halo."""
     owners = plan.tile_of(part.homes)
     own = owners == place[1] * plan.shape[0] + place[0]
     unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
@@ -183,7 +161,7 @@ def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Si
 
 
 def _adopt_tree(plan: Plan, part: Part) -> None:
-    """Give a cloud its tree, on the curve of the whole."""
+    """Build a cloud's search tree on the global curve."""
     points = part.cloud._device_array("points")
     low, high = ((np.array(plan.told[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
     levels = plan.told["levels"]
@@ -194,9 +172,9 @@ def _adopt_tree(plan: Plan, part: Part) -> None:
 
 
 def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: float, window: Any) -> None:
-    """Hold that each wanted point has k points, itself among them, nearer than any that is not there."""
+    """Raise HaloError unless each wanted point has k points nearer than missing data."""
     if not np.isfinite(window).any():
-        return  # the whole is there
+        return  # complete
     crowded = download(mask_crowded(part.cloud.search_tree(), reach, k)) != 0
     doubtful = np.flatnonzero(wanted & ~crowded)
     if not len(doubtful):
@@ -213,11 +191,7 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
 
 
 def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
-    """Write a tile's points: positions as in the files where no step has moved them, in the steps of the files.
-
-    Returns:
-        The file's CRC-32.
-    """
+    """Write a tile's points in the files' scale, unmoved positions exactly; returns the CRC-32."""
     told = table_of(part.cloud)
     if part.exact is not None:
         told.points = part.exact
@@ -235,7 +209,6 @@ def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
 
 
 def checksum_of(path: Path) -> int:
-    """CRC-32 of a file."""
     checksum = 0
     with path.open("rb") as stream:
         while block := stream.read(1 << 20):
@@ -244,13 +217,12 @@ def checksum_of(path: Path) -> int:
 
 
 def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
-    """The file of a tile."""
     iy, ix = divmod(tile, plan.shape[0])
     return folder / FOLDER / f"{ix}_{iy}.laz"
 
 
 def offset_of(plan: Plan) -> list[float]:
-    """What all tiles count their steps from: the first file's offset, if all files lie within its steps."""
+    """Common offset of all tiles: the first file's, if all files are within its integer range."""
     first = plan.sources[0]
     low, high = np.array(plan.told["low"]), np.array(plan.told["high"])
     if fits_steps(low, high, first["scales"], first["offsets"]):

@@ -1,6 +1,4 @@
-"""Colours for a mesh's vertices from posed pictures, with the poses made to agree (Zhou and Koltun 2014).
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""Vertex colors and textures of a mesh from posed images (Zhou and Koltun 2014); public names are loaded on first use.
 
 Example:
     >>> import numpy as np, pointloom as loom

@@ -1,4 +1,4 @@
-"""Rectangles side by side on a square: where the charts of a mesh go in its texture."""
+"""Packing of charts in a square texture."""
 
 from __future__ import annotations
 
@@ -10,23 +10,16 @@ from numpy.typing import NDArray
 
 from ...kernels.textures.charts import Cells
 
-CELL = 6  # texels a side of a triangle that no picture shows: 3 of its legs, the rest about it
-SPOT = 4  # texels a side of what all of them share
-MOST_CELLS = 0.5  # of the texture for such triangles; beyond, all share a spot
-STEP = 64  # texels: sizes that are found are multiples of it
-FINER, TRIES = 0.5**7, 40  # to which share the scale is known; scales tried
+CELL = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padding
+SPOT = 4  # texels per side of the cell shared by all unseen triangles
+MOST_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
+STEP = 64  # texels: automatic sizes are multiples of it
+FINER, TRIES = 0.5**7, 40  # precision of the scale; maximum number of scales tried
 
 
 @dataclass(frozen=True)
 class Packing:
-    """Where everything goes.
-
-    Attributes:
-        size: Texels a side.
-        scale: Texels a pixel, 1 at most.
-        places: The texel of each chart's first pixel, int64 [c, 2].
-        cells: Of triangles that no picture shows.
-    """
+    """Size, scale (texels per pixel, at most 1), first texel of each chart (c, 2), and cells of unseen triangles."""
 
     size: int
     scale: float
@@ -37,18 +30,7 @@ class Packing:
 def pack_charts(
     boxes: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int | None, largest: int
 ) -> Packing:
-    """Lay out charts in rows, the highest first.
-
-    Args:
-        boxes: First column and row, and how many, of each chart, [c, 4].
-        blind: Triangles that no picture shows.
-        has_colors: Whether these have colours to draw.
-        padding: Texels about each chart.
-        size: Texels a side; None for as few as take all at one texel a pixel, up to `largest`.
-
-    Raises:
-        ValueError: No room even for charts of a few texels.
-    """
+    """Pack charts (c, 4) in rows by decreasing height; `size` None: as needed for full scale, up to `largest`."""
     extents = boxes[:, 2:]
     if size is not None:
         return _largest_scale(extents, blind, has_colors, padding, size)
@@ -83,7 +65,7 @@ def _largest_scale(extents: NDArray[np.int64], blind: int, has_colors: bool, pad
 def _pack(
     extents: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int, scale: float
 ) -> Packing | None:
-    """Rows of charts at a scale; None where there is no room."""
+    """Rows of charts at a scale; None if they do not fit."""
     cells, floor = _cells(blind, has_colors, padding, size)
     sides = np.ceil((extents - 1) * scale).astype(np.int64) + 1 + 2 * padding
     if (sides > size).any() or float(sides.prod(axis=1).sum()) > size * floor:
@@ -105,7 +87,7 @@ def _pack(
 
 
 def _cells(blind: int, has_colors: bool, padding: int, size: int) -> tuple[Cells, int]:
-    """The cells at the foot of the texture, and the rows above them."""
+    """Cells at the bottom of the texture, and the rows above them."""
     if not blind:
         return Cells(0, 1, 0), size
     columns = max(size // CELL, 1)

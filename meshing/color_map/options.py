@@ -1,4 +1,4 @@
-"""What a colour map is made by: Open3D's names and defaults, checked."""
+"""Options of color map optimization, with Open3D's names and defaults."""
 
 from __future__ import annotations
 
@@ -6,28 +6,25 @@ import dataclasses
 
 from ...core.checks import check_count, check_positive
 
-MOST_REACH = 64  # [px] of a boundary: beyond it little of a picture is left
-MOST_ANCHORS = 256  # down a picture: every few pixels one
+MOST_REACH = 64  # [px] around a boundary: beyond it little of an image remains
+MOST_ANCHORS = 256  # rows: one every few pixels
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class RigidOptimizerOption:
-    """How `run_rigid_optimizer` works. (Open3D's `debug_output_dir` is not there: nothing is written.)
+    """Options of `run_rigid_optimizer`. Open3D's `debug_output_dir` is not supported.
 
     Args:
-        maximum_iteration: Turns at most; the search ends by itself where a turn wins less than a millionth. Open3D's
-            default, 0, moves no pose: colours are averaged as the poses are. 50 are enough for most.
-        maximum_allowable_depth: Pixels farther away show nothing [m].
-        depth_threshold_for_visibility_check: A pixel shows a vertex where their depths differ by less than this [m].
-        depth_threshold_for_discontinuity_check: Slope of the depth [m] above which a pixel lies at a boundary: the sum
-            of Sobel's filter, 8 times the step to the next pixel.
-        half_dilation_kernel_size_for_discontinuity_map: Pixels around a boundary that show nothing either.
-        image_boundary_margin: Pixels at a picture's border that are not looked at.
-        invisible_vertex_color_knn: A vertex that no picture shows takes the mean colour of so many nearest ones that
-            have one; 0 leaves it black.
+        maximum_iteration: Maximum; stops below a gain of 1e-6. 0 (Open3D's default) moves no pose; 50 usually suffice.
+        maximum_allowable_depth: Maximum depth of used pixels [m].
+        depth_threshold_for_visibility_check: Maximum depth difference of pixel and visible vertex [m].
+        depth_threshold_for_discontinuity_check: Sobel response of the depth [m] at boundaries, 8 times the step.
+        half_dilation_kernel_size_for_discontinuity_map: Ignored pixels around a boundary.
+        image_boundary_margin: Ignored pixels at the image border.
+        invisible_vertex_color_knn: Nearest colored vertices averaged for unseen ones; 0 leaves them black.
 
     Raises:
-        ValueError, TypeError: A number out of range.
+        ValueError, TypeError: If a number is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -55,15 +52,14 @@ class RigidOptimizerOption:
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class NonRigidOptimizerOption(RigidOptimizerOption):
-    """How `run_non_rigid_optimizer` works: as `RigidOptimizerOption`, and each picture is bent.
+    """Options of `run_non_rigid_optimizer`: `RigidOptimizerOption` and the image warps.
 
     Args:
-        number_of_vertical_anchors: Anchors of the grid down a picture; along it there are as many as cover it.
-        non_rigid_anchor_point_weight: How strongly anchors are held at their places; times the share of the mesh's
-            vertices that the picture shows.
+        number_of_vertical_anchors: Rows of the anchor grid; columns follow from the aspect ratio.
+        non_rigid_anchor_point_weight: Weight of the anchors' regularization, times the fraction of visible vertices.
 
     Raises:
-        ValueError, TypeError: A number out of range.
+        ValueError, TypeError: If a number is out of range.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Pictures that a mesh is to be coloured by, with cameras and poses in any of the forms that they come in."""
+"""Images for texturing, with cameras and poses in any supported form."""
 
 from __future__ import annotations
 
@@ -22,21 +22,8 @@ NAMES = Names("pictures", "cameras", "T_camera_world")
 
 
 def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: ReportProgress) -> PosedImages:
-    """Pictures on a device with a pinhole camera and a pose each.
-
-    Args:
-        pictures: Arrays uint8 [h, w, 3], RGBDImages, or files, one a camera; of an SfmModel the folder of its pictures
-            too.
-        cameras: A PinholeCameraIntrinsic, a list of them, a list of cameras that know their poses, or an SfmModel,
-            whose pictures are straightened where its lenses are bent.
-        poses: T_camera_world [n, 4, 4]; None where the cameras know them.
-        device: Of the mesh.
-        say: Told of each picture.
-
-    Raises:
-        TypeError, ValueError: As of `texture_from_pictures`.
-        FileError: A picture that is not there, or cannot be read.
-    """
+    """Upload images with a pinhole camera and a pose each. Accepts the arguments of `texture_from_pictures`; images of
+    an SfmModel are undistorted if necessary."""
     if isinstance(cameras, SfmModel):
         if poses is not None:
             raise ValueError("T_camera_world: the model has the poses; leave it out")
@@ -90,7 +77,6 @@ def _is_plain(lens: Any) -> bool:
 
 
 def _files_of(folder: str | os.PathLike[str], model: SfmModel) -> list[Path]:
-    """The files of a model's pictures in a folder."""
     place = Path(check_name("pictures", os.fspath(folder)))
     files = [place / name for name in model.names]
     missing = [file for file in files if not file.is_file()]

@@ -1,4 +1,4 @@
-"""A texture cut out of posed pictures, each triangle from the best, without seams: `texture_from_pictures`."""
+"""Seamless texture from posed images, each triangle from the best one: `texture_from_pictures`."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from .picture_sources import take_pictures
 from .pictured_mesh import PicturedMesh
 from .results import NothingSeenError
 
-PADDING = 4  # texels about each chart: two of its picture, two of their colours
-MOST_SIZE = 16384  # texels a side
-LARGEST = 8192  # and where nobody asked for a size
+PADDING = 4  # texels around each chart: two of its image, two of their colors
+MOST_SIZE = 16384  # texels per side
+LARGEST = 8192  # default limit
 TEXEL_BYTES = 120
 MOST_SMOOTHNESS = 1000.0
 PLAIN = (0.5, 0.5, 0.5)
@@ -55,51 +55,39 @@ def texture_from_pictures(
     plain: Any = PLAIN,
     progress: ReportProgress | None = None,
 ) -> PicturedMesh:
-    """Give a mesh a texture that is cut out of posed pictures: each triangle from the best, without seams.
+    """Texture a mesh from posed images, each triangle from its best image, without seams.
 
-    Of the pictures that show a triangle whole, from before and with nothing in between, the one counts most where it is
-    large and sharp, and neighbours take the same where that costs little. Pictures that differ at their seams, since
-    light and exposure do, are shifted until they agree. Triangles keep the sharpness of one picture, where the mean
-    over pictures (`TriangleMesh.project_images_to_albedo`) blurs what poses do not make meet. The pictures cost nothing
-    beside what they show; poses stay as they are (`run_rigid_optimizer` moves them).
+    Views are chosen by size and sharpness of the triangle and by smoothness between neighbors; colors are adjusted
+    until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed; see
+    `run_rigid_optimizer`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
+    triangle-image pair. Colors are shifted, not scaled. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
+    2014.
 
     Args:
-        mesh: In the frame of the poses, its triangles facing the cameras.
-        pictures: uint8 [h, w, 3], RGBDImages with colours, or files, one a pose. Of an SfmModel also the folder that
-            its names are of.
-        cameras: One PinholeCameraIntrinsic, or one a picture; or cameras that know their poses, as `mvs.PosedCamera`;
-            or an SfmModel, as of `read_colmap_model`, whose lenses are straightened where they are bent.
-        T_camera_world: Poses [n, 4, 4], world to camera; None where the cameras know them.
-        size: Texels a side of the texture; charts are made smaller where they have to be. None takes as many as
-            pictures have pixels, up to 8192.
-        smoothness: What an edge between two pictures costs, in units of what the best picture of a triangle is worth.
-        outliers: Leave pictures out where a triangle has another colour than in most of at least four.
-        exposures: Bring pictures to one exposure first: a factor for each channel, which may grow towards the corners,
-            by the triangles that they share.
-        seam_levelling: Shift the colours of charts, by vertices, so that they agree at seams.
-        local_levelling: Change colours in strips of 20 texels beside seams until both sides meet, and single texels
-            there until both are drawn alike.
-        depth_max: Farther away pictures show nothing [unit of the poses].
-        plain: The colour of triangles that no picture shows where the mesh has no vertex colours, 0..1.
-        progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), how many of its steps are
-            done, and how many there are, 0 where nobody knows.
+        mesh: In the frame of the poses, triangles facing the cameras.
+        pictures: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose; for an SfmModel also their folder.
+        cameras: One PinholeCameraIntrinsic, or one per image; or cameras with poses, such as `mvs.PosedCamera`; or an
+            SfmModel, as of `read_colmap_model`, whose images are undistorted if necessary.
+        T_camera_world: Poses (n, 4, 4), world to camera. If None: those of the cameras.
+        size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.
+        smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
+        outliers: Ignore images where a triangle's color differs from most of at least four.
+        exposures: First equalize exposure and vignetting per channel by shared triangles.
+        seam_levelling: Shift the colors of charts at vertices to agree at seams.
+        local_levelling: Blend strips of 20 texels beside seams.
+        depth_max: Maximum distance of a usable image [unit of the poses].
+        plain: Color of unseen triangles without vertex colors, 0..1.
+        progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), progress and total or 0.
 
     Returns:
-        A PicturedMesh: the mesh with its texture, which picture each triangle has, figures, and `reliable`.
+        A PicturedMesh: the textured mesh, the image of each triangle, statistics, and `reliable`.
 
     Raises:
-        TypeError: Not a TriangleMesh, not pictures or cameras.
-        ValueError: A mesh without triangles, pictures, cameras and poses of different number or size, a pose that is no
-            rigid motion, a number out of range, a size without room for all charts.
-        NothingSeenError: No picture shows a triangle. It is a ValueError.
-        FileError: A picture that cannot be read.
-        MemoryError: The device has no room for the texture.
-
-    Notes:
-        The same bits from run to run on one device. 7 B of memory a pixel, 120 B a texel, some 30 B a pair of triangle
-        and picture. Vertices at one place count as one. Colours are shifted, not scaled, so what one picture has at a
-        higher contrast it keeps. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV 2014; what differs stands
-        in the docstrings of kernels/textures.
+        TypeError: If `mesh` is not a TriangleMesh, or images or cameras have another type.
+        ValueError: If the mesh is empty, inputs disagree, a pose is not rigid, a number is out of range, or charts do
+            not fit.
+        NothingSeenError: If no image sees a triangle. It is a ValueError.
+        FileError, MemoryError: If an image cannot be read, or if the texture does not fit into device memory.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -137,21 +125,9 @@ def texture_from_pictures(
     return PicturedMesh(painted.mesh, views, choice.pictures.count, **counts, **figures, **how)
 
 
-# ------------------------------------------------------------------------------------------------ internals
-
-
 @dataclass(frozen=True, eq=False)
 class _Choice:
-    """Which picture each triangle takes.
-
-    Attributes:
-        pictures: On the device.
-        exposures: Of the pictures.
-        seams: With the triangles, their neighbours and pictures.
-        pairs: Of triangles and pictures that show them.
-        outliers: Pairs that were left out.
-        energy: Of the choice.
-    """
+    """Image of each triangle, with exposures, seams, triangle-image pairs, excluded pairs and energy."""
 
     pictures: PosedPictures
     exposures: Exposures
@@ -194,15 +170,7 @@ def _choose(
 
 @dataclass(frozen=True, eq=False)
 class _Painted:
-    """A mesh with its texture.
-
-    Attributes:
-        mesh: With the texture.
-        packing: How that is laid out.
-        charts: How many there are.
-        steps: Across seams of the finished texture, the mean and what 95 % are below, 0..255; None without seams.
-        drew_colors: Whether triangles without a picture have the colours of their vertices.
-    """
+    """A textured mesh with its packing, chart count and seam steps (mean, 95th percentile; None without seams)."""
 
     mesh: TriangleMesh
     packing: Packing

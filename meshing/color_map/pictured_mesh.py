@@ -1,4 +1,4 @@
-"""What giving each triangle of a mesh the best of its pictures comes to: `PicturedMesh`."""
+"""Result of texturing from the best images: `PicturedMesh`."""
 
 from __future__ import annotations
 
@@ -12,37 +12,24 @@ from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import format_share, plain
 from ..mesh.mesh import TriangleMesh
 
-FEW_SEEN = 0.3  # share of the triangles that some picture shows, below which colors are unreliable
+FEW_SEEN = 0.3  # fraction of the triangles seen, below which colors are unreliable
 
 
 @dataclass(frozen=True, eq=False)
 class PicturedMesh(Report, Assessed):
-    """A mesh with a texture cut out of pictures, and what there is to say of it; `print` tells it.
+    """A mesh with a texture from images.
 
     Attributes:
-        mesh: With one texture, without vertex colours.
-        views: The picture that each triangle has its colours from, int32 [t]; -1 for none.
-        picture_count: Pictures that were given.
-        chart_count: Charts: triangles that hang together and have one picture.
-        size: Texels a side.
-        scale: Texels a pixel of the pictures, 1 at most.
-        pair_count: Pairs of a triangle and a picture that shows it.
-        outlier_count: Pairs that were left out, since the triangle has another colour there than in most.
-        energy: Of the choice of pictures, in units of what a triangle costs that is not shown.
-        step_before: The mean step of colour across seams as pictures have it, of 255; None without seams.
-        step, step_95: The mean step of the finished texture, and what 95 % of it are below, at two places a texel of
-            each seam, bilinear, of 255; None without seams.
-        turns: Of the solve for the shifts.
-        drew_colors: Whether triangles that no picture shows have the colours of their vertices; else they are plain.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
-        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> green = np.full((48, 64, 3), (0, 255, 0), np.uint8)
-        >>> found = loom.color_map.texture_from_pictures(mesh, [green], camera, [np.eye(4)])
-        >>> found.seen_count, found.chart_count, found.step
-        (1, 1, None)
+        mesh: With one texture, without vertex colors.
+        views: Source image of each triangle, int32 (t,); -1 for none.
+        picture_count, chart_count, pair_count, outlier_count: Number of images, charts (connected triangles of one
+            image), visible triangle-image pairs, and excluded pairs.
+        size, scale: Texels per side, and per image pixel (at most 1).
+        energy: Of the view selection, relative to the cost of an unseen triangle.
+        step_before: Mean color difference across seams in the images, 0..255; None without seams.
+        step, step_95: Mean and 95th percentile of it in the texture; None without seams.
+        turns: Iterations of the seam solver.
+        drew_colors: True if unseen triangles have their vertex colors, else they are plain.
     """
 
     mesh: TriangleMesh
@@ -62,22 +49,21 @@ class PicturedMesh(Report, Assessed):
 
     @property
     def seen_count(self) -> int:
-        """How many triangles some picture shows."""
+        """Number of triangles seen in an image."""
         return int((self.views >= 0).sum())
 
     @property
     def used_count(self) -> int:
-        """How many pictures some triangle has its colours from."""
+        """Number of images used by a triangle."""
         return len(np.unique(self.views[self.views >= 0]))
 
     @property
     def seen_share(self) -> float:
-        """The share of the triangles that some picture shows."""
+        """Fraction of the triangles seen in an image."""
         return self.seen_count / len(self.views)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if self.seen_share >= FEW_SEEN:
             return ()
         return (
@@ -86,7 +72,6 @@ class PicturedMesh(Report, Assessed):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         figures = {
             "device": str(self.mesh.device),
             "pictures": self.picture_count,
@@ -109,7 +94,6 @@ class PicturedMesh(Report, Assessed):
         return plain(figures)
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         blind = len(self.views) - self.seen_count
         rest = f"; {blind:,} {'in the colours of vertices' if self.drew_colors else 'plain'}" if blind else ""
         fields = [

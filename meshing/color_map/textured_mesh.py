@@ -15,34 +15,24 @@ from ..mesh.mesh import TriangleMesh
 from .results import ColorMapResult
 
 # Thresholds of the quality checks.
-FEW_SEEN = 0.3  # share of the vertices that some picture shows
-BLIND = 0.5  # share of the frames that show nothing of the mesh
-WON = 0.99  # of the residual that is left at most where there was something to win,
-AGREED = 0.01  # and below which there was not: what 8-bit colours and their noise leave
+FEW_SEEN = 0.3  # fraction of the vertices seen
+BLIND = 0.5  # fraction of the frames that see nothing of the mesh
+WON = 0.99  # maximum ratio of residuals after and before, unless the residual is
+AGREED = 0.01  # below this: the level of 8-bit colors and their noise
 
 
 @dataclass(frozen=True)
 class TexturedMesh(Report, Assessed):
-    """A mesh with the colours of frames, and what there is to say of them; `print` tells it.
+    """A mesh colored from frames.
 
     Attributes:
-        mesh: With a texture where one was asked for, else with vertex colours.
-        colors: The colour map: the mesh with vertex colours, and the poses that they were read at.
+        mesh: With a texture if requested, else with vertex colors.
+        colors: ColorMapResult: the mesh with vertex colors, and the poses.
         method: "rigid", "non-rigid" or "none".
-        depth_max: Farther pixels showed nothing [m].
-        turned, moved: How far the poses were turned [degrees] and moved [m], in the mean.
-        size: Texels a side of the texture; None without one.
-        texel_share: The share of them that a frame shows; None without a texture.
-        reliable, warnings: Whether all quality checks passed, and those that failed.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> mesh = loom.TriangleMesh([[-0.1, -0.1, 1], [0.1, -0.1, 1], [0, 0.1, 1]], [[0, 2, 1]])
-        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> color, depth = np.full((48, 64, 3), (255, 0, 0), np.uint8), np.full((48, 64), 1000, np.uint16)
-        >>> found = loom.color_map.texture_mesh(mesh, loom.frames_from([(color, depth)], camera), [np.eye(4)])
-        >>> found.seen_share, found.blind_frames, found.reliable
-        (1.0, 0, True)
+        depth_max: Maximum depth of used pixels [m].
+        turned, moved: Mean rotation [degrees] and translation [m] of the poses.
+        size, texel_share: Texels per side, and fraction of texels seen; None without a texture.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     mesh: TriangleMesh
@@ -56,22 +46,20 @@ class TexturedMesh(Report, Assessed):
 
     @property
     def frame_count(self) -> int:
-        """How many frames there were."""
         return len(self.colors.view_counts)
 
     @property
     def seen_share(self) -> float:
-        """The share of the vertices that some frame shows."""
+        """Fraction of the vertices seen in a frame."""
         return float(self.colors.seen.mean())
 
     @property
     def blind_frames(self) -> int:
-        """How many frames show nothing of the mesh."""
+        """Number of frames that see nothing of the mesh."""
         return int((self.colors.view_counts == 0).sum())
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         if self.seen_share < FEW_SEEN:
             reasons.append(
@@ -89,7 +77,6 @@ class TexturedMesh(Report, Assessed):
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         colors, shape = self.colors, self.colors.mesh
         figures = {
             "device": str(shape.device),
@@ -112,7 +99,6 @@ class TexturedMesh(Report, Assessed):
         return plain(figures)
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         colors, blind = self.colors, self.blind_frames
         seen = f"{format_share(self.seen_share)} of the vertices" + (f"; {blind} frames blind" if blind else "")
         fields = [
@@ -128,7 +114,6 @@ class TexturedMesh(Report, Assessed):
 
 
 def task_fields(mesh: TriangleMesh, frame_count: int, depth_max: float) -> Fields:
-    """What is to be coloured, and by what, as labels and values."""
     return [
         ("mesh", f"{mesh.array('vertices').size:,} vertices, {len(mesh):,} triangles"),
         ("frames", f"{frame_count} up to {depth_max:g} m, on {mesh.device}"),
@@ -136,7 +121,7 @@ def task_fields(mesh: TriangleMesh, frame_count: int, depth_max: float) -> Field
 
 
 def mean_motion(before: Trajectory, after: Trajectory) -> tuple[float, float]:
-    """How far poses were turned [degrees] and moved [m], in the mean."""
+    """Mean rotation [degrees] and translation [m] between poses."""
     T = matmul(inv(before.poses), after.poses)
     cosines = (np.trace(T[:, :3, :3], axis1=1, axis2=2) - 1) / 2
     turned = float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean())

@@ -1,4 +1,4 @@
-"""The colours of RGB-D frames onto a mesh of the same place, at its vertices or as a texture: `texture_mesh`."""
+"""Colors or texture of a mesh from RGB-D frames: `texture_mesh`."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from .results import ColorMapResult
 from .textured_mesh import TexturedMesh, mean_motion
 
 METHODS = ("rigid", "non-rigid", "none")
-DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras passes the 3 cm by which depths may differ
-TURNS = 100  # of the search at most; it ends by itself before where little is left to win
-BENDING_TURNS = 30  # of the search for bent pictures, which begins where the other ended
-GUTTER = 4  # texels between charts of an atlas: two levels of a mipmap
-JUMP = 0.4  # [m] Sobel's sum at a step of 5 cm: floors seen at a low angle, and noise, make smaller ones
-BESIDE = 2  # pixels beside such a step that show nothing
+DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras exceeds the allowed depth difference of 3 cm
+TURNS = 100  # maximum iterations
+BENDING_TURNS = 30  # maximum iterations for image warps, which start from the rigid result
+GUTTER = 4  # texels between charts of an atlas: two mipmap levels
+JUMP = 0.4  # [m] Sobel response of a step of 5 cm: floors at grazing angles and noise are below
+BESIDE = 2  # ignored pixels beside such a step
 
 
 def texture_mesh(
@@ -42,35 +42,26 @@ def texture_mesh(
     depth_max: float = DEPTH_MAX,
     progress: ReportProgress | None = None,
 ) -> TexturedMesh:
-    """Give a mesh the colours of RGB-D frames of the same place, poses made to agree, and say what they are worth.
+    """Color or texture a mesh from RGB-D frames with refined poses, and check the result, as `pointloom texture`.
 
-    What `pointloom texture` does: `run_rigid_optimizer` with settings for depth cameras, `run_non_rigid_optimizer`
-    after it where pictures may bend, and an atlas filled from the pictures as these have them.
+    Runs `run_rigid_optimizer` with settings for depth cameras, optionally `run_non_rigid_optimizer`, and fills an
+    atlas. Bitwise reproducible on one device.
 
     Args:
         mesh: In the frame of the poses.
-        frames: With colours, such as `loom.open_dataset("kitchen")`; all are held in memory, 7 B a pixel.
-        poses: T_world_camera of each frame [n, 4, 4]; None takes the frames' own.
-        method: "rigid" moves the poses so that the pictures agree, "non-rigid" bends the pictures too after that,
-            "none" takes them as they are.
-        size: Texels a side of a texture; it takes the place of vertex colours, and where the mesh has no texture
-            coordinates an atlas is made (`pip install "pointloom[mesh]"`). None gives vertex colours.
-        depth_max: Farther pixels show nothing [m].
-        progress: Called with the stage ("frames", "colours", "texture"), how many of its steps are done, and how many
-            there are, 0 where nobody knows.
-
-    Returns:
-        A TexturedMesh: the mesh, the poses, figures, `reliable` and `warnings`.
+        frames: With colors, such as `loom.open_dataset("kitchen")`; all in memory, 7 B per pixel.
+        poses: T_world_camera of each frame (n, 4, 4). If None: the frames' own.
+        method: "rigid" refines poses, "non-rigid" also warps images, "none" does neither.
+        size: Texels per side of a texture, which replaces vertex colors; an atlas is created if necessary
+            (`pip install "pointloom[mesh]"`). If None: vertex colors.
+        depth_max: Maximum depth of used pixels [m].
+        progress: Called with the stage ("frames", "colours", "texture"), its progress and total, 0 if unknown.
 
     Raises:
-        TypeError: Not a TriangleMesh, or not frames.
-        ValueError: An unknown method, a number out of range, frames without colour or pose, none at all, a mesh
-            without vertices, or for a texture without triangles.
-        NothingSeenError: No frame shows a vertex. It is a ValueError.
-        FileError: A picture that cannot be read.
-
-    Notes:
-        The same bits from run to run on one device; memory as of the optimizers and `project_images_to_albedo`.
+        TypeError: If `mesh` is not a TriangleMesh, or `frames` has another type.
+        ValueError: If the method is unknown, a number is out of range, frames lack color or pose, or the mesh is empty.
+        NothingSeenError: If no frame sees a vertex. It is a ValueError.
+        FileError: If an image cannot be read.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -93,9 +84,6 @@ def texture_mesh(
     say("texture", 0, 0)
     textured, share = _paint_atlas(colors, frames.intrinsic, size)
     return dataclasses.replace(found, mesh=textured, size=size, texel_share=share)
-
-
-# ------------------------------------------------------------------------------------------------ internals
 
 
 def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
@@ -168,11 +156,11 @@ def _color(
 
 
 def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: int) -> tuple[TriangleMesh, float]:
-    """The mesh with a texture of the pictures as the colour map has them, and the share of it that they show."""
+    """Mesh with a texture from the optimized images, and the fraction of it that they see."""
     mesh = colors.mesh
     if mesh.triangle_uvs is None:
         mesh = mesh.compute_uvatlas(size, gutter=GUTTER)
     pictures = [colors.unwarped_image(i) for i in range(len(colors.view_counts))]
     extrinsics = [inv(pose) for pose in colors.trajectory.poses]
     textured, share = mesh._with_albedo(pictures, camera, extrinsics, size)
-    return textured._with_arrays(vertex_colors=None), share  # viewers multiply them with the texture
+    return textured._with_arrays(vertex_colors=None), share  # viewers multiply texture and vertex colors

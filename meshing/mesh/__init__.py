@@ -1,1 +1,1 @@
-"""TriangleMesh, and what one does with it; surfaces from points."""
+"""TriangleMesh and surface reconstruction."""

@@ -1,4 +1,4 @@
-"""A mesh without what is commonly wrong with one, and what is still wrong: `clean_mesh`."""
+"""Mesh repair with a quality check: `clean_mesh`."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_repair import MeshRepairReport
 
-MOST_GONE = 0.02  # of the triangles that found no place: more, and parts of the surface may be missing
-MOST_LOST = 0.01  # of the area, without copies
-MOST_MERGED = 0.5  # of the vertices: a larger merge distance was likely meant for another mesh or unit
+MOST_GONE = 0.02  # fraction of triangles without a partner: above, parts of the surface may be missing
+MOST_LOST = 0.01  # fraction of the area, without copies
+MOST_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
 
-# What repair removes or changes, in words; the rest of its report is what it found at the end.
+# Changes by the repair, in words; the other fields of its report are final states.
 _DONE = {
     "removed_non_finite_triangles": "triangles that are not finite removed",
     "merged_vertices": "vertices merged",
@@ -43,24 +43,17 @@ _LEFT = {
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CleanedMesh(ChangedMesh):
-    """A mesh that was mended, and what is still wrong with it; `print` tells it.
+    """A repaired mesh and its remaining defects.
 
     Attributes:
-        mesh: The new one.
-        repair: What `TriangleMesh.repair` did to all of the mesh.
-        removed_parts: Small parts that went after that; `parts` are left.
-        is_watertight, boundary_edges: Of the mesh without them.
-        self_intersections: Pairs of triangles that cut through each other.
-        was_watertight, area_in: Whether the mesh was closed before, and the area of its finite triangles [m^2].
-        merge_distance, hole_size: As they were given [m].
-        vertices_in, triangles_in: How many the other one had.
-        reliable, warnings: Whether all quality checks passed, and those that failed.
-
-    Example:
-        >>> import pointloom as loom
-        >>> found = loom.clean_mesh(loom.TriangleMesh.create_moebius())
-        >>> found.warnings
-        ('a part has one side only, as a Moebius strip: there is no inside',)
+        mesh: The result.
+        repair: Report of `TriangleMesh.repair` for the complete mesh.
+        removed_parts, parts: Small parts removed afterwards, and remaining parts.
+        is_watertight, boundary_edges, self_intersections: Of the result; pairs of intersecting triangles.
+        was_watertight, area_in: Of the input; area of its finite triangles [m^2].
+        merge_distance, hole_size: As given [m].
+        vertices_in, triangles_in: Counts of the input.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     repair: MeshRepairReport
@@ -76,7 +69,6 @@ class CleanedMesh(ChangedMesh):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.mesh):
             return ("no triangle is left",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
@@ -91,7 +83,6 @@ class CleanedMesh(ChangedMesh):
         return tuple(reasons)
 
     def _losses(self) -> list[str]:
-        """What the repair cost of the mesh, where that is too much."""
         done, losses = self.repair, []
         gone = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(1, self.triangles_in)
         lost = done.lost_area / self.area_in if self.area_in > 0 else 0.0
@@ -105,11 +96,9 @@ class CleanedMesh(ChangedMesh):
         return losses
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         return plain(self.sizes_to_dict() | self._figures() | quality(self))
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         figures = self._figures()
         did = [f"{figures[name]:,} {words}" for name, words in _DONE.items() if figures[name]]
         still = [f"{figures[name]:,} {words}" for name, words in _LEFT.items() if figures[name]]
@@ -124,7 +113,6 @@ class CleanedMesh(ChangedMesh):
         ]
 
     def _figures(self) -> dict[str, Any]:
-        """What was done and found, by name."""
         ends = {"is_watertight": self.is_watertight, "boundary_edges": self.boundary_edges}
         parts = {"removed_parts": self.removed_parts, "parts": self.parts}
         ends |= {"was_watertight": self.was_watertight, "area_in": self.area_in}
@@ -140,28 +128,19 @@ def clean_mesh(
     min_area: float = 0.0,
     progress: ReportProgress | None = None,
 ) -> CleanedMesh:
-    """Mend a mesh, drop its small parts, and say what was done and what is still wrong.
+    """Repair a mesh, remove small parts and report remaining defects, as `pointloom clean-mesh`.
 
-    What `pointloom clean-mesh` does: `TriangleMesh.repair`, then `remove_small_components`, then the search for
-    triangles that cut through each other.
+    Runs `repair`, `remove_small_components` and a self-intersection test. Bitwise identical on every device.
 
     Args:
         mesh: The mesh.
-        merge_distance: Vertices closer than this become one [m]; None for those at one position.
-        hole_size: Holes of up to this radius [m] are closed; None for none.
-        min_triangles: Parts with fewer triangles go.
-        min_area: Parts with a smaller area [m^2] go.
+        merge_distance: Merge vertices closer than this [m]. If None: only equal positions.
+        hole_size: Fill holes of up to this radius [m]. If None: none.
+        min_triangles, min_area: Minimum triangles and area [m^2] of kept parts.
         progress: Called with each stage when it begins: "repair", "parts", "check".
 
-    Returns:
-        A CleanedMesh: the mesh, figures, `reliable` and `warnings`.
-
     Raises:
-        TypeError: No mesh, or no numbers.
-        ValueError: A number out of range.
-
-    Notes:
-        Same bits from run to run and on every device; memory as of `fill_holes`.
+        TypeError, ValueError: If `mesh` is not a mesh, or an argument is not a number or out of range.
 
     Example:
         >>> import pointloom as loom

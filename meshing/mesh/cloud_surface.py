@@ -1,4 +1,4 @@
-"""A surface of a cloud, with normals, cut and checks of its reliability: `create_surface`."""
+"""Surface reconstruction with normals and quality checks: `create_surface`."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ Cut = Callable[[float], TriangleMesh]
 
 METHODS = ("poisson", "ball", "alpha")
 DEPTH = 8
-DENSITY_QUANTILE = 0.01  # of Open3D's tutorial: the surface that Poisson makes up where there are no points
-MADE_UP_AT_ALL = 0.001  # share of the area: ten samples of 10,000; a surface of which less is made up stays whole
-NEIGHBORS = 30  # of a normal that is made, and in the graph that orients them
+DENSITY_QUANTILE = 0.01  # as in Open3D's tutorial: surface that Poisson extrapolates
+MADE_UP_AT_ALL = 0.001  # fraction of the area: ten samples of 10,000; below, the surface is not trimmed
+NEIGHBORS = 30  # for normal estimation, and in the orientation graph
 
 SPACING_NEIGHBORS = 10
-# Times the median distance of a point to its 10th neighbour. Poisson closes smaller gaps well; an alpha shape hides a
+# Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well; an alpha shape hides a
 # hollow behind one.
 FAR = {"poisson": 3.0, "alpha": 1.0}
 SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
-QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # of which the first that mends a surface made up is proposed
+QUANTILES = (0.02, 0.05, 0.1, 0.2, 0.4)  # the first that removes the extrapolated surface is proposed
 
 _OWNERS = {"depth": "poisson", "density_quantile": "poisson", "radii": "ball", "alpha": "alpha"}
 _DEFAULTS = {"depth": DEPTH, "density_quantile": None, "radii": None, "alpha": "auto"}
@@ -46,7 +46,7 @@ _DEFAULTS = {"depth": DEPTH, "density_quantile": None, "radii": None, "alpha": "
 
 @dataclass(frozen=True)
 class _Made:
-    """A mesh, and for Poisson's what cuts it at a quantile of its densities."""
+    """A mesh, with the densities of Poisson reconstruction."""
 
     mesh: TriangleMesh
     cut: Cut | None = None
@@ -63,35 +63,30 @@ def create_surface(
     new_normals: bool = False,
     progress: ReportProgress | None = None,
 ) -> SurfaceResult:
-    """Make a surface through the points of a cloud, with normals where there are none, and say what it is worth.
+    """Reconstruct a surface from a cloud, with normals if missing, and check its reliability, as `pointloom mesh`.
 
-    What `pointloom mesh` does: points that are not finite are left out; normals that the method needs are made of the
-    30 nearest points and oriented; Poisson's surface is cut where points are fewest; the surface is measured. The
-    methods alone are `TriangleMesh.create_from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`.
+    Missing normals are estimated from 30 neighbors and oriented; Poisson surfaces are trimmed where points are sparse.
+    See `TriangleMesh.create_from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`. Bitwise reproducible.
 
     Args:
-        cloud: Its normals are used where it has some.
+        cloud: The points; existing normals are used.
         method: "poisson", "ball" (pivoting) or "alpha" (shape).
-        depth: Poisson: of the octree, 2..20; None takes 8.
-        density_quantile: Poisson: this share of the vertices goes, those with the fewest points about them, 0 and up
-            but below 1; None takes 0.01 where any of the surface lies far from all points, else nothing goes.
-        radii: Ball pivoting: of the balls [m]; None takes them from the points' spacing.
-        alpha: Alpha shape: the radius of its balls [m]; None or "auto" takes it from the points' spacing.
-        new_normals: Make normals anew though the cloud has some.
+        depth: Poisson: octree depth, 2..20, default 8.
+        density_quantile: Poisson: fraction of the vertices with the lowest densities to remove, below 1. If None: 0.01
+            if parts of the surface are far from all points, else 0.
+        radii: Ball pivoting: radii [m]. If None: from the point spacing.
+        alpha: Alpha shape: radius [m]. If None or "auto": from the point spacing.
+        new_normals: Replace existing normals.
         progress: Called with each stage when it begins: "normals", the method's name, "check".
 
     Returns:
-        A SurfaceResult: the mesh, figures, `reliable` and `warnings`. The mesh has no
-        triangles where the points give none. Of the points' attributes it has normals and colours.
+        A SurfaceResult: the mesh with normals and colors, statistics, `reliable` and `warnings`. The mesh is empty if
+        there is no surface. Inconsistent normals are reported in `warnings`.
 
     Raises:
-        TypeError: Not a PointCloud, or no numbers.
-        ValueError: An unknown method, a setting of another method or out of range, or what the method refuses.
-        MemoryError: Poisson's tree would not fit.
-
-    Notes:
-        Same bits from run to run. Normals that disagree are reported in `warnings`, without a NormalsWarning. Beside
-        the method's memory 60 B a triangle, and some 20,000 samples on the surface.
+        TypeError: If `cloud` is not a PointCloud, or an argument is not a number.
+        ValueError: If the method is unknown, or a setting is of another method, out of range or rejected.
+        MemoryError: If Poisson's tree does not fit.
 
     Example:
         >>> import pointloom as loom
@@ -130,15 +125,7 @@ def create_surface(
     )
 
 
-# ------------------------------------------------------------------------------------------------ internals
-
-
 def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
-    """The method's own settings, checked, with their defaults.
-
-    Raises:
-        TypeError, ValueError: No such method, a setting of another one, or one out of range.
-    """
     if check_name("method", method) not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     for name, value in given.items():
@@ -158,7 +145,7 @@ def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
 
 
 def _with_normals(points: PointCloud, method: str, anew: bool) -> tuple[PointCloud, NormalsUsed]:
-    """The cloud with the normals that the method needs, where they come from, and how far they disagree."""
+    """Cloud with the required normals, their source and disagreement."""
     if method == "alpha":
         return points, NormalsUsed("not needed", given=False, disagreement=None)
     given, origin = bool(points.has_normals) and not anew, "of the input"
@@ -189,10 +176,7 @@ def _make(points: PointCloud, method: str, settings: dict[str, Any]) -> _Made:
 def _without_made_up(
     points: PointCloud, made: _Made, method: str, settings: dict[str, Any]
 ) -> tuple[TriangleMesh, MadeUp]:
-    """The mesh as its density is cut, and how much of it lies far from all points.
-
-    Where nobody gave a quantile, `settings` has the one that was taken.
-    """
+    """Mesh trimmed by density, and its fraction far from points; sets a default quantile in `settings`."""
     quantile = settings.get("density_quantile")
     mesh = made.mesh if quantile is None or made.cut is None else made.cut(quantile)
     if method not in FAR or not mesh.get_surface_area() > 0:
@@ -222,7 +206,6 @@ def _without_made_up(
 
 
 def _find_off(points: PointCloud, mesh: TriangleMesh) -> PointsOff:
-    """How far the points lie from a surface, by a sample of them."""
     if not mesh.get_surface_area() > 0:
         return PointsOff()
     probes = PointCloud(points.points[:: max(1, len(points) // POINT_SAMPLES)], device=points.device)

@@ -1,4 +1,4 @@
-"""Parts of a mesh that lie on others of it, triangle for triangle: the second side of a surface, a part given twice."""
+"""Parts of a mesh that duplicate others: second sides of surfaces, repeated parts."""
 
 from __future__ import annotations
 
@@ -10,21 +10,12 @@ from numpy.typing import NDArray
 from ...kernels.meshes.sheets import FLAT
 from .mesh_nesting import Parts, find_enclosing
 
-BULGE = 0.02  # the same for an open part: a fifth of a ball's
+BULGE = 0.02  # the same for an open part: a fifth of a sphere's
 
 
 class Copies:
-    """The triangles that have copies, by class.
-
-    Args:
-        classes: Of all triangles, int [t]: one number for those of the same three vertices.
-        corners: Those vertices, int [t, 3].
-
-    Attributes:
-        rows: The triangles with a copy, int [n], ascending.
-        classes: Their classes, 0 .. c-1.
-        ways: Which of the two ways round each is, 0 or 1.
-    """
+    """Triangles that have copies. `rows` are these triangles, ascending, with their `classes` (same vertices) and
+    orientations `ways` (0 or 1)."""
 
     def __init__(self, classes: NDArray[np.int32], corners: NDArray[np.int32]) -> None:
         self.rows = np.flatnonzero(np.bincount(classes)[classes] > 1)
@@ -35,13 +26,7 @@ class Copies:
 
 
 def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether each triangle belongs to a loose part that holds an opposite copy of all of its triangles, bool [t].
-
-    Args:
-        copies: The copies.
-        names: The first triangle of each one's part, int [t].
-        loose: Whether it was no part of a closed surface, bool [t].
-    """
+    """Triangles of loose parts that contain an opposite copy of all their triangles, bool (t,)."""
     own = names[copies.rows]
     keys = (copies.classes.astype(np.int64) * len(names) + own) * 2 + copies.ways
     opposite = np.isin(keys ^ 1, keys) & ~copies.flat
@@ -51,19 +36,10 @@ def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.boo
 
 
 def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Which triangles belong to parts that others cover, bool [t]: one of each pair of sides stays.
-
-    A part is covered where all of its triangles have copies in parts that stay. A closed part that looks outwards is a
-    solid: only copies that look the same way cover it, so one that fills the room between others stays. One that looks
-    inwards and lies within another is the wall of a hollow, and the same holds. Open parts go first, then those that
-    look inwards, then later ones: of an open sheet the side stays that is listed first, of a vault the outer one.
-
-    Args:
-        mesh: The mesh.
-        copies: The copies among its triangles.
-        names: The first triangle of each one's part, int [t].
-        twins: The other half-edge of each one's pair or -1, int [3 t].
-    """
+    """Triangles of parts covered by others, bool (t,); one of each pair of sides stays. A part is covered if all its
+    triangles have copies in kept parts. Solids and walls of hollows are covered only by copies of the same orientation.
+    Open parts are dropped first, then inward ones, then later ones. `names` are the first triangles of parts, `twins`
+    the paired half-edges or -1."""
     firsts, labels, sizes = np.unique(names, return_inverse=True, return_counts=True)
     part_of = labels[copies.rows]
     whole = np.flatnonzero(np.bincount(part_of[~copies.flat], minlength=len(firsts)) == sizes)
@@ -91,7 +67,7 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
 def _sides_of(
     mesh: Any, labels: NDArray[np.int64], closed: NDArray[np.bool_], chosen: NDArray[np.int64]
 ) -> NDArray[np.float64]:
-    """The volume between each chosen part and the middle of its vertices, 0 where it looks neither way; float64 [p]."""
+    """Signed volume of each chosen part, 0 without orientation; float64 (p,)."""
     count = len(closed)
     rows = np.flatnonzero(np.isin(labels, chosen))
     corners, own = mesh.vertices[mesh.triangles[rows]] - mesh.origin, labels[rows]
@@ -104,11 +80,9 @@ def _sides_of(
 
 
 def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copies) -> NDArray[np.bool_]:
-    """Whether each part is the skin of a solid, so that its other side does not stand for it, bool [p].
-
-    A closed part is that looks outwards, and one that looks inwards as the wall of a hollow: within an odd number of
-    parts that it shares no triangle with. Where all of the mesh has two sides, what lies so and looks outwards is none.
-    """
+    """True for parts that bound a solid, so that their other side does not cover them, bool (p,). Closed outward parts
+    do, and inward ones inside an odd number of parts without common triangles. If the complete mesh is two-sided,
+    outward parts inside others do not."""
     solid = parts.closed & (parts.sides > 0)
     if not (parts.closed & (parts.sides < 0)).any():
         return solid

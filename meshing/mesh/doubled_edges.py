@@ -1,4 +1,4 @@
-"""Sheets that pass between the same two vertices more than once: all but the first get a vertex halfway."""
+"""Separate sheets that share two vertices by more than one edge: all but the first get a vertex at the midpoint."""
 
 from __future__ import annotations
 
@@ -20,16 +20,9 @@ MeshType = TypeVar("MeshType", bound=MeshSelection)
 
 
 def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
-    """Give sheets that have an edge between the same two vertices as another a vertex in the middle of it.
-
-    Such a surface touches itself along an edge and hangs together around both of its ends, so that no split of vertices
-    parts it. New vertices stand at the end, with the means of their ends; a triangle becomes two for each, the first in
-    its place, the others at the end.
-
-    Args:
-        mesh: Sheets.
-        twins: The other half-edge of each one's pair or -1, int32 [3 t].
-    """
+    """Add a midpoint to edges that repeat another edge's vertices in sheets. Such a surface touches itself along an
+    edge but is connected around both ends, so splitting vertices does not separate it. New vertices and triangles are
+    appended. `twins` are the paired half-edges or -1, int32 (3 t,)."""
     count = mesh._device_arrays["vertices"].size
     found = find_doubled_edges(mesh._device_arrays["triangles"], count, twins)  # sync
     if not found.size:
@@ -49,7 +42,7 @@ def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
 
 
 def _pieces(corners: list[int], middles: list[int | None]) -> list[list[tuple[int, list[float]]]]:
-    """A triangle as triangles of (vertex, weights of its corners), with vertices on some of its sides."""
+    """Split a triangle at vertices on its sides: triangles of (vertex, corner weights)."""
     around: list[tuple[int, list[float]]] = []
     for k in range(3):
         around.append((corners[k], [float(j == k) for j in range(3)]))
@@ -57,14 +50,14 @@ def _pieces(corners: list[int], middles: list[int | None]) -> list[list[tuple[in
         if middle is not None:
             around.append((middle, [0.0 if j == (k + 2) % 3 else 0.5 for j in range(3)]))
     first = next(k for k, (_, weight) in enumerate(around) if max(weight) < 1)
-    around = around[first:] + around[:first]  # from a middle on, which lies on a line with its neighbours alone
+    around = around[first:] + around[:first]  # start at a midpoint, which is collinear with its neighbors only
     return [[around[0], around[k], around[k + 1]] for k in range(1, len(around) - 1)]
 
 
 def _with_pieces(
     mesh: MeshType, ends: NDArray[np.int32], rows: NDArray[np.int64], pieces: list[Any], weights: list[Any]
 ) -> MeshType:
-    """The mesh with vertices between some ends, and with pieces in the place of the triangles at some rows."""
+    """Add vertices between ends, and replace the triangles at some rows by pieces."""
     device, count = mesh.device, len(mesh)
     lower, upper = (upload(np.ascontiguousarray(ends[:, k]), int32, device) for k in (0, 1))
     arrays: dict[str, Any] = {}

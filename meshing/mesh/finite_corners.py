@@ -1,4 +1,4 @@
-"""The check that all corners of a mesh's triangles are finite, for measures that no part of the triangles can give."""
+"""Check that all corners of a mesh's triangles are finite."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ REMEDY = "repair() drops such triangles"
 
 
 def find_wrong_corner(mesh: MeshArrays) -> str | None:
-    """The first triangle with a corner that is NaN or infinite, as a clause of a sentence; None if there is none."""
+    """First triangle with a corner that is not finite, as a clause; None if there is none."""
     vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
     rows = positions_of(mask_not_finite(vertices, triangles))  # sync
     if not rows.size:
@@ -29,11 +29,7 @@ def find_wrong_corner(mesh: MeshArrays) -> str | None:
 
 
 def check_finite_corners(operation: str, mesh: MeshArrays) -> None:
-    """Check that no triangle has a corner that is NaN or infinite. Vertices without triangles may be.
-
-    Raises:
-        ValueError: One has.
-    """
+    """Raise ValueError if a triangle has a corner that is not finite; unused vertices may be."""
     found = find_wrong_corner(mesh)
     if found is not None:
         raise ValueError(f"{operation}: expected triangles with finite corners, but {found}; {REMEDY}")

@@ -1,4 +1,4 @@
-"""Flat outlines filled with triangles that use all their points and no others."""
+"""Triangulation of flat outlines without additional points."""
 
 from __future__ import annotations
 
@@ -13,11 +13,7 @@ LIBRARY = "manifold3d"
 
 
 def load_manifold(name: str) -> Any:
-    """The library of booleans and polygons, for the function of some name.
-
-    Raises:
-        ImportError: It is not installed.
-    """
+    """Import manifold3d for a function; ImportError if it is not installed."""
     try:
         import manifold3d
     except ImportError as error:
@@ -26,16 +22,8 @@ def load_manifold(name: str) -> Any:
 
 
 def fill_loops(name: str, loops: list[NDArray[np.float64]]) -> NDArray[np.int64]:
-    """Triangles between outlines, whose edges they have as these run: what lies to the left is inside.
-
-    Args:
-        name: Of the function, for the message.
-        loops: float64 [k, 2] each, k at least 3.
-
-    Returns:
-        [t, 3] numbers of the points of all loops in their order. Each edge between two triangles runs both ways, and
-        each edge of an outline once, also where outlines cross each other or themselves; triangles overlap there.
-    """
+    """Triangulate outlines (k, 2), inside to their left; returns point numbers (t, 3). Each inner edge runs both ways,
+    each outline edge once, also where outlines intersect; triangles overlap there."""
     if not loops:
         return np.zeros((0, 3), np.int64)
     found = load_manifold(name).triangulate([np.ascontiguousarray(loop, np.float64) for loop in loops])
@@ -43,7 +31,7 @@ def fill_loops(name: str, loops: list[NDArray[np.float64]]) -> NDArray[np.int64]
 
 
 def turn_by_depth(loops: list[NDArray[np.float64]]) -> list[bool]:
-    """Which of some outlines have to be turned, so that those within an even number of others run to the left."""
+    """Outlines to reverse so that those inside an even number of others are counterclockwise."""
     turns = []
     for k, loop in enumerate(loops):
         depth = sum(encloses(other, loop[0]) for j, other in enumerate(loops) if j != k)
@@ -52,13 +40,13 @@ def turn_by_depth(loops: list[NDArray[np.float64]]) -> list[bool]:
 
 
 def signed_area(loop: NDArray[np.float64]) -> float:
-    """The area of an outline, below zero where it runs clockwise."""
+    """Area of an outline, negative if clockwise."""
     x, y = (loop - loop[0]).T
     return float(matmul(x, np.roll(y, -1)) - matmul(y, np.roll(x, -1))) / 2
 
 
 def encloses(loop: NDArray[np.float64], point: NDArray[np.float64]) -> bool:
-    """Whether a point lies in an outline, by the number of times that a ray to the right crosses it."""
+    """True if a point is inside an outline (ray crossing)."""
     x, y = (loop - point).T
     x2, y2 = np.roll(x, -1), np.roll(y, -1)
     crosses = (y > 0) != (y2 > 0)

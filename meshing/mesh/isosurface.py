@@ -1,4 +1,4 @@
-"""Surfaces of sampled fields: `marching_cubes`."""
+"""Isosurfaces of sampled fields: `marching_cubes`."""
 
 from __future__ import annotations
 
@@ -12,40 +12,28 @@ from .mesh_reconstruction import extract_level
 def marching_cubes(
     field: Any, level: float = 0.0, *, spacing: Any = (1.0, 1.0, 1.0), origin: Any = (0.0, 0.0, 0.0), device: Any = None
 ) -> TriangleMesh:
-    """Extract the surface on which a sampled field passes a level.
+    """Extract the isosurface of a sampled field.
+
+    Closed and manifold inside the grid: ambiguous faces separate the inside corners, unlike Lewiner's method in
+    scikit-image. A sample at the level counts as above. Bitwise reproducible; about 1 B per sample; one sync. Lorensen
+    and Cline, "Marching cubes", SIGGRAPH 1987; Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015.
 
     Args:
-        field: Values at the points of a grid, shape [nx, ny, nz] with at least 2 along each axis, z fastest: a NumPy
-            array or array-like, a Warp array, or anything with `__cuda_array_interface__` or DLPack. float32 in C order
-            is used where it lies; other types and orders are copied to it first.
-        level: The value on the surface; taken as float32, as the field is.
-        spacing: Distance [m] of neighbouring samples along each axis, three positive numbers.
-        origin: Position [m] of sample (0, 0, 0).
-        device: Where to compute on an array of the host (default "cpu"); a device array stays where it is.
+        field: Values at grid points, shape (nx, ny, nz), at least 2 along each axis, z fastest: an array-like or device
+            array. float32 in C order is used without a copy.
+        level: Value on the surface, as float32.
+        spacing: Distance of samples along each axis [m], three positive numbers.
+        origin: Position of sample (0, 0, 0) [m].
+        device: Device for a host array (default "cpu"); a device array stays on its device.
 
     Returns:
-        The mesh, on that device; empty where nothing passes the level. Triangles turn counter-clockwise seen from the
-        side where the field is above the level: normals point outward for distances that are negative inside. Each
-        vertex belongs to a triangle, and vertices are shared. The surface ends at the border of the grid.
+        The mesh with shared vertices; empty without a crossing. Triangles are counterclockwise from above the level, so
+        normals point outward if the field is negative inside. Open only at the grid's border.
 
     Raises:
-        TypeError: The field is not numeric.
-        ValueError: Another shape, a level or spacing out of range, or more triangles than 32 bits can index.
-        DeviceError: No such device, or a device array that lies on another one.
-
-    Notes:
-        Same bits from run to run. Besides the mesh about 1 B a sample is needed while it runs; one wait for the device.
-
-        Closed and manifold inside the grid for every field: at an ambiguous face both cells separate the inside
-        corners. A sample exactly at the level counts as above it; triangles there may have no area. A cell with a
-        sample that is NaN or infinite makes no triangles.
-
-        Unlike scikit-image's `marching_cubes`, ambiguous cells are not resolved by the values inside the cell
-        (Lewiner's method), `spacing` and `origin` apply to positions in float64 far from zero, triangles wind the other
-        way than its default gives for distances that are negative inside, and a field that never passes the level is
-        no error.
-
-        Lorensen and Cline, "Marching cubes", SIGGRAPH 1987; Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015.
+        TypeError: If the field is not numeric.
+        ValueError: If the shape, level or spacing is invalid, or there are more triangles than 32-bit indices.
+        DeviceError: If the device does not exist, or differs from the array's.
 
     Example:
         >>> import numpy as np

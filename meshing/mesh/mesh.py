@@ -1,7 +1,4 @@
-"""TriangleMesh: shared vertices and triangles on one device.
-
-The operations are in one module per topic; TriangleMesh inherits them.
-"""
+"""TriangleMesh: shared vertices and triangles on one device; operations are inherited from one module per topic."""
 
 from __future__ import annotations
 
@@ -28,36 +25,25 @@ from .mesh_texture import MeshTexture
 
 
 class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction, MeshTexture):
-    """A triangle mesh: vertices, the triangles between them, and optionally a normal and a colour at each vertex, and
-    texture coordinates at each triangle's corners with the pictures that they point into.
+    """A triangle mesh with optional vertex normals and colors, texture coordinates, textures and other attributes.
 
-    Further values of any type of number belong to vertices or triangles by name: `vertex_attributes`,
-    `triangle_attributes`.
-
-    Everything else is float32 (int32 for triangles), and all is on one device. Vertices are stored relative to a
-    float64 `origin`, so that they stay exact far from zero. Operations return a new mesh that shares the arrays which
-    they leave as they are. `len(mesh)` is the number of triangles.
-
-    Arrays come back as they came (docs/arrays.md): operations return arrays of the library that the vertices came in.
+    float32 (int32 triangles) on one device, relative to a float64 `origin`. Operations return new meshes that share
+    unchanged arrays, and arrays of the vertices' library (docs/arrays.md). `len(mesh)` counts triangles.
 
     Args:
-        vertices: Positions [m], shape [m, 3].
-        triangles: Vertex numbers, shape [t, 3]; counter-clockwise seen from outside.
-        vertex_normals: Shape [m, 3], stored as given.
-        vertex_colors: In 0..1, shape [m, 3].
-        triangle_uvs: Texture coordinates of corners, shape [3 t, 2].
-        triangle_material_ids: Which of the textures each triangle has, shape [t].
-        textures: Pictures, uint8 [height, width, 3 or 4].
-        vertex_attributes: Further values at vertices by name, of any type of number, shape [m] or [m, c].
-        triangle_attributes: Further values of triangles, shape [t] or [t, c].
-        device: "cpu", "cuda:N" or "auto"; None for the GPU that the vertices lie on, else the CPU.
-        origin: The point [3] that positions are stored relative to; None takes zero, or for vertices far
-            from zero for their extent a point near their median.
+        vertices: Positions [m], shape (m, 3).
+        triangles: Vertex indices, shape (t, 3), counterclockwise from outside.
+        vertex_normals, vertex_colors: Shape (m, 3); colors in 0..1.
+        triangle_uvs: Texture coordinates of corners, shape (3 t, 2).
+        triangle_material_ids: Texture index of each triangle, shape (t,).
+        textures: Images, uint8 (height, width, 3 or 4).
+        vertex_attributes, triangle_attributes: Other values by name, any number type, one row per vertex or triangle.
+        device: "cpu", "cuda:N" or "auto". If None: the vertices' GPU, or the CPU.
+        origin: Stored origin (3,). If None: zero, or near the median of vertices that are far from zero.
 
     Raises:
-        TypeError: Not numeric, or triangles that are not whole numbers.
-        ValueError: Another shape, or a triangle that names a vertex which does not exist.
-        DeviceError: No such device.
+        TypeError: If an array is not numeric, or triangles are not integers.
+        ValueError, DeviceError: If a shape or index is invalid, or if the device does not exist.
 
     Example:
         >>> mesh = TriangleMesh([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -113,7 +99,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         if triangle_material_ids is not None:
             self.triangle_material_ids = triangle_material_ids
         self.textures = textures
-        if device is not None and resolve_device(device) != self._device:  # arrays that lay on a GPU
+        if device is not None and resolve_device(device) != self._device:  # arrays were on a GPU
             moved = self.to(resolve_device(device))
             self._device, self._arrays, self._attributes = moved._device, moved._arrays, moved._attributes
 

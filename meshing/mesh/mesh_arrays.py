@@ -51,25 +51,24 @@ from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed, rows_of
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
 
-MOST = 2**31 - 1  # vertices and triangles are counted in 32 bits
+MOST = 2**31 - 1  # 32-bit indices
 
 
 class MeshArrays(InUnit, KnownNames, Movable):
-    """The arrays of a mesh by name, checked where they are assigned; TriangleMesh adds the operations."""
+    """Vertices, triangles and attributes of a mesh, validated on assignment; base of TriangleMesh."""
 
     _arrays: dict[str, wp.array]
     _textures: tuple[NDArray[np.uint8], ...]
     _up: Direction | None = None
     _device: Any
     _origin: NDArray[np.float64]
-    _attributes: dict[str, dict[str, wp.array]]  # by the names in ATTRIBUTES
-    _library: str = NUMPY  # whose arrays operations return, see core/array_libraries.py
+    _attributes: dict[str, dict[str, wp.array]]  # keys are those of ATTRIBUTES
+    _library: str = NUMPY  # library of returned arrays, see core/array_libraries.py
 
     def __len__(self) -> int:
         return self._arrays["triangles"].size
 
     def _repr_html_(self) -> str:
-        """The mesh in a notebook: what it holds, a row each."""
         arrays = [*self._arrays.items()]
         arrays += [(f"{kind}[{name!r}]", held) for kind, of in self._attributes.items() for name, held in of.items()]
         arrays += [(f"textures[{number}]", picture) for number, picture in enumerate(self._textures)]
@@ -77,49 +76,47 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def has_vertices(self) -> YesOrNo:
-        """Whether there are vertices; may be called, too."""
+        """True if there are vertices; also callable."""
         return YesOrNo(self._arrays["vertices"].size)
 
     @property
     def has_triangles(self) -> YesOrNo:
-        """Whether there are triangles; may be called, too."""
+        """True if there are triangles; also callable."""
         return YesOrNo(len(self))
 
     @property
     def has_vertex_normals(self) -> YesOrNo:
-        """Whether there are normals of vertices; may be called, too."""
+        """True if there are vertex normals; also callable."""
         return YesOrNo("vertex_normals" in self._arrays)
 
     @property
     def has_vertex_colors(self) -> YesOrNo:
-        """Whether there are colours of vertices; may be called, too."""
+        """True if there are vertex colors; also callable."""
         return YesOrNo("vertex_colors" in self._arrays)
 
     @property
     def has_triangle_uvs(self) -> YesOrNo:
-        """Whether there are texture coordinates; may be called, too."""
+        """True if there are texture coordinates; also callable."""
         return YesOrNo("triangle_uvs" in self._arrays)
 
     @property
     def has_textures(self) -> YesOrNo:
-        """Whether there are pictures to be drawn on it; may be called, too."""
+        """True if there are texture images; also callable."""
         return YesOrNo(len(self._textures))
 
     @property
     def is_empty(self) -> YesOrNo:
-        """Whether there is no vertex; may be called, too."""
+        """True if there are no vertices; also callable."""
         return YesOrNo(self._arrays["vertices"].size == 0)
 
     @property
     def up(self) -> Direction | None:
-        """Which way is up, a direction of length 1, as a file of glTF or you told it; None where it is not known.
+        """Up direction, a unit vector, from a glTF file or assigned; None if unknown (views then use z).
 
-        Views that are fitted (`render`, recordings, the viewer) show it upright; where it is not known, z is up. To
-        assign an axis ("y") or a direction turns no vertex. It goes along through operations, and turns with the mesh.
+        Assign an axis ("y") or a direction; vertices do not change. Operations keep it and rotations rotate it.
 
         Raises:
-            TypeError: What is assigned is no text and no direction.
-            ValueError: Another text than x, y and z, or a direction of no length.
+            TypeError, ValueError: If the value is not "x", "y", "z" or a direction of nonzero length.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -150,21 +147,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         origin: Any = None,
         library: str = NUMPY,
     ) -> Self:
-        """A mesh around device arrays, for kernels: nothing is copied or checked but types, lengths and devices.
-
-        Args:
-            vertices: vec3 [m], relative to `origin`.
-            triangles: vec3i [t], or int32 [3 t] or [t, 3] (contiguous), whose memory is then shared.
-            vertex_normals: vec3 [m].
-            vertex_colors: vec3 [m], in 0..1.
-            triangle_uvs: vec2 [3 t], three corners a triangle.
-            triangle_material_ids: int32 [t].
-            textures: uint8 pictures on the host.
-            vertex_attributes: By name, scalars [m] or [m, c].
-            triangle_attributes: By name, scalars [t] or [t, c].
-            origin: float64 [3]; None for zero.
-            library: Whose arrays its operations return.
-        """
+        """Create a mesh from device arrays without copies; only types, lengths and devices are checked. `triangles` is
+        vec3i (t,), or int32 (3 t,) or (t, 3), shared. `triangle_uvs` is vec2 (3 t,); colors are in 0..1; `textures` are
+        uint8 images on the host; `library` is the array library of results."""
         given = {
             "vertices": vertices,
             "triangles": as_triples(triangles),
@@ -194,12 +179,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return mesh
 
     def _with_arrays(self, *, origin: NDArray[np.float64] | None = None, **arrays: Any) -> Self:
-        """The same mesh with some device arrays replaced, or dropped where None.
-
-        Other triangles than before bring what belongs to them along: `_triangles_at` gives it; other vertices their
-        `vertex_attributes`, as `attributes_at` gives them. Attributes that the change does not bring along, and whose
-        rows are no longer as many, are left behind with a warning.
-        """
+        """Copy with some device arrays replaced, or dropped if None. New triangles need their data from
+        `_triangles_at`, new vertices `vertex_attributes` from `attributes_at`. Other attributes whose row count no
+        longer matches are dropped with a warning."""
         merged = self._arrays | self._attributes | arrays
         kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
@@ -213,25 +195,23 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def _device_arrays(self) -> dict[str, wp.array]:
-        """The device arrays by name, as `array` gives them one by one: for code that reads them."""
         return dict(self._arrays)
 
     @property
     def array_library(self) -> str:
-        """The library whose arrays operations return: that of the arrays which the mesh was made of."""
+        """Library of the arrays that operations return: that of the arrays the mesh was made from."""
         return self._library
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """A result as an array of the library that the mesh was made of; see `hand_out`. NumPy's own their memory."""
+        """Convert a result to the mesh's array library; NumPy arrays own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
 
     def _per_vertex(self) -> dict[str, Any]:
-        """What has one row a vertex, by name."""
         return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
 
     def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
-        """What belongs to triangles, by name, at some of them: int32 device array, each in 0..t-1, repeats allowed."""
+        """Triangle data at rows, an int32 device array with repeats allowed."""
         taken: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
         if "triangle_uvs" in self._arrays:
             taken["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
@@ -240,16 +220,16 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return taken | self._attributes_at("triangle_attributes", rows)
 
     def _vertices_at(self, rows: wp.array) -> dict[str, Any]:
-        """What belongs to vertices, by name, at some of them: int32 device array, each in 0..m-1, repeats allowed."""
+        """Vertex data at rows, an int32 device array with repeats allowed."""
         taken = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
         return taken | self._attributes_at("vertex_attributes", rows)
 
     def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
-        """The attributes of vertices or of triangles at some of them, as `_with_arrays` takes them."""
+        """Attributes of vertices or triangles at rows, as arguments of `_with_arrays`."""
         return {kind: rows_of(self._attributes[kind], rows)}
 
     def _assign(self, name: str, values: Any) -> None:
-        if isinstance(values, PointArrays):  # whose array would be its points
+        if isinstance(values, PointArrays):  # its `array` would be its points
             raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays")
         count = self._arrays["vertices"].size
         if is_on_gpu(values):
@@ -282,8 +262,6 @@ class MeshArrays(InUnit, KnownNames, Movable):
             raise ValueError(f"triangle_material_ids: expected 0 and up, got {ids.min()}..{ids.max()}")
         self._arrays["triangle_material_ids"] = upload(ids.astype(np.int32), int32, self._device)
 
-    # -------------------------------------------------------------------------------------------- data
-
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
         extras += "".join(f", {kind}[{listed(held)}]" for kind, held in self._attributes.items() if held)
@@ -292,17 +270,17 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def device(self) -> Any:
-        """The device that holds the arrays."""
+        """Device of the arrays."""
         return self._device
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """The point [m] that vertices are stored relative to, float64 [3]."""
+        """Point that vertices are stored relative to [m], float64 (3,)."""
         return read_only(self._origin.copy())
 
     @property
     def vertices(self) -> NDArray[np.float64]:
-        """Positions [m], a float64 copy of shape [m, 3] with the origin added; assigning takes any array-like."""
+        """Positions [m], float64 copy (m, 3) with the origin added; assignable."""
         return read_only(download(self._arrays["vertices"]).astype(np.float64).reshape(-1, 3) + self._origin)
 
     @vertices.setter
@@ -321,10 +299,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def triangles(self) -> NDArray[np.int32]:
-        """Vertex numbers, an int32 copy of shape [t, 3]; assigning takes any array-like.
-
-        With texture coordinates or material numbers their count stays: three rows of those belong to each triangle.
-        """
+        """Vertex indices, int32 copy (t, 3); assignable. Texture coordinates or material ids fix the count."""
         return read_only(download(self._arrays["triangles"]).reshape(-1, 3).copy())
 
     @triangles.setter
@@ -341,7 +316,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def vertex_normals(self) -> NDArray[np.float32] | None:
-        """Normals, a float32 copy of shape [m, 3], or None; assigning takes any array-like."""
+        """Normals, float32 copy (m, 3), or None; assignable."""
         return self._read("vertex_normals")
 
     @vertex_normals.setter
@@ -350,7 +325,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def vertex_colors(self) -> NDArray[np.float32] | None:
-        """Colours in 0..1, a float32 copy of shape [m, 3], or None; assigning takes any array-like."""
+        """Colors in 0..1, float32 copy (m, 3), or None; assignable."""
         return self._read("vertex_colors")
 
     @vertex_colors.setter
@@ -359,10 +334,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def triangle_uvs(self) -> NDArray[np.float32] | None:
-        """Texture coordinates of corners, a float32 copy of shape [3 t, 2], or None; (0, 0) is the lower left corner.
+        """Texture coordinates of corners, float32 copy (3 t, 2), or None; (0, 0) is the lower left corner.
 
-        Three rows a triangle, so that a texture may have seams: corners at one vertex need not agree. Assigning takes
-        any array-like, or None, which drops the textures and material numbers as well.
+        Three rows per triangle, which allows seams. Assigning None also drops textures and material ids.
         """
         return self._read("triangle_uvs", 2)
 
@@ -377,7 +351,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def triangle_material_ids(self) -> NDArray[np.int32] | None:
-        """Which of `textures` each triangle has, an int32 copy of shape [t], or None where all have the first."""
+        """Index into `textures` per triangle, int32 copy (t,), or None if all use the first."""
         ids = self._arrays.get("triangle_material_ids")
         return None if ids is None else read_only(download(ids).copy())
 
@@ -387,10 +361,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def textures(self) -> tuple[NDArray[np.uint8], ...]:
-        """The pictures that `triangle_uvs` point into, uint8 [height, width, 3 or 4] each, top row first; on the host.
-
-        Assigning takes a list of such pictures.
-        """
+        """Texture images, uint8 (height, width, 3 or 4), top row first, on the host; assignable as a list."""
         return self._textures
 
     @textures.setter
@@ -399,10 +370,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def vertex_attributes(self) -> MeshAttributes:
-        """Further values at vertices, a mapping of NumPy arrays of shape [m] or [m, c]: to set an item sets the mesh's.
+        """Additional vertex values, a mutable mapping of NumPy arrays of shape (m,) or (m, c).
 
-        They follow what is selected, joined, cut and subdivided: floating ones are interpolated at new vertices, of
-        others a new vertex takes those of the nearest old one.
+        Operations keep them: floating values are interpolated at new vertices, others copied from the nearest.
         """
         vertices = self._arrays["vertices"].size
         return MeshAttributes(
@@ -411,7 +381,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def triangle_attributes(self) -> MeshAttributes:
-        """The same for triangles, shape [t] or [t, c]; parts of a triangle have its values."""
+        """Additional triangle values, shape (t,) or (t, c); parts of a triangle inherit its values."""
         fields = tuple(PER_TRIANGLE)
         return MeshAttributes(self._attributes["triangle_attributes"], len(self), self._device, "triangle", fields)
 
@@ -419,14 +389,14 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return read_only(download(self._arrays[name]).reshape(-1, width).copy()) if name in self._arrays else None
 
     def array(self, name: str) -> wp.array:
-        """A device array by name, shared without a copy (DLPack, `__cuda_array_interface__`).
+        """Get a device array by name without a copy (DLPack, `__cuda_array_interface__`).
 
         Args:
-            name: "vertices" (vec3 [m], relative to `origin`), "triangles" (vec3i [t]), "vertex_normals" or
-                "vertex_colors" (vec3 [m]), "triangle_uvs" (vec2 [3 t]), "triangle_material_ids" (int32 [t]).
+            name: "vertices" (vec3 (m,), relative to `origin`), "triangles" (vec3i (t,)), "vertex_normals" or
+                "vertex_colors" (vec3 (m,)), "triangle_uvs" (vec2 (3 t,)), "triangle_material_ids" (int32 (t,)).
 
         Raises:
-            KeyError: The mesh has no such array.
+            KeyError: If the mesh has no such array.
         """
         if check_name("name", name) not in self._arrays:
             raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
@@ -434,16 +404,15 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
-        """The mesh on another device; itself where it is there already.
+        """Copy the mesh to another device; returns the mesh itself if it is already there.
 
         Args:
-            device: "cpu", "cuda:0", "auto".
-            arrays: The library whose arrays its operations return, as of `PointCloud.to`.
+            device: "cpu", "cuda:0" or "auto".
+            arrays: Library of returned arrays, as of `PointCloud.to`.
 
         Raises:
-            DeviceError: No such device.
-            ValueError: No such library.
-            ImportError: It is not installed.
+            DeviceError: If the device does not exist.
+            ValueError, ImportError: If the library is unknown or not installed.
         """
         target = resolve_device(device)
         library = self._library if arrays is None else check_library("arrays", arrays)
@@ -455,13 +424,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def clear(self) -> Self:
-        """A mesh without vertices and triangles on the same device: `mesh = mesh.clear()`."""
+        """Empty mesh on the same device: `mesh = mesh.clear()`."""
         kind: Any = type(self)
         return kind(device=self._device)
 
     @returns_new
     def copy(self) -> Self:
-        """Another mesh over the same arrays: what is assigned to one does not reach the other."""
+        """Copy that shares arrays; assignments to one do not affect the other."""
         return self._with_arrays()
 
     def __copy__(self) -> Self:
@@ -471,45 +440,41 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._with_each(clone)
 
     def _bare(self) -> Self:
-        """The mesh without further attributes."""
         return self._with_arrays(**dict.fromkeys(ATTRIBUTES))
 
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
-        """The mesh with every array changed alike."""
+        """Apply a function to every array."""
         changed: dict[str, Any] = each(self._arrays, change)
         changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
         return self._with_arrays(**changed)
 
     def __add__(self, other: Any) -> Self:
-        """The triangles of both meshes, see `concatenate`."""
         if not isinstance(other, MeshArrays):
             return NotImplemented
         return self.concatenate([self, other])
 
     def __radd__(self, other: Any) -> Self:
-        """The mesh itself for 0, where `sum` begins."""
         if isinstance(other, int) and other == 0:
             return self.copy()
         return NotImplemented
 
     @classmethod
     def concatenate(cls, meshes: Iterable[MeshArrays]) -> Self:
-        """The triangles of several meshes, one behind the other; nothing is merged, see `remove_duplicated_vertices`.
+        """Concatenate meshes without merging vertices; see `remove_duplicated_vertices`.
 
-        Of normals, colours, textures and further attributes those are kept that all meshes have, as Open3D's `+` does;
-        meshes without vertices have no say. Textures follow each other, and material numbers with them. The result
-        takes the origin of the mesh with most vertices.
+        Keeps the attributes that all non-empty meshes have, as Open3D's `+`; textures are appended. The origin is the
+        largest mesh's.
 
         Args:
             meshes: At least one, all on one device.
 
         Raises:
-            ValueError: No mesh, an attribute whose columns differ, or more than 2^31 - 1 vertices or triangles.
-            TypeError: Not meshes, or an attribute whose types differ.
-            DeviceError: Meshes on different devices.
+            ValueError: If there is no mesh, an attribute's columns differ, or there are more than 2^31 - 1 rows.
+            TypeError: If an item is not a mesh, or an attribute's types differ.
+            DeviceError: If the meshes are on different devices.
 
         Warns:
-            UserWarning: Some meshes are textured and some are not, so textures are left out.
+            UserWarning: If only some meshes have textures, which are dropped then.
 
         Example:
             >>> import pointloom as loom
@@ -550,19 +515,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return cls._from_device_arrays(**arrays | _joined_textures(parts), origin=origin, library=parts[0]._library)
 
     def __getstate__(self) -> dict[str, Any]:
-        """The mesh as NumPy arrays and the name of its device, for pickle."""
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
         attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
         state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
         return state | {"unit": self._unit, "up": self._up}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The mesh on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError: The state is damaged: arrays of wrong types or lengths, or triangles beyond the vertices.
-            DeviceError: It was on a GPU, and here is none.
-        """
+        """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("mesh"):
             device, given = device_like("mesh", state["device"]), state["arrays"]
             vertices, triangles = (np.asarray(given[name][0]).reshape(-1, 3) for name in ("vertices", "triangles"))
@@ -581,22 +540,21 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def transform(self, transformation: Any) -> Self:
-        """Move the mesh by an affine transformation.
+        """Apply an affine transformation.
 
         Args:
-            transformation: A finite 4x4 matrix with last row (0, 0, 0, 1) and an inverse.
+            transformation: Finite, invertible 4x4 matrix with last row (0, 0, 0, 1).
 
         Returns:
-            The moved mesh. Normals turn with the surface (by the inverse transpose; Open3D turns them as if they were
-            directions) and keep their lengths. A reflection reverses the triangles: their outside stays outside.
+            The mesh. Normals use the inverse transpose and keep their lengths. Reflections reverse triangles.
 
         Raises:
-            ValueError: Another matrix.
+            ValueError: If the matrix is invalid.
         """
         return self._mapped("transformation", check_transformation("transformation", transformation))
 
     def _mapped(self, name: str, T: NDArray[np.float64]) -> Self:
-        """The mesh under an affine map; errors call it by the argument that it was made of."""
+        """Apply an affine map; `name` is the argument reported in errors."""
         A, determinant = T[:3, :3], float(det(T[:3, :3]))
         if determinant == 0:
             raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
@@ -620,10 +578,10 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._with_arrays(origin=self._origin * factor, vertices=vertices)
 
     def get_center(self) -> NDArray[np.float64]:
-        """The mean of the finite vertices [m], shape [3]; zeros where there is none.
+        """Mean of the finite vertices [m], shape (3,); zeros if there are none.
 
         Raises:
-            ValueError: A triangle has a corner that is not finite.
+            ValueError: If a triangle has a corner that is not finite.
         """
         check_finite_corners("get_center", self)
         return self._finite_center()
@@ -634,13 +592,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        """The mesh with one colour for all vertices.
+        """Set one color for all vertices.
 
         Args:
-            color: Red, green and blue, 0..1; Open3D clips what lies outside, here it is an error.
+            color: Red, green and blue in 0..1 (Open3D clips other values).
 
         Raises:
-            ValueError: Not three numbers, or outside 0..1.
+            ValueError: If there are not three numbers in 0..1.
 
         Example:
             >>> import pointloom as loom
@@ -653,17 +611,12 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
 
 def check_mesh(name: str, mesh: Any) -> None:
-    """Refuse what is no mesh.
-
-    Raises:
-        TypeError: It is none.
-    """
     if not isinstance(mesh, MeshArrays):
         raise TypeError(f"{name}: expected a TriangleMesh, got {type(mesh).__name__}")
 
 
 def _numbered(parts: list[MeshArrays]) -> list[Any]:
-    """The triangles of each mesh by the vertices of all."""
+    """Triangles of each mesh with vertex indices of the concatenation."""
     numbered, start = [], 0
     for mesh in parts:
         triangles = mesh._arrays["triangles"]
@@ -673,7 +626,6 @@ def _numbered(parts: list[MeshArrays]) -> list[Any]:
 
 
 def _joined_columns(name: str, columns: list[Any]) -> Any:
-    """Values of one attribute behind one another."""
     first = columns[0]
     for column in columns:
         if column.dtype != first.dtype:
@@ -687,7 +639,7 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
 
 
 def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
-    """Texture coordinates, material numbers and pictures, as `_from_device_arrays` takes them."""
+    """Concatenated texture data, as arguments of `_from_device_arrays`."""
     triangled = [mesh for mesh in parts if len(mesh)]
     names = ("triangle_uvs", "triangle_material_ids")
     if any("triangle_uvs" in mesh._arrays for mesh in triangled):

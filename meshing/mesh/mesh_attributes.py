@@ -1,4 +1,4 @@
-"""The attributes of a mesh's vertices and of its triangles as mappings: to set an item there sets the mesh's."""
+"""Mutable mappings of the attributes of vertices and triangles."""
 
 from __future__ import annotations
 
@@ -20,17 +20,8 @@ Arrays = dict[str, wp.array]
 
 
 class MeshAttributes(MutableMapping[str, NDArray[Any]]):
-    """Attributes by name, as read-only NumPy arrays of shape [n] or [n, c], n the mesh's vertices or its triangles.
-
-    Assigning takes numbers of any type of up to 64 bits, booleans among them, and keeps the type.
-
-    Example:
-        >>> import pointloom as loom
-        >>> mesh = loom.TriangleMesh.create_box()
-        >>> mesh.triangle_attributes["label"] = range(12)
-        >>> mesh.remove_triangles_by_index([0, 1]).triangle_attributes["label"][0]
-        np.int64(2)
-    """
+    """Read-only NumPy attributes of shape (n,) or (n, c) by name, n the mesh's vertices or triangles. Assignment
+    accepts numbers of up to 64 bits and booleans, and keeps the type."""
 
     def __init__(self, arrays: Arrays, count: int, device: Any, of: str, fields: tuple[str, ...]):
         self._arrays, self._count, self._device, self._of, self._fields = arrays, count, device, of, fields
@@ -57,20 +48,15 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
     @property
     def name(self) -> str:
-        """What the mesh calls it: "vertex_attributes" or "triangle_attributes"."""
+        """ "vertex_attributes" or "triangle_attributes"."""
         return "vertex_attributes" if self._of == "vertices" else "triangle_attributes"
 
     @property
     def arrays(self) -> Arrays:
-        """The device arrays by name."""
         return dict(self._arrays)
 
     def array(self, name: str) -> wp.array:
-        """The device array of an attribute, shared without a copy.
-
-        Raises:
-            KeyError: There is no such attribute.
-        """
+        """Device array of an attribute, shared; KeyError if missing."""
         return self._arrays[name]
 
     def _taken(self, name: str, values: Any) -> wp.array:
@@ -87,11 +73,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
 
 def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> None:
-    """Set what was given; nothing where that is None.
-
-    Raises:
-        TypeError: It is no mapping.
-    """
+    """Assign a mapping; TypeError if it is none. None assigns nothing."""
     if given is not None and not isinstance(given, Mapping):
         raise TypeError(f"{attributes.name}: expected arrays by name, got {shown(given)}")
     for name, values in (given or {}).items():
@@ -99,12 +81,10 @@ def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> N
 
 
 def each(arrays: Arrays, change: Callable[[wp.array], Any]) -> dict[str, Any]:
-    """All arrays, changed."""
     return {name: change(values) for name, values in arrays.items()}
 
 
 def rows_of(arrays: Arrays, rows: wp.array) -> dict[str, Any]:
-    """The rows of all arrays, by an int32 device array."""
     return each(arrays, lambda values: gather_rows(values, rows))
 
 

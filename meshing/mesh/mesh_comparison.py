@@ -1,4 +1,4 @@
-"""How far two surfaces lie apart, and whether they are one thing at all: `compare_meshes`."""
+"""Comparison of two surfaces: `compare_meshes`."""
 
 from __future__ import annotations
 
@@ -16,32 +16,23 @@ from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_metrics import SurfaceMetrics
 
-THRESHOLD = 0.01  # of the second mesh's diagonal: the distance of the F-score where none is given
-APART = 0.1  # of the diagonal: a mean distance above this is another unit or frame
+THRESHOLD = 0.01  # of the second mesh's diagonal: default distance of the F-score
+APART = 0.1  # of the diagonal: a larger mean distance suggests another unit or frame
 
 
 @dataclass(frozen=True, eq=False)
 class MeshComparison(Report, Assessed):
-    """How far two surfaces lie apart; `print` tells it.
+    """Distances between two surfaces.
 
     Attributes:
-        metrics: The distances, as of `TriangleMesh.compute_metrics`.
-        thresholds: The distances [m] of its F-scores.
-        triangles: How many either mesh has.
+        metrics: As of `TriangleMesh.compute_metrics`.
+        thresholds: Distances of its F-scores [m].
+        triangles: Counts of both meshes.
         diagonal: Of the second mesh's box [m].
-        samples: Points drawn from each.
-        seed: What chose them.
-        limit: The Hausdorff distance [m] that was allowed, or None.
-        device: Where it was computed.
-        unit: Of the lengths, where it is known.
-        reliable, warnings: Whether all checks passed, and those that failed, such as that units differ.
-
-    Example:
-        >>> import pointloom as loom
-        >>> ball = loom.TriangleMesh.create_sphere()
-        >>> found = loom.compare_meshes(ball, ball.scale(1000, [0, 0, 0]), samples=1000)
-        >>> found.warnings[0].split(": ")[1]
-        'other units, or other frames? Register them first'
+        samples, seed: Points sampled from each mesh, and their seed.
+        limit: Allowed Hausdorff distance [m], or None.
+        device, unit: Of the computation; unit of lengths if known.
+        reliable, warnings: True if all checks passed, and those that failed.
     """
 
     metrics: SurfaceMetrics
@@ -56,7 +47,6 @@ class MeshComparison(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         mean, m = max(self.metrics.mean), symbol_of(self.unit)
         if mean > APART * self.diagonal:
             share = format_share(mean / self.diagonal)
@@ -66,7 +56,7 @@ class MeshComparison(Report, Assessed):
         return ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types; F-scores by their distances."""
+        """All fields in JSON's types; F-scores by their distances."""
         found = self.metrics
         scores = dict(zip(map(str, self.thresholds), found.fscore.tolist(), strict=True))
         head = {"triangles": self.triangles, "diagonal": self.diagonal, "chamfer": found.chamfer}
@@ -77,7 +67,6 @@ class MeshComparison(Report, Assessed):
         return plain(head | farthest | both_ways | tail | unit)
 
     def fields(self) -> Fields:
-        """The figures as labels and values."""
         found, m = self.metrics, symbol_of(self.unit)
         scores = zip(self.thresholds, found.fscore.tolist(), strict=True)
         return [
@@ -99,30 +88,21 @@ def compare_meshes(
     limit: float | None = None,
     seed: int = 0,
 ) -> MeshComparison:
-    """Measure how far two surfaces lie apart, both ways, and say whether they are one thing at all.
+    """Compare two surfaces in both directions and check whether they match, as `pointloom compare-meshes`.
 
-    What `pointloom compare-meshes` does: `TriangleMesh.compute_metrics` with a distance for the F-score that suits the
-    mesh, and checks of reliability.
+    Uses `TriangleMesh.compute_metrics`. Bitwise reproducible.
 
     Args:
-        first: A mesh.
-        second: The mesh that it is held against, on the same device.
-        thresholds: Distances [m] of the F-scores; None or none for a hundredth of the second mesh's diagonal.
-        samples: Points drawn from each.
-        limit: A Hausdorff distance [m] above this is reported as a warning; None for no limit.
-        seed: Chooses the points, 0..2^31 - 1.
-
-    Returns:
-        A MeshComparison: figures, `reliable` and `warnings`.
+        first, second: The meshes, on one device.
+        thresholds: Distances of the F-scores [m]. If None: a hundredth of the second mesh's diagonal.
+        samples: Points sampled from each.
+        limit: Warn above this Hausdorff distance [m]; None for no limit.
+        seed: Random seed, 0..2^31 - 1.
 
     Raises:
-        TypeError: No mesh, or no numbers.
-        ValueError: A mesh without area or with a triangle that has a corner which is not finite, or a number out of
-            range.
-        DeviceError: The meshes are on different devices.
-
-    Notes:
-        Same bits from run to run; memory as of `compute_metrics`.
+        TypeError: If an argument is not a mesh or not a number.
+        ValueError: If a mesh has no area or a corner that is not finite, or a number is out of range.
+        DeviceError: If the meshes are on different devices.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Triangle meshes from and to files: PLY, OBJ, STL, OFF, GLB and glTF."""
+"""Read and write triangle meshes: PLY, OBJ, STL, OFF, GLB and glTF."""
 
 from __future__ import annotations
 
@@ -20,29 +20,23 @@ from .mesh import TriangleMesh
 def read_triangle_mesh(
     path: str | os.PathLike[str], *, device: Any = None, up: str = "y", outside_files: bool = False
 ) -> TriangleMesh:
-    """Read a triangle mesh; the extension names the format.
+    """Read a triangle mesh; the extension determines the format.
 
     Args:
-        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Faces of more than three corners become
-            triangles that cover them once (docs/meshes.md). Corners of an .stl that lie at exactly the same place
-            become one vertex.
-        device: Where to put it; "cpu" by default.
-        up: Which axis is to be up in the mesh of a .glb or .gltf: "y" as the standard and the file have it, "z" as most
-            clouds do.
-        outside_files: Whether pictures and other files are read that a file names outside its own folder.
+        path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Polygons are triangulated (docs/meshes.md).
+            Coincident corners of an .stl are merged.
+        device: Target device, "cpu" by default.
+        up: Up axis of a mesh from .glb or .gltf: "y" as in the file, or "z".
+        outside_files: Read images and other files outside the file's own folder.
 
     Returns:
-        The mesh with the vertex normals and colours of the file, its texture coordinates, and one texture for each
-        material that triangles have: its picture, or a pixel of its colour; a picture of several materials is held
-        once. (0, 0) is the lower left corner of a picture in every format. Meshes of a .glb or .gltf stand as they do
-        at rest. Other values at vertices and of triangles are `vertex_attributes` and `triangle_attributes`. Normals
-        of an .obj that are not one a vertex are left behind with a warning, textures where a picture is missing or
-        lies outside the folder, and what else of a .glb or .gltf a mesh has no place for.
+        The mesh with normals, colors, texture coordinates, other attributes, and one texture per used material (an
+        image or a pixel of its color). (0, 0) is the lower left corner in every format. Unsupported data, missing
+        textures and .obj normals that are not per vertex are dropped with a warning.
 
     Raises:
-        FileError: Missing, damaged, without faces, or of a format that is not read; says the byte, line or row.
-        DeviceError: No such device.
-        ValueError: Another axis, or "z" of a file that is no .glb or .gltf.
+        FileError: If the file is missing, damaged, without faces or of an unknown format; includes byte, line or row.
+        DeviceError, ValueError: If the device does not exist, or if `up` is invalid, or "z" for another format.
 
     Example:
         >>> import pointloom as loom
@@ -62,11 +56,7 @@ def read_triangle_mesh(
 
 
 def mesh_of(table: MeshTable, path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
-    """The mesh of a table that was read from a file.
-
-    Raises:
-        FileError: Vertices too far apart for float32.
-    """
+    """Mesh of a table read from a file; FileError if vertices are too far apart for float32."""
     with content_errors(path):
         mesh = TriangleMesh(
             table.vertices,
@@ -95,32 +85,27 @@ def write_triangle_mesh(
     write_triangle_uvs: bool = True,
     up: str = "y",
 ) -> None:
-    """Write a triangle mesh; the extension names the format.
+    """Write a triangle mesh; the extension determines the format.
 
-    Positions are written as float32 where the mesh has no origin, else as float64 with the origin added; STL holds
-    float32 only, GLB float32 about a translation.
+    Positions are float32 without an origin, else float64 with the origin added; GLB uses a translation.
 
     Args:
         path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .glb (binary) or .gltf (text)
-            file; it appears whole or not at all. Textures of m.ply are written beside it as m_0.png, m_1.png, ...,
-            those of m.obj and m.gltf as well, with m.mtl or m.bin; a .glb holds them. A texture of one pixel is a
-            colour in an .mtl.
-        mesh: The mesh. STL holds neither shared vertices nor normals nor colours at them, STL and OFF no textures,
-            which are left out with a warning. GLB writes a vertex once for each texture coordinate that its corners
-            have, and triangles in the order of their materials. Material numbers without textures do not come back
-            from any. Further attributes are held by .ply, those of vertices by .glb and .gltf, colours of triangles by
-            .off; other formats leave them out, with a warning.
+            file, written atomically. Textures of m.ply, m.obj and m.gltf are written as m_0.png, m_1.png, ..., with
+            m.mtl or m.bin; a .glb contains them.
+        mesh: The mesh. Data that the format cannot store is dropped with a warning: STL has no vertex data, STL and OFF
+            no textures, and only .ply all attributes (.glb and .gltf those of vertices, .off triangle colors). GLB
+            duplicates vertices at texture seams and sorts triangles by material.
         ascii: Text, for .ply.
-        overwrite: Whether existing files may be replaced.
-        write_vertex_normals: Whether vertex normals are written where the mesh has them.
-        write_vertex_colors: Whether vertex colours are.
-        write_triangle_uvs: Whether texture coordinates, material numbers and textures are.
-        up: For .glb and .gltf: the axis that is up in the mesh, "y" or "z"; in the file it is y, by the standard.
+        overwrite: Allow replacing existing files.
+        write_vertex_normals, write_vertex_colors: Write these arrays if the mesh has them.
+        write_triangle_uvs: Write texture coordinates, material ids and textures.
+        up: For .glb and .gltf: up axis of the mesh, "y" or "z"; converted to y in the file.
 
     Raises:
-        FileError: The place cannot be written, or the format cannot hold the mesh.
-        ValueError: Text was asked of STL, OFF or GLB, a material number names no texture, or an axis that is none.
-        TypeError: No mesh.
+        FileError: If the file cannot be written, or the format cannot store the mesh.
+        ValueError: If text is requested for STL, OFF or GLB, a material id has no texture, or `up` is invalid.
+        TypeError: If `mesh` is not a mesh.
 
     Example:
         >>> import pointloom as loom
@@ -147,7 +132,7 @@ def write_triangle_mesh(
 
 
 def mesh_table(mesh: TriangleMesh) -> MeshTable:
-    """A mesh as files have it: positions in float32 where it has no origin, else in float64 with the origin added."""
+    """Mesh in file form: positions in float32 without an origin, else in float64 with the origin added."""
     return MeshTable(
         mesh.vertices if mesh.origin.any() else mesh.vertices.astype(np.float32),
         mesh.triangles,

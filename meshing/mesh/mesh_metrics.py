@@ -1,4 +1,4 @@
-"""How alike two surfaces are: Chamfer distance, Hausdorff distance, F-score, and a picture of the error."""
+"""Comparison of two surfaces: Chamfer distance, Hausdorff distance, F-score, error map."""
 
 from __future__ import annotations
 
@@ -25,21 +25,17 @@ if TYPE_CHECKING:
     pass
 
 UNREACHED = "mesh2: has no finite triangle, or lies 1.8e19 m away or farther"
-CLOSE = 1e-5  # of the meshes' size: how far the bounds of a Hausdorff distance may be apart
+CLOSE = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
 
 
 class SurfaceMetrics(NamedTuple):
-    """Distances between two surfaces; `chamfer`, `hausdorff` and `fscore` stand as in a cloud's metrics.
+    """Distances between two surfaces.
 
     Attributes:
-        chamfer: The mean distance from each surface to the other, the two added [m].
-        hausdorff: The largest distance from a point of either surface to the other one [m]: some point has it.
-        fscore: For each radius, the harmonic mean of the percentages of either surface that have the other one within
-            the radius; 0..100, float64.
-        hausdorff_bound: What no point's distance exceeds [m].
-        mean: The mean distances [m] from the first surface to the second, and back.
-        rms: The roots of the mean squared distances [m], likewise.
-        max: The largest distances [m], likewise.
+        chamfer: Sum of the mean distances in both directions [m].
+        hausdorff, hausdorff_bound: Maximum distance that a point has, and its upper bound [m].
+        fscore: Harmonic mean of the percentages of surface within each radius, 0..100, float64.
+        mean, rms, max: Distances in each direction [m].
     """
 
     chamfer: float
@@ -62,18 +58,7 @@ class _OneWay(NamedTuple):
 
 
 class _Measured:
-    """What is measured from one surface to another one, where it is measured.
-
-    Args:
-        mesh: The surface.
-        other: The other one.
-        tree: Its tree.
-        surface: The surface to draw from.
-        radii, count, seed: As of `compute_metrics`.
-
-    Attributes:
-        arrays: What the host has to read.
-    """
+    """Device measurements from one surface to another; `arrays` are to be downloaded."""
 
     def __init__(
         self,
@@ -98,19 +83,17 @@ class _Measured:
         self.arrays = [self._sums.whole, sum_squares(sampled), self.farthest.known]
 
     def check(self, whole: NDArray[Any]) -> None:
-        """Refuse surfaces that are too far apart."""
         if self._sums.told(whole)[0] < self._count:
             raise ValueError(UNREACHED)
 
     def told(self, whole: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
-        """The numbers, of what the host has read."""
         _, total, _, within = self._sums.told(whole)
         count = self._count
         return _OneWay(total / count, root_mean_square(squares, count), 100 * within / count, *bounds)
 
 
 def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
-    """Distances from one surface to the other one, and back; three syncs, rarely more."""
+    """Distances in both directions; three syncs, rarely more."""
     meshes = [(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
@@ -130,6 +113,5 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
 
 
 def points_about(points: wp.array, origin: NDArray[np.float64], target: NDArray[np.float64]) -> wp.array:
-    """Points about one origin, about another one."""
     shift = origin - target
     return concatenate_points([points], [shift]) if shift.any() else points

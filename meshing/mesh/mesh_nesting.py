@@ -1,4 +1,4 @@
-"""Which closed parts of a mesh lie within which, and so which way each should look."""
+"""Nesting of closed mesh parts, and the orientation that follows."""
 
 from __future__ import annotations
 
@@ -15,19 +15,13 @@ from ...kernels.meshes.mesh_edits import gather_triangles
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.rays.winding_numbers import Dipoles, add_winding_numbers
 
-SAMPLES = 3  # points of a part, of which most have to lie within another
-INWARDS = 1.0e-4  # of the size of a triangle: how far behind it its point lies, so that parts may touch
+SAMPLES = 3  # points of a part; most must be inside another
+INWARDS = 1.0e-4  # of a triangle's size: depth of its test point behind it, so that parts may touch
 
 
 @dataclass(frozen=True)
 class Parts:
-    """The parts of a mesh, p of them.
-
-    Attributes:
-        labels: Which one each triangle belongs to, int [t].
-        closed: Whether it has no border and can be wound alike, bool [p].
-        sides: Its signed volume, float64 [p]: above 0 where it looks outwards.
-    """
+    """p parts: label of each triangle (t,), `closed` (no border, orientable), `sides` (signed volume)."""
 
     labels: NDArray[np.int64]
     closed: NDArray[np.bool_]
@@ -35,11 +29,8 @@ class Parts:
 
 
 def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict[int, list[int]]:
-    """The closed parts that each closed part lies within, ascending; parts that lie within none are left out.
-
-    A part lies within another where its box does and two of three points close behind its largest triangles have a
-    winding number about the other of more than a half.
-    """
+    """Closed parts that enclose each closed part, ascending; outermost parts are omitted. A part is inside another if
+    its box is, and two of three points behind its largest triangles have winding number > 0.5."""
     inner = np.flatnonzero(parts.closed & (parts.sides != 0))
     if len(inner) < 2:
         return {}
@@ -69,17 +60,8 @@ def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict
 
 
 def choose_sides(parts: Parts, enclosing: dict[int, list[int]], kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which parts are to be turned over, bool [p].
-
-    Parts within none look outwards. One within others that was wound alike as it was given keeps its side towards the
-    one around it, so what was a hollow stays one, and solid in solid stays that; unless behind it there would be less
-    than nothing. One that was not looks inwards or outwards by how many lie around it.
-
-    Args:
-        parts: The parts.
-        enclosing: Of `find_enclosing`.
-        kept: bool [p], whether it was wound alike as it was given.
-    """
+    """Parts to be flipped, bool (p,). Outermost parts face outward. Nested parts that were oriented (`kept`) keep their
+    side relative to the enclosing part, unless the winding number would become negative. Others alternate by depth."""
     turned, signs = np.zeros(len(parts.closed), np.bool_), np.sign(parts.sides)
     depths = {part: len(enclosing.get(part, ())) for part in np.flatnonzero(parts.closed).tolist()}
     for part in sorted(depths, key=lambda p: (depths[p], p)):
@@ -98,7 +80,7 @@ def choose_sides(parts: Parts, enclosing: dict[int, list[int]], kept: NDArray[np
 
 
 def _points_behind(points: NDArray[np.float32], corners: NDArray[np.int32], side: float) -> NDArray[np.float64]:
-    """Points close behind the largest triangles of a part that looks outwards, else before them; [SAMPLES, 3]."""
+    """Points behind the largest triangles of a part if it faces outward, else before them; (SAMPLES, 3)."""
     a, b, c = points[corners].astype(np.float64).transpose(1, 0, 2)
     cross = np.cross(b - a, c - a)
     sizes = np.linalg.norm(cross, axis=1)

@@ -39,15 +39,14 @@ from .sweep_arrays import (
     wall_triangles,
 )
 
-LONGEST = 1e30  # [m] of a length: what float32 holds, with room for its sums
-MOST_VERTICES = 2**22  # of a shape: far beyond what a picture of one shows
+LONGEST = 1e30  # [m] limit of lengths: float32 with margin for sums
+MOST_VERTICES = 2**22  # more than an image can resolve
 
 
 class MeshPrimitives(MeshMeasures):
-    """The part of TriangleMesh that creates primitives and swept shapes.
+    """Methods of TriangleMesh that create primitives and swept shapes.
 
-    Vertices, triangles and texture coordinates of primitives are Open3D's, in its order. Sweeps run in NumPy: they are
-    small, and made once.
+    Vertices, triangles and texture coordinates of primitives equal Open3D's. Sweeps run in NumPy.
     """
 
     @classmethod
@@ -61,23 +60,17 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A box with one corner at zero.
+        """Create a box with one corner at the origin: 8 vertices, 12 triangles.
 
         Args:
-            width: Along x [m].
-            height: Along y [m].
-            depth: Along z [m].
-            create_uv_map: Also texture coordinates: the box unfolded on the picture.
-            map_texture_to_each_face: The whole picture on each face instead.
+            width, height, depth: Size along x, y and z [m].
+            create_uv_map: Add texture coordinates: the box unfolded in the image.
+            map_texture_to_each_face: Map the complete image to each face instead.
             device: "cpu" (default), "cuda:N" or "auto".
 
-        Returns:
-            8 vertices, 12 triangles.
-
         Raises:
-            ValueError: A length that is not above zero.
-            TypeError: No numbers.
-            DeviceError: No such device.
+            ValueError, TypeError: If a length is not positive, or if a length is not a number.
+            DeviceError: If the device does not exist.
 
         Example:
             >>> import pointloom as loom
@@ -91,19 +84,12 @@ class MeshPrimitives(MeshMeasures):
     def create_plane(
         cls, width: float = 1.0, height: float = 1.0, create_uv_map: bool = False, *, device: Any = None
     ) -> Self:
-        """A rectangle in the plane z = 0 with one corner at zero, seen from above; Open3D has none.
+        """Create a rectangle in the plane z = 0, facing up, with one corner at the origin: 4 vertices, 2 triangles.
 
         Args:
-            width: Along x [m].
-            height: Along y [m].
-            create_uv_map: Also texture coordinates: the whole picture.
-            device: As of `create_box`.
-
-        Returns:
-            4 vertices, 2 triangles.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_box`.
+            width, height: Size along x and y [m].
+            create_uv_map: Add texture coordinates: the complete image.
+            device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -114,18 +100,11 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
-        """A tetrahedron about zero.
+        """Create a tetrahedron about the origin: 4 vertices, 4 triangles.
 
         Args:
-            radius: From zero to the corners [m].
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Returns:
-            4 vertices, 4 triangles.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_box`.
+            radius: Distance of the corners from the origin [m].
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -136,18 +115,11 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
-        """An octahedron about zero.
+        """Create an octahedron about the origin: 6 vertices, 8 triangles.
 
         Args:
-            radius: From zero to the corners [m].
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Returns:
-            6 vertices, 8 triangles.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_box`.
+            radius: Distance of the corners from the origin [m].
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -158,18 +130,11 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False, *, device: Any = None) -> Self:
-        """An icosahedron about zero.
+        """Create an icosahedron about the origin: 12 vertices, 20 triangles.
 
         Args:
-            radius: Half an edge [m], as Open3D has it; the corners lie 1.902 times as far from zero.
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Returns:
-            12 vertices, 20 triangles.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_box`.
+            radius: Half an edge [m], as in Open3D; the corners are 1.902 times as far from the origin.
+            create_uv_map, device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -180,7 +145,6 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def _of(cls, shape: Shape, device: Any, *, with_uvs: bool = False) -> Self:
-        """A mesh of a shape."""
         place = resolve_device(device)
         local, origin = split_origin(shape.vertices)
         return cls._from_device_arrays(
@@ -194,17 +158,16 @@ class MeshPrimitives(MeshMeasures):
     def create_sphere(
         cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False, *, device: Any = None
     ) -> Self:
-        """A ball about zero, of rings between two poles.
+        """Create a UV sphere about the origin.
 
         Args:
             radius: [m].
-            resolution: Steps from pole to pole, at least 2; twice as many around. (Open3D takes 1 and makes triangles
-                of vertices that are not there.)
-            create_uv_map: Also texture coordinates: u from pole to pole, v around.
+            resolution: Steps from pole to pole, at least 2; twice as many around.
+            create_uv_map: Add texture coordinates: u from pole to pole, v around.
             device: As of `create_box`.
 
         Raises:
-            ValueError, TypeError, DeviceError: As `create_box`; or more than 2^22 vertices.
+            ValueError, TypeError, DeviceError: As `create_box`; ValueError also for more than 2^22 vertices.
 
         Example:
             >>> import pointloom as loom
@@ -225,18 +188,12 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A ball about zero as `create_sphere` makes it, with another radius along each axis.
+        """Create an ellipsoid about the origin from `create_sphere`.
 
         Args:
-            radius_x: Along x [m].
-            radius_y: Along y [m].
-            radius_z: Along z [m].
+            radius_x, radius_y, radius_z: Radii along the axes [m].
             resolution: Steps from pole to pole, at least 2.
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            create_uv_map, device: As of `create_sphere`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -261,18 +218,13 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A closed cylinder about zero, along z.
+        """Create a closed cylinder along z, centered at the origin.
 
         Args:
-            radius: [m].
-            height: [m].
+            radius, height: [m].
             resolution: Corners of a ring, at least 3.
-            split: Parts along z.
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            split: Segments along z.
+            create_uv_map, device: As of `create_box`; errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -295,18 +247,13 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A closed cone along z, its base about zero.
+        """Create a closed cone along z, with its base centered at the origin.
 
         Args:
-            radius: Of the base [m].
-            height: [m].
+            radius, height: Radius of the base and height [m].
             resolution: Corners of a ring, at least 3.
-            split: Parts along z.
-            create_uv_map: Also texture coordinates.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            split: Segments along z.
+            create_uv_map, device: As of `create_box`; errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -328,17 +275,13 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A ring about the z axis.
+        """Create a torus about the z axis.
 
         Args:
-            torus_radius: From zero to the middle of the tube [m].
-            tube_radius: Of the tube [m].
-            radial_resolution: Rings around the hole, at least 3.
-            tubular_resolution: Corners of a ring, at least 3.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            torus_radius: Distance of the tube's center from the origin [m].
+            tube_radius: Radius of the tube [m].
+            radial_resolution, tubular_resolution: Rings around the hole and corners of a ring, at least 3.
+            device: As of `create_box`; errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -363,20 +306,13 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """An arrow from zero along z: a cylinder with a cone on it.
+        """Create an arrow from the origin along z: a cylinder with a cone.
 
         Args:
-            cylinder_radius: Of the shaft [m].
-            cone_radius: Of the head [m].
-            cylinder_height: Of the shaft [m].
-            cone_height: Of the head [m].
+            cylinder_radius, cone_radius, cylinder_height, cone_height: Dimensions of shaft and head [m].
             resolution: Corners of a ring, at least 3.
-            cylinder_split: Parts of the shaft along z.
-            cone_split: Parts of the head along z.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            cylinder_split, cone_split: Segments of shaft and head along z.
+            device: As of `create_box`; errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -400,15 +336,12 @@ class MeshPrimitives(MeshMeasures):
     def create_coordinate_frame(
         cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0), *, device: Any = None
     ) -> Self:
-        """Arrows along x (red), y (green) and z (blue) from a grey ball, with vertex normals.
+        """Create arrows along x (red), y (green) and z (blue) with a gray ball at their base.
 
         Args:
             size: Length of the arrows [m].
-            origin: Where they begin [m], shape [3].
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_box`.
+            origin: Position of the ball [m], shape (3,).
+            device: As of `create_box`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -442,20 +375,15 @@ class MeshPrimitives(MeshMeasures):
         *,
         device: Any = None,
     ) -> Self:
-        """A band about the z axis with half twists: one has one side only.
+        """Create a Möbius strip about the z axis.
 
         Args:
-            length_split: Pieces around, at least 3.
-            width_split: Vertices across, at least 2.
-            twists: Half twists, 0 and up.
-            radius: From zero to the middle of the band.
-            flatness: Stretches the band along z; not zero.
-            width: Of the band.
-            scale: Times everything.
-            device: As of `create_box`.
-
-        Raises:
-            ValueError, TypeError, DeviceError: As `create_sphere`.
+            length_split, width_split: Pieces around, at least 3; vertices across, at least 2.
+            twists: Number of half twists, at least 0.
+            radius, width: Distance of the center line from the origin, and width [m].
+            flatness: Scale along z, not zero.
+            scale: Scale of all coordinates.
+            device: As of `create_box`; errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -474,7 +402,7 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def create_moebius(cls, *args: Any, **kwargs: Any) -> Self:
-        """The same as `create_mobius`.
+        """Alias of `create_mobius`.
 
         Example:
             >>> import pointloom as loom
@@ -485,22 +413,21 @@ class MeshPrimitives(MeshMeasures):
 
     @returns_new
     def extrude_linear(self, vector: ArrayLike, scale: float = 1.0, capping: bool = True) -> Self:
-        """What the mesh sweeps when it moves along a vector.
+        """Sweep the mesh along a vector.
 
         Args:
-            vector: The way [m], shape [3].
-            scale: What the vector is multiplied with.
-            capping: Keep the mesh at the beginning and at the end; else only the walls that its border sweeps.
+            vector: Translation [m], shape (3,).
+            scale: Factor of the vector.
+            capping: Keep the mesh at both ends; if False, only the swept border remains.
 
         Returns:
-            Its vertices where they begin, then where they end; triangles at the beginning, at the end, and of the
-            walls, all facing outwards. A mesh in one piece whose triangles turn one way and face the vector all over,
-            or turn away from it, makes a watertight one. Colours and attributes stay, normals are made anew where there
-            were any, textures are left behind.
+            Vertices at the start, then at the end; outward triangles of the start, the end and the walls. A connected,
+            consistently oriented mesh that faces the vector everywhere gives a watertight result. Colors and attributes
+            stay, normals are recomputed if present, textures are dropped.
 
         Raises:
-            ValueError: Not three finite numbers, or a way without a length.
-            TypeError: No numbers.
+            ValueError: If there are not three finite numbers, or the vector has no length.
+            TypeError: If an argument is not numeric.
 
         Example:
             >>> import pointloom as loom
@@ -518,23 +445,22 @@ class MeshPrimitives(MeshMeasures):
     def extrude_rotation(
         self, angle: float, axis: ArrayLike, resolution: int = 16, translation: float = 0.0, capping: bool = True
     ) -> Self:
-        """What the mesh sweeps when it turns about an axis through zero, and moves along it on the way.
+        """Sweep the mesh by a rotation about an axis through the origin, optionally with a translation along it.
 
         Args:
-            angle: [degrees], of any size.
-            axis: A direction, shape [3]; the mesh turns to the left seen against it.
-            resolution: Steps.
-            translation: The way along the axis [m].
+            angle: Rotation [degrees], any size.
+            axis: Direction, shape (3,); rotation is counterclockwise seen against it.
+            resolution: Number of steps.
+            translation: Total translation along the axis [m].
             capping: As of `extrude_linear`.
 
         Returns:
-            Its vertices after each step, those on the axis once where nothing moves along it; triangles at the
-            beginning, at the end, and of the walls, step by step. A whole turn without a translation closes: the last
-            vertices are the first ones (Open3D keeps both), and no ends are kept. Else as `extrude_linear`.
+            Vertices step by step (on the axis once if there is no translation); triangles of both ends and the walls. A
+            full rotation without translation is closed and has no ends. Otherwise as `extrude_linear`.
 
         Raises:
-            ValueError: No direction, an angle of zero, no step, or more than 2^22 vertices.
-            TypeError: No numbers.
+            ValueError: If the axis, the angle or the steps are zero, or there are more than 2^22 vertices.
+            TypeError: If an argument is not numeric.
 
         Example:
             >>> import pointloom as loom
@@ -564,27 +490,22 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def from_polygon(cls, outline: ArrayLike, holes: Sequence[ArrayLike] = (), *, device: Any = None) -> Self:
-        """A flat polygon with holes, in triangles.
+        """Triangulate a flat polygon with holes.
 
         Args:
-            outline: Its corners in order [m], shape [k, 2] in the plane z = 0 or [k, 3]; the first one may stand at the
-                end again.
-            holes: Outlines of holes, likewise.
+            outline: Corners in order [m], shape (k, 2) in the plane z = 0 or (k, 3); optionally closed.
+            holes: Outlines of holes.
             device: "cpu" (default), "cuda:N" or "auto".
 
         Returns:
-            All corners in their order, and triangles between them alone, those along straight lines too. In two
-            dimensions it faces up, in three the side from which the outline runs to the left.
+            All corners in order, with triangles between them only. 2D polygons face up; 3D outlines are
+            counterclockwise.
 
         Raises:
-            ValueError: Fewer than three corners, numbers that are not finite, corners off one plane, or outlines that
-                cross themselves or each other.
-            TypeError: No numbers.
-            ImportError: manifold3d is not installed.
-            DeviceError: No such device.
-
-        Notes:
-            A point is off the plane beyond 1e-6 of the outline's length. Same bits from run to run.
+            ValueError: If there are fewer than three corners, numbers that are not finite, corners farther off the
+                plane than 1e-6 of the outline's length, or intersecting outlines.
+            TypeError, ImportError: If an argument is not numeric, or if manifold3d is not installed.
+            DeviceError: If the device does not exist.
 
         Example:
             >>> import pointloom as loom
@@ -616,21 +537,20 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def revolve(cls, profile: ArrayLike, angle: float = 360.0, resolution: int = 64, *, device: Any = None) -> Self:
-        """The surface that a line sweeps when it turns about the z axis.
+        """Create a surface of revolution about the z axis.
 
         Args:
-            profile: Its points as distance from the axis and height [m], shape [k, 2]; a line that goes up faces
-                outwards. Where the last point is the first one again, it closes.
-            angle: [degrees], up to 360 either way; with less the surface is open.
-            resolution: Steps.
+            profile: Points (distance from the axis, height) [m], shape (k, 2); an upward line faces outward.
+            angle: [degrees], at most 360 in either direction; the surface is open below 360.
+            resolution: Number of steps.
             device: As of `from_polygon`.
 
         Returns:
-            The points of the line after each step, those on the axis once.
+            The profile's points step by step, those on the axis once.
 
         Raises:
-            ValueError: Fewer than two points, a distance below zero, no step, or more than 2^22 vertices.
-            TypeError: No numbers.
+            ValueError: If there are fewer than two points, a negative distance, no step, or more than 2^22 vertices.
+            TypeError: If an argument is not numeric.
 
         Example:
             >>> import pointloom as loom
@@ -661,7 +581,7 @@ class MeshPrimitives(MeshMeasures):
         return cls._of(Shape(rings.reshape(-1, 3)[used], triangles, np.zeros((0, 2))), device)
 
     def _swept(self, rings: NDArray[np.float64], is_closed: bool, capping: bool) -> Self:
-        """The mesh with its vertices at each of some places, [k, m, 3], joined by walls along its border."""
+        """Join copies of the vertices at k positions, shape (k, m, 3), by walls along the border."""
         own = self.triangles.astype(np.int64)
         sides = own[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
         low, high = np.sort(sides, axis=1).T
@@ -684,7 +604,7 @@ class MeshPrimitives(MeshMeasures):
         return self._with_copies(places[used], used % max(rings.shape[1], 1), triangles, sources[keep])
 
     def _with_copies(self, places: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
-        """Vertices and triangles that have what belongs to some of this mesh, but for normals and textures."""
+        """New vertices and triangles with attributes copied from this mesh, without normals and textures."""
         local, origin = split_origin(places)
         bare = self._with_arrays(triangle_uvs=None, vertex_normals=None)
         arrays = bare._vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
@@ -696,21 +616,16 @@ class MeshPrimitives(MeshMeasures):
 
 
 def positive_lengths(**lengths: float) -> Any:
-    """Lengths above zero, as a tuple."""
     return tuple(check_positive(name, value, maximum=LONGEST) for name, value in lengths.items())
 
 
 def whole_counts(**counts: tuple[int, int]) -> Any:
-    """Whole numbers, each given with the least that it may be, as a tuple."""
+    """Validate integers, each given with its minimum; returns a tuple."""
     return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
 
 
 def check_vertex_count(names: str, vertex_count: int) -> None:
-    """Hold that a shape has no more vertices than anybody can see.
-
-    Raises:
-        ValueError: It has; `names` are the arguments that say so.
-    """
+    """Raise ValueError if a shape has too many vertices; `names` are the arguments to report."""
     if vertex_count > MOST_VERTICES:
         raise ValueError(f"{names}: {vertex_count:,} vertices are more than 2^22; take fewer steps")
 

@@ -51,32 +51,32 @@ from ...pcd.kept_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ...pcd.point_arrays import check_cloud
 from .mesh_measures import MeshMeasures
 
-MIN_DEPTH = 2  # the level whose density is asked is two above the finest, and level 0 says nothing
-MAX_POINT_WEIGHT = 1000.0  # ten times that, and the rounding of float32 makes bumps of a tenth of a cell and more
+MIN_DEPTH = 2  # densities use the level two above the finest, and level 0 has no information
+MAX_POINT_WEIGHT = 1000.0  # at ten times this, float32 rounding causes bumps of a tenth of a cell
 MAX_ENVELOPE = 10_000  # triangles: a minute for a million corners
-OPPOSED = 0.1  # share of neighbours to opposite sides; seams of a good cloud stay below, random signs are 0.5
-MIN_SAMPLES = 0.001  # depths of vertices come five levels below their points then
-NO_NORMALS = "call cloud = cloud.estimate_normals()"  # what is said then
-FIRST_RADIUS = 1.5  # spacings: the ball bridges the cells of a grid, whose circles have 0.7 of one, and some gaps
-LEAST_RADII, MOST_RADII = 3, 6  # taken from the cloud, each twice the one before
-WIDE_SHARE = 0.98  # of the points: the last radius is for those farthest from the others, but not for strays
-MOST_NEIGHBORS = 2**33  # of all points together, some ten minutes of two cores
-LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat to what float64 tells apart
+OPPOSED = 0.1  # fraction of disagreeing neighbors; seams of a good cloud are below, random signs give 0.5
+MIN_SAMPLES = 0.001  # vertices are then five levels coarser than their points
+NO_NORMALS = "call cloud = cloud.estimate_normals()"  # remedy in errors
+FIRST_RADIUS = 1.5  # times the spacing: bridges grid cells (circumradius 0.7) and some gaps
+LEAST_RADII, MOST_RADII = 3, 6  # default number of radii, each twice the previous one
+WIDE_SHARE = 0.98  # of the points: ignores outliers in the largest default radius
+MOST_NEIGHBORS = 2**33  # of all points together, about ten minutes on two cores
+LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat in float64
 TRIANGLE_CORNERS = 3  # points of a triangle
-SHORT_RADIUS = 0.1  # of the usual radius: below that a ball hardly touches two points
-ADVISED = 3.0  # such medians, for who gave an alpha that leaves nothing: detail stays, and even samples are closed
-AUTO = 10.0  # medians of the distance to the nearest point: the least at which the scanned bunny hangs together
+SHORT_RADIUS = 0.1  # of the usual radius: below it a ball rarely touches two points
+ADVISED = 3.0  # such medians, advised if alpha is too small: keeps detail and closes even samples
+AUTO = 10.0  # times the median nearest neighbor distance: the minimum that keeps the scanned bunny connected
 TETRAHEDRON_CORNERS = 4  # points of a tetrahedron
-SHORT_ALPHA = 0.02  # of the usual alpha, a fifth of the distance to the nearest: no tetrahedron is so small
-FLAT = 2e-7  # of the largest standard deviation: what rounding to float32 leaves of a plane's thickness
+SHORT_ALPHA = 0.02  # of the usual alpha, a fifth of the nearest neighbor distance: no tetrahedron is so small
+FLAT = 2e-7  # of the largest standard deviation: float32 rounding of a plane's thickness
 FLAT_REMEDY = "ball pivoting makes a surface of a flat cloud with normals"
-MOST_ALPHAS = 1000  # a tetrahedron is asked about each
+MOST_ALPHAS = 1000  # each tetrahedron is tested for each alpha
 _FLOAT_MAX = float(np.finfo(np.float32).max)
 _FLOAT_TINY = float(np.finfo(np.float32).tiny)
 
 
 class NormalsWarning(UserWarning):
-    """Near neighbours have normals to opposite sides, so that the surface is none of the points'.
+    """Neighboring normals are on opposite sides of the surface, so the reconstruction is unreliable.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -86,7 +86,7 @@ class NormalsWarning(UserWarning):
 
 
 class MeshReconstruction(MeshMeasures):
-    """The part of TriangleMesh that reconstructs surfaces from points and volumes."""
+    """Methods of TriangleMesh that reconstruct surfaces from points and volumes."""
 
     @classmethod
     @told_arguments
@@ -103,52 +103,35 @@ class MeshReconstruction(MeshMeasures):
         confidence: bool = False,
         envelope: MeshMeasures | None = None,
     ) -> tuple[Self, NDArray[np.float32]]:
-        """The closed surface that follows a cloud's normals.
+        """Reconstruct a closed surface from points with consistently oriented normals (screened Poisson).
 
-        Sought is a function whose gradient is the normals' field, with one value at all points; its surface at that
-        value is the mesh. It closes over places without points, far from all of them too: cut by the densities there,
-        `mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01))`. Where the surface reaches the cube
-        around the cloud it ends there. Normals have to be on one side of the surface throughout:
-        `cloud.orient_normals_consistent_tangent_plane(30)`. Where more than 10 % of near neighbours have normals to
-        opposite sides (`cloud.normal_disagreement()`) a NormalsWarning says so.
+        The surface also closes over regions without points: cut them by density,
+        `mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01))`. It is open only at the cube around the
+        cloud. A NormalsWarning is issued if more than 10% of neighboring normals disagree
+        (`cloud.normal_disagreement()`); orient them with `cloud.orient_normals_consistent_tangent_plane(30)`. Bitwise
+        reproducible for any number of threads. About 0.8 kB per block of eight cells. Kazhdan and Hoppe, "Screened
+        Poisson surface reconstruction", ACM TOG 2013.
 
         Args:
-            cloud: With normals. Points that are not finite and normals that are zero or NaN do not count.
-            depth: The finest level that the octree may have, 2..20: 2^depth cells along the cube. It ends earlier where
-                the points do: where a cell holds fewer than `samples_per_node`.
-            width: Width of the finest cells [m]; above 0 it takes the place of `depth`.
-            scale: Edge of the cube around the cloud over the longest edge of its box, 1 to 2^(depth - 1).
-            linear_fit: Place vertices linearly between the corners of cells, else by a parabola through both slopes,
-                which halves the error.
-            point_weight: How much the points pull, up to 1000; 0 leaves the normals alone, more follows noise.
-            samples_per_node: Points in the finest cells; 1.5 for clean points, up to 20 for noise. 0.001 or more.
-            confidence: A normal's length, over the mean of all, is its point's weight; else all weigh the same.
-            envelope: A closed mesh that the surface does not leave, on the cloud's device: keeps that of an open scan
-                from bulging out where no point is. It has to leave the points some cells of room. Takes the time of
-                corners of cells times its triangles, so up to 10,000 of those.
+            cloud: With normals. Points that are not finite and normals that are zero or NaN are ignored.
+            depth: Maximum octree level, 2..20 (2^depth cells along the cube); lower where points are sparse.
+            width: Width of the finest cells [m]; if positive, it replaces `depth`.
+            scale: Edge of the cube relative to the longest edge of the cloud's box, 1 to 2^(depth - 1).
+            linear_fit: Interpolate vertices linearly; otherwise by a parabola, which halves the error.
+            point_weight: Weight of the points, up to 1000; 0 uses only normals, larger values fit noise.
+            samples_per_node: Points in the finest cells, at least 0.001: 1.5 for clean points, up to 20 for noise.
+            confidence: Weight points by the lengths of their normals relative to the mean.
+            envelope: Closed mesh on the cloud's device that bounds the surface, with some cells of clearance to the
+                points. Up to 10,000 triangles.
 
         Returns:
-            (mesh, densities). The mesh has unit normals at its vertices (the function's gradient; Open3D's have lengths
-            of .3 to 1), colours where the cloud has some (of the nearest point; Open3D's are black where it has none),
-            and is edge-manifold and closed but for the cube's sides. `densities` is float32 [m], for each vertex the
-            depth at which cells around would hold `samples_per_node` points: Open3D's meaning.
+            (mesh, densities). The mesh is edge-manifold, closed except at the cube, with unit normals and colors of the
+            nearest points. `densities`, float32 (m,), are the depths of cells with `samples_per_node` points.
 
         Raises:
-            TypeError: Not a PointCloud.
-            ValueError: A cloud without normals, or without two places with a normal; an argument out of range, or more
-                `samples_per_node` than there are points.
-            MemoryError: The tree would not fit: refused, with the size, before it is allocated.
-
-        Notes:
-            Same bits from run to run, whatever the number of threads (Open3D's differ from two threads on). Positions
-            are relative to the cloud's origin, so coordinates of any size do no harm. About 0.8 kB a block of eight
-            cells: bunny, 100,000 points, 190 MB at depth 8, no more at 15.
-
-            Each level is solved by four sweeps of eight-coloured Gauss-Seidel from the coarser one's solution, with
-            trilinear functions at the corners of cells, as PoissonRecon's have been since 2018. Differs from Open3D in
-            bits, not in distance to the true surface.
-
-            Kazhdan and Hoppe, "Screened Poisson surface reconstruction", ACM TOG 32(3), 2013.
+            TypeError, ValueError: If `cloud` is not a PointCloud, or if the cloud has no normals or fewer than two
+                positions with one, an argument is out of range, or `samples_per_node` exceeds the number of points.
+            MemoryError: If the tree does not fit; checked before allocation.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -202,39 +185,26 @@ class MeshReconstruction(MeshMeasures):
     @classmethod
     @told_arguments
     def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
-        """A mesh of a cloud: the triangles that a ball can rest on without a point inside.
+        """Reconstruct a mesh by ball pivoting: triangles on which an empty ball can rest.
+
+        All empty-ball triangles that agree with the normals are found at once; of those that compete for an edge, the
+        one with the smallest circumcircle is kept. Later radii may be smaller and extend edges with one triangle and
+        unused points. Points without a finite position and normal are ignored. Bitwise identical on every device. About
+        1 kB per point. Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", TVCG 1999.
 
         Args:
-            cloud: A PointCloud with normals that point out of the surface.
-            radii: Radii [m] of the ball, in the order in which they are used: one number or several. None takes 1.5
-                times the spacing, which is the median distance of nearest points, and doubles it until three radii are
-                there and 98 % of the points have a neighbour within the last one, up to six radii.
+            cloud: A PointCloud with outward normals.
+            radii: Radii in order of use [m]. If None: 1.5 times the median nearest neighbor distance, doubled until
+                there are three radii and 98% of the points have a neighbor within the last one, up to six.
 
         Returns:
-            The mesh on the cloud's device: all its points as vertices, in its order and with its normals and colours,
-            and triangles that turn counter-clockwise seen from where the normals point. No edge has more than two
-            triangles, and neighbours turn the same way. Holes stay where no ball fits.
+            The mesh with all points, normals and colors, and consistently oriented triangles, counterclockwise from the
+            normals' side. Edges have at most two triangles. Holes remain where no ball fits.
 
         Raises:
-            TypeError: No PointCloud, or radii that are no numbers.
-            ValueError: A cloud without normals, no radius, one that is not a finite number > 0 or is 10,000 times the
-                cloud's box, or radii for which the search would take hours; the message gives the estimate.
-
-        Notes:
-            Bernardini et al. 1999, "The ball-pivoting algorithm for surface reconstruction", without an order: all
-            triangles whose ball is empty and which agree with the normals of their corners are found at once. Where
-            several want the same side of an edge that with the smallest circle is taken, ties by indices. So the same
-            bits from run to run, on every device and for any number of threads. Open3D's triangles of one radius are
-            among them but where they share such an edge; it finds fewer. A later radius adds triangles to edges that
-            have one triangle and to points that have none; unlike Open3D it always begins anew there, too. As in
-            Open3D a later radius may be the smaller one.
-
-            Points that are not finite, or have a normal that is zero or not finite, take no part; of points at one
-            place the first does. Points on one circle, as of a grid, make a fan about the first. All is decided in
-            float64 from the float32 coordinates about the cloud's origin, the same at every scale.
-
-            Memory: some 1 kB a point on the CPU, scratch included, for radii of a few spacings; never a list of all
-            neighbours.
+            TypeError: If `cloud` is not a PointCloud, or a radius is not a number.
+            ValueError: If the cloud has no normals, a radius is missing, not positive or 10,000 times the cloud's box,
+                or the search would take hours; the message contains the estimate.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -307,48 +277,32 @@ class MeshReconstruction(MeshMeasures):
     def create_from_point_cloud_alpha_shape(
         cls, cloud: PointCloud, alpha: Any = "auto", *, return_tetrahedra: bool = False
     ) -> Any:
-        """The alpha shape of a cloud: the boundary of its Delaunay tetrahedra whose circumradius is at most alpha.
+        """Alpha shape: boundary of the Delaunay tetrahedra with circumradius at most alpha.
 
-        Where points are denser than alpha the shape is filled; hollows and gaps wider than 2 alpha stay open. The
-        surface is closed, and an even number of triangles meets at each edge.
+        Dense regions are solid; hollows wider than 2 alpha stay open. The surface is closed, with an even number of
+        triangles per edge; it is empty if no tetrahedron is kept. Exact for the stored float32 coordinates; cospherical
+        points are resolved by index order. Bitwise identical on every device. About 300 B per point and up to 500 MB of
+        scratch memory; an alpha of the cloud's size is slow if many points are on its hull. Edelsbrunner and Mücke,
+        "Three-dimensional alpha shapes", TOG 1994, regularized.
 
         Args:
-            cloud: The points; those that are not finite are left out, and of equal ones the first counts.
-            alpha: Largest circumradius [m]. Infinity gives the convex hull. "auto" takes 10 times the median distance
-                of a point to its nearest: about the least at which the tetrahedra along a scanned surface hang together
-                in one shape (of the bunny's 35,947 points all, of 8,171 of them 99.9 %). A list, in any order, makes
-                one shape of each for little more than the cost of the largest.
-            return_tetrahedra: Return the kept tetrahedra and the point map, too.
+            cloud: The points; duplicates and points that are not finite are ignored.
+            alpha: Maximum circumradius [m]; infinity gives the convex hull. "auto" takes 10 times the median nearest
+                neighbor distance. A list gives one shape each, at little more than the cost of the largest.
+            return_tetrahedra: Also return the kept tetrahedra and the point map.
 
         Returns:
-            The mesh, or a list of them in the order of the alphas. Vertices are the points that a triangle uses, in the
-            cloud's order, with their normals and colours; triangles turn counter-clockwise seen from the side that is
-            not kept, and come by their points. With `return_tetrahedra` (mesh, tetrahedra, point_map) in its place:
-            int32 [k, 4] rows of the cloud with det(b - a, c - a, d - a) > 0, and int32 [m] the row of each vertex.
-
-            Where no tetrahedron is kept the mesh is empty: `len(mesh)` is 0.
+            The mesh or a list of meshes. Vertices are the used points in order, with normals and colors; triangles are
+            counterclockwise seen from outside. With `return_tetrahedra`: (mesh, tetrahedra, point_map), int32 (k, 4)
+            rows of the cloud with det(b - a, c - a, d - a) > 0, and int32 (m,) the row of each vertex.
 
         Raises:
-            TypeError: No cloud, or an alpha that is no number.
-            ValueError: An alpha that is not above zero, no alpha at all, or more than 1,000.
+            TypeError: If `cloud` is not a PointCloud, or an alpha is not a number.
+            ValueError: If an alpha is not positive, there is none, or there are more than 1,000.
 
         Warns:
-            UserWarning: The mesh is empty whatever the alpha: fewer than four points, or all on one line or plane.
-            UnitWarning: The mesh is empty since alpha is far below the spacing of the points.
-
-        Notes:
-            Exact for the float32 coordinates that the cloud holds, at any distance from zero, as it keeps an origin:
-            every question is answered in float64 with a bound of its error and, where that leaves it open, by whole
-            numbers. The Delaunay triangulation of points on one sphere (grids) is made unique by their order in the
-            cloud, with no flat tetrahedra. Same bits on every device and from run to run.
-
-            Each point finds its own tetrahedra among the points within 2 alpha, so there is no triangulation of the
-            whole; about 300 B a point for the time of the call, and scratch memory of up to 500 MB. The work grows with
-            the points near the empty spheres at a point, not with all within 2 alpha; an alpha of the size of the
-            cloud is dear where many points lie on its hull.
-
-            Open3D rounds: it leaves grids open and finds nothing at UTM coordinates. Edelsbrunner and Muecke,
-            "Three-dimensional alpha shapes", TOG 1994, regularised.
+            UserWarning: If the mesh is empty for any alpha: fewer than four points, or all collinear or coplanar.
+            UnitWarning: If the mesh is empty because alpha is far below the point spacing.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -388,7 +342,7 @@ class MeshReconstruction(MeshMeasures):
 
     @classmethod
     def _over_points(cls, cloud: PointCloud, triangles: wp.array, used: wp.array, places: wp.array, count: int) -> Self:
-        """A mesh of the points that some triangles use: so many, marked, each with its place among them."""
+        """Mesh of the points used by `triangles`, with their new indices."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
         arrays = {name: cloud._device_arrays[given] for name, given in names.items() if given in cloud._device_arrays}
         corners, kept = keep_counted(triangles, used, places, count, list(arrays.values()))
@@ -399,17 +353,17 @@ class MeshReconstruction(MeshMeasures):
 
     @classmethod
     def create_isosurfaces(cls, volume: ArrayLike, contour_values: ArrayLike = (0.0,), device: Any = None) -> Self:
-        """The surfaces on which a sampled field passes some values, one behind the other, as Open3D has them.
+        """Extract isosurfaces of a sampled field for one or more values.
 
-        `marching_cubes` is the same for one value, with the spacing of the samples and another order of axes.
+        `marching_cubes` does the same for one value, with a sample spacing and another axis order.
 
         Args:
-            volume: Values at the points (x, y, z) of a grid, shape [nz, ny, nx] with at least 2 along each axis.
-            contour_values: The values on the surfaces, taken as float32.
+            volume: Values at grid points (x, y, z), shape (nz, ny, nx), at least 2 along each axis.
+            contour_values: Values on the surfaces, as float32.
             device: "cpu" (default), "cuda:N" or "auto".
 
         Returns:
-            The mesh, one unit of length a sample; triangles turn counter-clockwise seen from where the field is below.
+            The mesh in units of samples; triangles are counterclockwise seen from lower values.
 
         Raises:
             ValueError, TypeError, DeviceError: As `marching_cubes`.
@@ -438,11 +392,7 @@ class MeshReconstruction(MeshMeasures):
 
 
 def _check_reach(scale: float, depth: int, samples: float, point_count: int) -> None:
-    """Hold that the cloud fills some cells of the tree, and that there are as many points as cells ask for.
-
-    Raises:
-        ValueError: It is too small in its cube, or there are fewer.
-    """
+    """Raise ValueError if the cloud fills too few cells of the tree, or has too few points."""
     if scale > 2 ** (depth - 1):
         raise ValueError(
             f"scale: {scale:g} leaves the cloud in less than two of the 2^{depth} cells along the cube; "
@@ -456,18 +406,13 @@ def _check_reach(scale: float, depth: int, samples: float, point_count: int) -> 
 
 
 def _nearest_colors(cloud: PointCloud, vertices: wp.array) -> wp.array | None:
-    """For each vertex the colour of the nearest point, where the cloud has colours."""
     if not cloud.has_colors or not vertices.size:
         return None
     return gather_rows(cloud.array("colors"), find_nearest_rows(cloud.search_tree(), vertices))
 
 
 def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cube, Indices]:
-    """The cube around the points that count, and their rows.
-
-    Raises:
-        ValueError: There are no two places among them.
-    """
+    """Cube around the valid points, and their rows; ValueError with fewer than two positions."""
     rows, low, high = bound_samples(points, normals)  # sync
     extent = float((high.astype(np.float64) - low).max()) if rows.size else 0.0
     if not extent > 0:
@@ -484,12 +429,6 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cub
 
 
 def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
-    """The envelope about the cloud's origin.
-
-    Raises:
-        TypeError: No TriangleMesh.
-        ValueError: Not closed, of too many triangles, or on another device.
-    """
     if not isinstance(envelope, MeshMeasures):
         raise TypeError(f"envelope: expected a TriangleMesh, got {type(envelope).__name__}")
     check_same_device("envelope", cloud.device, envelope.device)
@@ -506,7 +445,7 @@ def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
 
 
 def _warn_of_sides(cloud: PointCloud, side: float) -> None:
-    """Say so where normals do not agree; where neighbours can be searched at all, which float32 decides."""
+    """Warn if normals disagree; skipped where float32 cannot resolve neighbors."""
     if not SMALLEST_EXTENT < side < LARGEST_EXTENT:
         return
     share = cloud.normal_disagreement()
@@ -519,17 +458,13 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
 
 
 def _weights_as_lengths(points: wp.array, normals: wp.array) -> wp.array:
-    """The normals, those that count with lengths of 1 on average."""
+    """Normals scaled to a mean length of 1."""
     mean = mean_length(normals, sample_rows(points, normals))
     return transform_points(normals, np.eye(3) / mean, np.zeros(3))
 
 
 def _depth_of_width(side: float, width: float) -> int:
-    """The level whose cells are no wider.
-
-    Raises:
-        ValueError: It would be deeper than codes of cells reach.
-    """
+    """Level whose cells are at most `width` wide; ValueError if too deep."""
     if width * 2.0**MAX_DEPTH < side:
         raise ValueError(
             f"width: expected {side / 2**MAX_DEPTH:g} m or more, so that a cube of {side:g} m has up to 2^{MAX_DEPTH} "
@@ -546,10 +481,10 @@ def _check_radii(radii: Any) -> list[float]:
 
 
 def _default_radii(tree: Any) -> list[float]:
-    """From 1.5 times the median distance of nearest points on, each twice the one before."""
+    """Radii from 1.5 times the median nearest neighbor distance, doubling."""
     if tree.count < 3:
         return []
-    distances = nearest_distances(tree, tree.source, others=True)  # NaN at points out of the tree
+    distances = nearest_distances(tree, tree.source, others=True)  # NaN at points outside the tree
     spacing, wide = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
     radii = [FIRST_RADIUS * spacing * 2**i for i in range(MOST_RADII)]
     needed = sum(radius < wide for radius in radii) + 1
@@ -566,7 +501,7 @@ def _check_size(radii: list[float], extent: float) -> None:
 
 
 def _check_work(tree: Any, radius: float, places: Any) -> None:
-    """Refuse a radius whose neighbours are too many to look at."""
+    """Raise ValueError if a radius has too many neighbors to search."""
     if tree.count * places.size <= MOST_NEIGHBORS:
         return
     mean = count_around(tree, places, 2 * radius)  # sync
@@ -579,7 +514,7 @@ def _check_work(tree: Any, radius: float, places: Any) -> None:
 
 
 def why_flat(cloud: PointCloud) -> str | None:
-    """Why no alpha shape of a cloud has a tetrahedron, as a clause of a sentence; None if some alpha gives one."""
+    """Reason why no alpha shape of the cloud has a tetrahedron, as a clause; None if some alpha does."""
     points = cloud._device_arrays["points"]
     return _flat_reason(cloud._select_rows(first_occurrences(points)).search_tree().count, points)
 
@@ -595,7 +530,7 @@ def _flat_reason(distinct: int, points: wp.array) -> str | None:
 
 
 def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array, wp.array, int]]:
-    """For each shape its points, marked; the place of each among them; and how many they are. One sync for some."""
+    """For each shape: mask of used points, their new indices, their count. One sync for several shapes."""
     for first in range(0, len(shapes), TOGETHER):
         used = [mark_referenced(triangles, count) for triangles in shapes[first : first + TOGETHER]]
         for mask, (places, (total,)) in zip(used, scan_together([(mask, [count]) for mask in used]), strict=True):
@@ -603,14 +538,13 @@ def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array,
 
 
 def _used_rows(used: wp.array, places: wp.array, count: int) -> NDArray[np.int32]:
-    """The rows of the points that are marked, ascending."""
     rows = empty(count, int32, used.device)
     launch(list_rows_kernel, used.size, [used, places, rows])
     return download(rows).copy()  # sync
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
-    """The alphas, None for "auto", and whether they are several."""
+    """Validate alphas; None for "auto". Also True if several were given."""
     if isinstance(alpha, str) and alpha == "auto":
         return None, False
     if isinstance(alpha, str):
@@ -623,7 +557,7 @@ def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
 
 
 def _choose_alpha(tree: Any, points: wp.array) -> float:
-    """AUTO medians of the distance to the nearest point; any length where there are fewer than two."""
+    """AUTO times the median nearest neighbor distance; arbitrary with fewer than two points."""
     median = median_above_zero(nearest_distances(tree, points, others=True, missing=0.0))  # sync
     return 1.0 if median is None else AUTO * median
 
@@ -674,7 +608,7 @@ def _check_level(level: Any) -> float:
 
 
 def _device_field(field: Any, device: Any) -> wp.array:
-    """The field as a contiguous float32 device array of shape [nx, ny, nz], without a copy where it is one."""
+    """Contiguous float32 device array (nx, ny, nz), without a copy if possible."""
     if not isinstance(field, wp.array) and not isinstance(field, np.ndarray):
         if hasattr(field, "__cuda_array_interface__"):
             resolve_device(None)  # starts Warp
@@ -698,7 +632,7 @@ def _device_field(field: Any, device: Any) -> wp.array:
 def _upload_field(field: Any, device: Any) -> wp.array:
     host = check_numeric("field", field)
     _check_grid(host.shape)
-    with np.errstate(over="ignore"):  # beyond float32 is infinite, and cells with infinite corners are left out
+    with np.errstate(over="ignore"):  # overflow to infinity is intended: such cells are skipped
         host = np.ascontiguousarray(host, dtype=np.float32)
     return upload(host, wp.float32, device, copied=False)
 

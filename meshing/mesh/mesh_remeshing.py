@@ -49,15 +49,15 @@ from .surface_values import with_attributes_of, with_vectors_of
 from .vertex_numbers import check_finite_vertices, check_vertices
 
 CONTRACTIONS = ("average", "quadric")
-MOST_TRIANGLES = 2**29  # half-edges and what they become are counted in 32 bits
-LONG, SHORT = 4 / 3, 4 / 5  # of the length asked for: edges beyond are split or collapse (Botsch and Kobbelt 2004)
-RELAXED = 2  # times that vertices move in an iteration
-ROUNDS = 3  # of collapses and of flips in an iteration; each is a set of edges of which none is next to another
-LEAST_CREASE = 3.0  # of the length asked for: what hangs together over less is roughness
+MOST_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
+LONG, SHORT = 4 / 3, 4 / 5  # of the target length: limits of splits and collapses (Botsch and Kobbelt 2004)
+RELAXED = 2  # relaxation steps per iteration
+ROUNDS = 3  # of collapses and flips per iteration; each uses independent edges
+LEAST_CREASE = 3.0  # of the target length: shorter creases are roughness
 MOST_ITERATIONS = 1000
-TRIANGLE_BYTES = 400  # while it works
-FEW = 0.002  # of all edges: where a round changes fewer, it is the last
-MOST_CORNERS = 2**31 - 1  # half-edges are counted in 32 bits
+TRIANGLE_BYTES = 400  # temporary memory
+FEW = 0.002  # of all edges: a round that changes fewer is the last
+MOST_CORNERS = 2**31 - 1  # 32-bit half-edge indices
 MOST_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
 MOST_TURNS = 10_000
@@ -65,36 +65,28 @@ ENERGIES = ("spokes", "smoothed")
 
 
 class MeshRemeshing(MeshMeasures):
-    """The part of TriangleMesh that simplifies, remeshes, subdivides, smooths and deforms it."""
+    """Methods of TriangleMesh that simplify, remesh, subdivide, smooth and deform it."""
 
     @returns_new
     def simplify_vertex_clustering(self, voxel_size: float, contraction: Any = "average") -> Self:
-        """Merge the vertices of each voxel into one, and keep the triangles between three voxels.
+        """Merge the vertices of each voxel, and keep the triangles between three voxels.
 
-        Fast and blunt: sheets closer than a voxel are joined, and edges may get three triangles or more. Where that
-        matters take `simplify_quadric_decimation`.
+        Fast, but joins sheets closer than a voxel and may create non-manifold edges; see `simplify_quadric_decimation`.
+        About 150 B per triangle. Bitwise identical on every device, independent of the unit of length. Rossignac and
+        Borrel 1993; Lindstrom, "Out-of-core simplification of large polygonal models", SIGGRAPH 2000.
 
         Args:
-            voxel_size: Edge of a voxel [m]; the grid starts half of one below the lowest corner of the vertices.
-            contraction: "average" puts the vertex to the mean of those in its voxel, "quadric" to the point nearest to
-                the planes of their triangles (to the mean where that is further than a voxel from it), which keeps
-                edges sharp. Open3D's `SimplificationContraction` is taken too.
+            voxel_size: Edge of a voxel [m]; the grid starts half a voxel below the lowest corner.
+            contraction: "average" for the mean of the vertices, or "quadric" for the point nearest to the planes of
+                their triangles (the mean if farther than a voxel), which preserves edges; or Open3D's member.
 
         Returns:
-            The mesh, with voxels in the order of their first vertices, and triangles in the order in which they first
-            appear, lowest vertex first, each once; two of opposite winding are two, as in Open3D. Normals (unit
-            length) and colours are means. Textures and material numbers are left behind: a voxel may hold corners from
-            all over a texture. Further attributes are those of the nearest place of the mesh as it was. Vertices that
-            are not finite go with their triangles.
+            Vertices by first occurrence, unique triangles by first occurrence. Normals (unit length) and colors are
+            means; attributes are those of the nearest surface point; textures and non-finite vertices are dropped.
 
         Raises:
-            ValueError: Not a positive size, so small that the grid has more than 2^62 voxels, or no such contraction.
-            TypeError: No number, or no name.
-
-        Notes:
-            O(t) memory, some 150 B a triangle. Same bits from run to run and on every device. Rossignac and Borrel
-            1993; with planes Lindstrom 2000. Unlike Open3D's the result does not depend on the unit of length: there
-            "quadric" is "average" for a mesh of some decimetres that is given in metres.
+            ValueError: If the size is not positive, gives more than 2^62 voxels, or the contraction is unknown.
+            TypeError: If an argument has the wrong type.
 
         Example:
             >>> import pointloom as loom
@@ -115,42 +107,29 @@ class MeshRemeshing(MeshMeasures):
     def simplify_quadric_decimation(
         self, target_number_of_triangles: int, maximum_error: float = np.inf, boundary_weight: float = 1.0
     ) -> Self:
-        """Collapse edges, those first whose collapse changes the surface least, until few triangles are left.
+        """Collapse edges in order of their quadric error until few triangles remain.
+
+        If no edge may collapse and `maximum_error` is infinite, seams are released, then triangles may flip, then
+        isolated triangles are removed. A closed part keeps four triangles. Vertices that are not finite stay. Meshes
+        cut along seams may open there: use `triangle_uvs` instead. About 400 B per triangle. Bitwise identical on every
+        device. Garland and Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 
         Args:
-            target_number_of_triangles: Triangles to be left, 0 and up.
-            maximum_error: Edges whose error is larger stay: the sum over the planes that their ends have come to stand
-                for of a triangle's area times the squared distance, in the mesh' unit to the fourth, as in Open3D.
-            boundary_weight: What the planes that hold borders in place count, beside those of triangles.
+            target_number_of_triangles: Number of remaining triangles, at least 0.
+            maximum_error: Maximum error of a collapse: sum of triangle area times squared plane distance [m^4].
+            boundary_weight: Weight of planes that preserve borders, relative to those of triangles.
 
         Returns:
-            The mesh with as many triangles as asked for, or one less, since an edge goes with all its triangles, mostly
-            two; as it is where it has no more. What is left keeps its order; vertices without triangles go. The surface
-            keeps its pieces, holes and handles, no edge gets a third triangle, and a watertight mesh stays so. Normals
-            (unit length), colours and texture coordinates are those of the place where a vertex comes to lie; borders,
-            seams of textures and borders of materials move along themselves alone. Further attributes are those of the
-            nearest place of the mesh as it was. Triangles that repeat another or
-            have a vertex twice go first.
+            The mesh with the target count or one less, in order, without unused vertices. Preserves topology and
+            watertightness and creates no non-manifold edges. Normals, colors and texture coordinates are interpolated;
+            other attributes come from the nearest surface point. Borders, texture seams and material borders move only
+            along themselves. Degenerate and duplicate triangles are removed first.
 
         Raises:
-            ValueError: A negative target or weight, or an error below 0.
-            TypeError: No whole number, or no number.
+            ValueError, TypeError: If the target, weight or error is negative, or if an argument has the wrong type.
 
         Warns:
-            UserWarning: More triangles are left than asked for, because no edge can go without tearing the mesh.
-
-        Notes:
-            Where no edge may collapse any more, and `maximum_error` is infinite, what is asked for comes first: seams
-            are let go, then triangles may turn over, then triangles go that share no edge with another. A closed
-            piece keeps four triangles.
-
-            Vertices that are not finite stay, with their triangles. Two vertices at one place, as of meshes that are
-            cut along their seams, are two, and the cut is a border on either side, along which gaps may open: keep the
-            vertices as one and the cut in `triangle_uvs`.
-
-            Some 400 B of memory a triangle. Same bits from run to run and on every device, and for a mesh that is
-            scaled by a power of two. Garland and Heckbert 1997, with edges collapsing many at a time; no constant has
-            a unit, where Open3D's result depends on that of the mesh.
+            UserWarning: If more triangles remain because no edge can collapse without tearing the mesh.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -185,35 +164,27 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def remesh_isotropic(self, edge_length: float, iterations: int = 10, *, feature_angle: float = 30.0) -> Self:
-        """The same surface in triangles that are nearly equilateral, with edges of about one length.
+        """Remesh the surface with nearly equilateral triangles of about one edge length.
 
-        Long edges split, short ones collapse, others flip where vertices have more or fewer than six triangles;
-        vertices move along the surface to where triangles become alike, and are put back onto the surface as it was.
+        Splits long edges, collapses short ones, flips edges toward valence six, relaxes vertices tangentially and
+        projects them to the input surface. About 400 B per triangle. Bitwise identical on every device. Botsch and
+        Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004, with area weights.
 
         Args:
-            edge_length: [m]; edges come to lie between 4/5 and 4/3 of it, where creases leave room.
-            iterations: How often all that is done.
-            feature_angle: Edges at which triangles meet at more than this [degrees] are creases: they stay where they
-                are, in other parts; so do borders, and edges that are not manifold. Where creases bend by more, or
-                meet, vertices stay. Creases that hang together over less than three edges are roughness, and none. 180
-                keeps borders alone.
+            edge_length: Target [m]; edges become 4/5 to 4/3 of it where creases allow.
+            iterations: Number of iterations.
+            feature_angle: Edges with a larger angle between triangles [degrees] are creases and stay, as do borders and
+                non-manifold edges. Crease paths shorter than three edges count as roughness. 180 keeps only borders.
 
         Returns:
-            The remeshed surface. It keeps its pieces, holes and handles; a watertight mesh stays so, and no triangle
-            turns by more than 60 degrees in one step. Colours, normals (of unit length) and attributes are those of
-            the nearest place of the mesh as it was. Textures are left behind: `bake_vertex_colors` keeps colours.
-            Triangles that repeat another, name a vertex twice or are not finite go first.
+            The remeshed surface with the same topology; no triangle rotates by more than 60 degrees in one step.
+            Attributes are those of the nearest input surface point. Textures are dropped (see `bake_vertex_colors`).
+            Degenerate, duplicate and non-finite triangles are removed first.
 
         Raises:
-            ValueError: No length above 0, one so small that there would be more than 2^29 triangles, a count below 0
-                or above 1000, or no angle from 0 to 180.
-            MemoryError: There is no room for so many triangles.
-            TypeError: No numbers.
-
-        Notes:
-            Some 400 B of memory a triangle. Same bits from run to run and on every device. Botsch and Kobbelt, "A
-            remeshing approach to multiresolution modeling", 2004, with edges taken many at a time, and triangles' areas
-            for weights.
+            ValueError, MemoryError: If the length is not positive or gives more than 2^29 triangles, the count is
+                outside 0..1000, or the angle outside 0..180, or if the triangles do not fit into memory.
+            TypeError: If an argument is not a number.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -238,7 +209,7 @@ class MeshRemeshing(MeshMeasures):
             raise ValueError(
                 f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 that reaches {span:g} m"
             )
-        expected = area / (0.43 * target**2)  # of equilateral triangles
+        expected = area / (0.43 * target**2)  # for equilateral triangles
         check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
@@ -247,32 +218,27 @@ class MeshRemeshing(MeshMeasures):
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
     def _without_gone(self) -> Self:
-        """Without triangles that name a vertex three times, and vertices that none has; one sync."""
+        """Remove fully degenerate triangles and unused vertices; one sync."""
         triangles, count = self._arrays["triangles"], self._vertex_count
         gone = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
         return self._left(gone, clean_triangles.mask_used(triangles, gone, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:
-        """Split each triangle into four by a new vertex in the middle of each edge; the surface stays where it is.
+        """Split each triangle into four at the edge midpoints; the surface does not move.
+
+        About 150 B per triangle of the second to last round. Bitwise identical on every device.
 
         Args:
-            number_of_iterations: Rounds, each of which makes four triangles of one.
+            number_of_iterations: Rounds; each multiplies the triangles by four.
 
         Returns:
-            The finer mesh, its vertices and triangles in Open3D's order: new vertices behind the old ones as the
-            triangles name them. Colours of new vertices are the means of their ends; so are normals, at unit length
-            ((0, 0, 1) where the two point against each other), and texture coordinates, corner by corner. Material
-            numbers and textures stay, and so do attributes of triangles; those of vertices are means of their ends
-            too, or where they are no floating numbers those of the end with the lower number.
+            The finer mesh in Open3D's order. Colors, unit normals and texture coordinates are means of the edge ends;
+            floating attributes too, other attributes are those of the end with the lower index. Textures stay.
 
         Raises:
-            ValueError: A negative count, or more than 715,827,882 triangles.
-            TypeError: No whole number.
-
-        Notes:
-            About 150 B of memory a triangle of the last round but one. Positions are rounded once, at the end: the
-            same bits from run to run and on every device. A NaN vertex makes the new ones on its edges NaN.
+            ValueError: If the count is negative, or there are more than 715,827,882 triangles.
+            TypeError: If the count is not an integer.
 
         Example:
             >>> import pointloom as loom
@@ -284,27 +250,21 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def subdivide_loop(self, number_of_iterations: int = 1) -> Self:
-        """Split each triangle into four and smooth: in the limit a surface with continuous curvature (Loop 1987).
+        """Subdivide by Loop's scheme: split each triangle into four and smooth.
+
+        Memory and determinism as `subdivide_midpoint`. NaN spreads. Loop, "Smooth subdivision surfaces", 1987.
 
         Args:
-            number_of_iterations: Rounds, each of which makes four triangles of one.
+            number_of_iterations: Rounds; each multiplies the triangles by four.
 
         Returns:
-            The finer mesh in the order of `subdivide_midpoint`. Normals (at unit length) and colours follow the masks
-            of the positions; texture coordinates are means along the edges of each triangle, and so are further
-            attributes, as there. Edges of one triangle are smoothed as curves of their own; at edges of three or more
-            all vertices across count alike, as in Open3D. Vertices without triangles stay, where Open3D makes them NaN,
-            and a vertex is no neighbour of itself. Vertices at one place of a seam, where borders lie on each other as
-            texture leaves them, become one, with the mean of their normals, colours and attributes; in Open3D the
-            surface tears there.
+            The finer mesh in the order of `subdivide_midpoint`. Unit normals and colors use the masks of positions;
+            texture coordinates and attributes are means. Borders are smoothed as curves. Coincident seam vertices
+            become one. Vertices without triangles stay.
 
         Raises:
-            ValueError: A negative count, or more than 715,827,882 triangles.
-            TypeError: No whole number.
-
-        Notes:
-            As `subdivide_midpoint`. Sums run in float64 over ascending neighbours. A NaN vertex makes its neighbours
-            NaN, round by round.
+            ValueError: If the count is negative, or there are more than 715,827,882 triangles.
+            TypeError: If the count is not an integer.
 
         Example:
             >>> import pointloom as loom
@@ -316,7 +276,7 @@ class MeshRemeshing(MeshMeasures):
         return (sew(self).mesh if count and len(self) else self)._subdivided(count, subdivision.mask, 0)
 
     def _subdivided(self, iterations: int, rule: Callable[..., list[Any]], first_new: int) -> Self:
-        """Rounds of a rule for values; normals before `first_new` are as they were."""
+        """Apply a subdivision rule; normals before `first_new` stay unchanged."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
             return self._with_arrays()
@@ -351,25 +311,21 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def filter_smooth_simple(self, number_of_iterations: int = 1, filter_scope: Any = "all") -> Self:
-        """Move each vertex to the mean of itself and its neighbours.
+        """Move each vertex to the mean of itself and its neighbors.
+
+        O(m + t) memory. Float64 sums in fixed order: bitwise reproducible.
 
         Args:
-            number_of_iterations: Passes.
-            filter_scope: What is smoothed: "all", "vertex", "normal" or "color", or a member of Open3D's FilterScope.
+            number_of_iterations: Number of passes.
+            filter_scope: "all", "vertex", "normal" or "color", or a member of Open3D's FilterScope.
 
         Returns:
-            The mesh with what was smoothed in place of what it was, and all else as it was. Normals are of unit length
-            (Open3D leaves them shorter). A vertex that is not finite stays and counts for no neighbour. Vertices at one
-            place of a seam, where borders lie on each other as texture leaves them, count as one: they move together
-            (in Open3D the surface tears there) and get the mean of their normals and colours.
+            The mesh with smoothed arrays; normals have unit length. Vertices that are not finite stay and are ignored.
+            Coincident seam vertices move together and get the mean normal and color.
 
         Raises:
-            ValueError: Iterations outside 0..10,000; an unknown scope, or one that the mesh has nothing of.
-            TypeError: No whole number.
-
-        Notes:
-            O(m + t) memory. Sums run in float64 over ascending neighbours, and positions are rounded once, at the end:
-            the same bits from run to run. With the scopes Normal and Color Open3D's vertices hold what was in memory.
+            ValueError: If the count is outside 0..10,000, or the scope is unknown or absent in the mesh.
+            TypeError: If the count is not an integer.
 
         Example:
             >>> import pointloom as loom
@@ -383,25 +339,21 @@ class MeshRemeshing(MeshMeasures):
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: Any = "all"
     ) -> Self:
-        """Move each vertex towards the mean of its neighbours, weighted by one over their distances.
+        """Move each vertex toward the mean of its neighbors, weighted by inverse distance.
 
-        Smooths everything and shrinks what is curved or open; see `filter_smooth_taubin`.
+        Shrinks curved and open surfaces; see `filter_smooth_taubin`. Taubin, "A signal processing approach to fair
+        surface design", SIGGRAPH 1995, equation 2.
 
         Args:
-            number_of_iterations: Passes.
-            lambda_filter: Share of the way a pass.
+            number_of_iterations: Number of passes.
+            lambda_filter: Fraction of the displacement applied per pass.
             filter_scope: As of `filter_smooth_simple`.
 
         Returns:
-            As `filter_smooth_simple`. A vertex without neighbours stays, where Open3D makes it NaN.
+            As `filter_smooth_simple`. Vertices without neighbors stay.
 
         Raises:
-            ValueError: As `filter_smooth_simple`; a factor that is not finite.
-            TypeError: No numbers.
-
-        Notes:
-            As `filter_smooth_simple`. Distances are those of the positions before the pass. Taubin, "A signal
-            processing approach to fair surface design", SIGGRAPH 1995, equation 2.
+            ValueError, TypeError: As `filter_smooth_simple`; also if the factor is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -416,23 +368,19 @@ class MeshRemeshing(MeshMeasures):
     def filter_smooth_taubin(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, mu: float = -0.53, filter_scope: Any = "all"
     ) -> Self:
-        """Smooth without shrinking: each iteration is a pass with `lambda_filter` and one back with `mu`.
+        """Smooth without shrinking: each iteration is a pass with `lambda_filter` and one with `mu`.
 
         Args:
-            number_of_iterations: Pairs of passes.
-            lambda_filter: Share of the way to the weighted mean of the neighbours, > 0.
-            mu: The same of the second pass; below -lambda_filter, which lets low frequencies through.
+            number_of_iterations: Number of pass pairs.
+            lambda_filter: Fraction of the displacement to the weighted mean, > 0.
+            mu: Factor of the second pass, below -lambda_filter.
             filter_scope: As of `filter_smooth_simple`.
 
         Returns:
-            As `filter_smooth_laplacian`.
+            As `filter_smooth_laplacian`. Taubin, SIGGRAPH 1995, section 3.
 
         Raises:
-            ValueError: As `filter_smooth_simple`; a factor that is not finite.
-            TypeError: No numbers.
-
-        Notes:
-            As `filter_smooth_laplacian`, with twice the passes. Taubin 1995, section 3.
+            ValueError, TypeError: As `filter_smooth_laplacian`.
 
         Example:
             >>> import pointloom as loom
@@ -445,22 +393,18 @@ class MeshRemeshing(MeshMeasures):
 
     @returns_new
     def filter_sharpen(self, number_of_iterations: int = 1, strength: float = 1, filter_scope: Any = "all") -> Self:
-        """Move each vertex away from its neighbours, which makes edges and noise stand out.
+        """Move each vertex away from its neighbors, which emphasizes edges and noise.
 
         Args:
-            number_of_iterations: Passes.
-            strength: How far: in sums of the differences between a vertex and its neighbours.
+            number_of_iterations: Number of passes.
+            strength: Factor of the summed differences between a vertex and its neighbors.
             filter_scope: As of `filter_smooth_simple`.
 
         Returns:
-            As `filter_smooth_simple`. Colours are not cut to 0..1, as in Open3D.
+            As `filter_smooth_simple`. Colors are not clipped to 0..1, as in Open3D.
 
         Raises:
-            ValueError: As `filter_smooth_simple`; a strength that is not finite.
-            TypeError: No numbers.
-
-        Notes:
-            As `filter_smooth_simple`.
+            ValueError, TypeError: As `filter_smooth_simple`; also if the strength is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -500,33 +444,27 @@ class MeshRemeshing(MeshMeasures):
         energy: Any = "spokes",
         smoothed_alpha: float = 0.01,
     ) -> Self:
-        """Put some vertices somewhere, and let the others follow so that the surface around each stays as it was.
+        """Move some vertices to given positions and deform the rest as rigidly as possible.
+
+        Solved to 1e-9 of the mesh's extent, cotangent weights clamped to 0. 1 kB per vertex. Bitwise reproducible.
 
         Args:
-            constraint_vertex_indices: Vertices that are put, each once: those that move and those that are to stay.
-            constraint_vertex_positions: Where [m], shape [k, 3].
-            max_iter: Turns, of rotations and then positions.
-            energy: "spokes" (Sorkine and Alexa 2007) or "smoothed", which keeps neighbouring rotations alike (Levi and
-                Gotsman 2014); or a member of Open3D's DeformAsRigidAsPossibleEnergy.
-            smoothed_alpha: How much, in areas of the mesh.
+            constraint_vertex_indices: Constrained vertices, each once: moved and fixed ones.
+            constraint_vertex_positions: Their positions [m], shape (k, 3).
+            max_iter: Alternations of rotation and position solves; 0 moves nothing.
+            energy: "spokes" (Sorkine and Alexa, SGP 2007) or "smoothed" with smooth rotations (Levi and Gotsman 2014),
+                or a member of Open3D's DeformAsRigidAsPossibleEnergy.
+            smoothed_alpha: Weight of rotation smoothness, in areas of the mesh.
 
         Returns:
-            The bent mesh. Normals turn with their vertices, all else stays; Open3D drops it. Parts of the mesh that
-            hang together with none of the given vertices stay where they are, where Open3D finds no solution; so do
-            vertices that are not finite. A triangle without area weighs nothing. Vertices at one place of a seam, where
-            borders lie on each other as texture leaves them, move together; it is enough to give one of them.
+            The deformed mesh with rotated normals and all other attributes. Parts without constrained vertices and
+            vertices that are not finite stay. Coincident seam vertices move together; constrain one of them.
 
         Raises:
-            ValueError: No vertex, one that does not exist, is given twice or is not finite; another number of
-                positions, one that is not finite, or two for vertices at one place of a seam; max_iter outside
-                0..10,000; an unknown energy; a smoothed_alpha below 0.
-            TypeError: No numbers.
-            ArithmeticError: Triangles so thin that positions do not settle; not seen so far.
-
-        Notes:
-            Each turn solves for the positions to a billionth of the mesh's stretch, so it agrees with Open3D's direct
-            solver to rounding to float32. O(m + t) memory, about 1 kB a vertex. Sums in float64 in fixed orders: the
-            same bits from run to run. Cotangent weights as in Open3D, not below 0. With max_iter=0 nothing moves.
+            ValueError: If a constraint is missing, duplicated, contradictory, out of range or not finite, `max_iter` is
+                outside 0..10,000, the energy is unknown, or `smoothed_alpha` is negative.
+            TypeError: If an argument is not numeric.
+            ArithmeticError: If the solver does not converge because of very thin triangles.
 
         Example:
             >>> import pointloom as loom
@@ -571,7 +509,6 @@ class MeshRemeshing(MeshMeasures):
 
 
 def _check_contraction(contraction: Any) -> str:
-    """One of CONTRACTIONS, by its name or as a member of Open3D's enumeration."""
     given = contraction if isinstance(contraction, str) else getattr(contraction, "name", contraction)
     way = check_name("contraction", given).lower()
     if way not in CONTRACTIONS:
@@ -592,23 +529,19 @@ def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float)
 
 
 class Course:
-    """The iterations of a mesh.
-
-    On CUDA the device counts the rounds of a step where all of them were made in the iteration before: the host makes
-    ROUNDS then, and those after the last do nothing. What it has to know of an iteration it reads with the number of
-    edges that split in the next.
-    """
+    """State and steps of isotropic remeshing. On CUDA the device counts the rounds of a step; the host launches ROUNDS
+    of them, and rounds after the last do nothing. Their counts are read with the number of split edges in the next
+    iteration, which saves syncs."""
 
     def __init__(self, mesh: CreasedMesh, trees: tuple[TriangleTree, TriangleTree], target: float) -> None:
         self.mesh, self.trees = mesh, trees
         self.longest, self.shortest = LONG * target, SHORT * target
         self.steps: tuple[Callable[..., tuple[CreasedMesh, int | None]], ...] = (self._collapse, flip_edges)
         self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
-        self.state: Integers | None = None  # two numbers of `end_rounds` a step, then `taken` for each relaxation
+        self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `taken` for each relaxation
         self.before = mesh.vertices
 
     def iterate(self) -> None:
-        """Split, collapse, flip, move."""
         split, device = 1, self.before.device
         while split:
             made, split, found = split_long_edges(self.mesh, self.longest, self.state)  # sync
@@ -626,13 +559,12 @@ class Course:
         self._relax(state[2 * len(self.steps) :])
 
     def end(self) -> CreasedMesh:
-        """The mesh."""
         if self.state is not None:
             self._is_settled(download(self.state).tolist())  # sync
         return self.mesh
 
     def _is_settled(self, found: list[int]) -> bool:
-        """Read what the last iteration says; False where its vertices had to move anew, so that the mesh is another."""
+        """Read counts of the last iteration; False if vertices moved again, so that the mesh changed."""
         if self.state is None:
             return True
         self.state = None
@@ -649,7 +581,7 @@ class Course:
         return collapse_short_edges(mesh, self.shortest, self.longest, few, rounds)
 
     def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
-        """The rounds of a step: without a look at them, or with one after each (sync)."""
+        """Run the rounds of a step, without a host check or with one after each (sync)."""
         for turn in range(1, ROUNDS + 1):
             self.mesh, changed = step(self.mesh, FEW, rounds if self.all_rounds[k] else None)
             if changed is not None and (changed <= FEW * self.mesh.edges.count or turn == ROUNDS):
@@ -657,7 +589,7 @@ class Course:
                 break
 
     def _relax(self, taken: Integers | None = None) -> None:
-        """Move vertices along the surface and their lines, RELAXED times; one sync each where `taken` is not given."""
+        """Relax vertices RELAXED times along the surface and creases; one sync each if `taken` is None."""
         for k in range(RELAXED):
             moved = relaxed(self.mesh)
             on_surface, on_lines = (SurfacePlaces(moved, tree).points for tree in self.trees)
@@ -666,7 +598,6 @@ class Course:
 
 
 def _names_of(scope: Any) -> tuple[str, ...]:
-    """The arrays of a scope: one of ours by name, or a member of Open3D's enum."""
     name = scope if isinstance(scope, str) else getattr(scope, "name", None)
     if not isinstance(name, str):
         raise TypeError(f"filter_scope: expected one of {', '.join(SCOPES)}, got {shown(scope)}")
@@ -678,11 +609,7 @@ def _names_of(scope: Any) -> tuple[str, ...]:
 def _once(
     held: NDArray[np.int32], places: NDArray[np.int32], targets: NDArray[np.float64]
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
-    """Places of a sewn mesh once each, and where they are put.
-
-    Raises:
-        ValueError: Two of them lie at one place and are put elsewhere each.
-    """
+    """Unique constrained vertices of a seam-welded mesh and their targets; ValueError if targets contradict."""
     found, firsts, members = np.unique(places, return_index=True, return_inverse=True)
     unlike = np.flatnonzero((targets != targets[firsts][members]).any(axis=1))
     if len(unlike):
@@ -694,7 +621,6 @@ def _once(
 
 
 def _energy_of(energy: Any) -> str:
-    """One of ours by name, or a member of Open3D's enum."""
     name = energy if isinstance(energy, str) else getattr(energy, "name", None)
     if not isinstance(name, str):
         raise TypeError(f"energy: expected one of {', '.join(ENERGIES)}, got {shown(energy)}")

@@ -44,12 +44,12 @@ if TYPE_CHECKING:
     from .mesh import TriangleMesh
 
 MOST = 2**31 - 1
-MANIFOLD = 2  # triangles that an edge of a closed surface has
-ROUNDING = 1e-9  # of sums of areas
+MANIFOLD = 2  # triangles per edge of a closed surface
+ROUNDING = 1e-9  # relative, of area sums
 
 
 class EdgeCounts(NamedTuple):
-    """How many edges a mesh has, how many of them belong to one triangle, and how many to more than two."""
+    """Number of edges: all, of one triangle, of more than two triangles."""
 
     all: int
     boundary: int
@@ -58,26 +58,24 @@ class EdgeCounts(NamedTuple):
 
 @dataclass(frozen=True)
 class MeshRepairReport:
-    """What `repair` did to a mesh, and what is still wrong with it.
+    """Counts of the changes that `repair` made, and the remaining defects.
 
     Attributes:
         removed_non_finite_triangles: Triangles with a corner that was not finite.
-        merged_vertices: Vertices that became one with another.
-        removed_degenerate_triangles: Triangles that named a vertex twice.
-        removed_duplicated_triangles: Triangles that were another one, or its other side.
-        removed_crowding_triangles: Triangles for which there was no partner at an edge of more than two.
-        split_vertices: Vertices added where sheets or fans of triangles came apart.
-        flipped_triangles: Triangles wound the other way.
-        filled_holes: Holes closed.
-        added_triangles: Triangles that close them, and those made of one where a surface touches itself along an edge.
+        merged_vertices: Vertices merged into another one.
+        removed_degenerate_triangles: Triangles with a repeated vertex.
+        removed_duplicated_triangles: Copies of another triangle, in either orientation.
+        removed_crowding_triangles: Triangles without a partner at an edge of more than two triangles.
+        split_vertices: Vertices added where sheets or fans of triangles were separated.
+        flipped_triangles: Triangles with reversed orientation.
+        filled_holes, added_triangles: Closed holes; triangles that fill them or come from splitting at contacts.
         removed_vertices: Vertices that no triangle used at the end.
-        lost_area: Area that went with triangles which were no copies [m^2].
-        is_watertight: Whether the mesh is closed now, as of `TriangleMesh.is_watertight`.
-        is_orientable: Whether neighbours turn alike now.
-        boundary_edges: Edges of one triangle that are left.
-        holes_left: Holes of up to `hole_size` that are left; None where none were to be filled.
-        non_manifold_vertices: Vertices whose triangles hang together by the vertex alone.
-        zero_area_triangles: Triangles without area; without them a closed mesh would have holes.
+        lost_area: Area of removed triangles that were not copies [m^2].
+        is_watertight, is_orientable: Properties of the result, as the methods of `TriangleMesh`.
+        boundary_edges: Remaining edges of one triangle.
+        holes_left: Remaining holes of up to `hole_size`; None if holes were not filled.
+        non_manifold_vertices: Vertices whose triangles are not connected by edges.
+        zero_area_triangles: Triangles without area that remain, because removing them would open the mesh.
 
     Example:
         >>> import pointloom as loom
@@ -107,24 +105,21 @@ class MeshRepairReport:
 
 
 class MeshRepair(MeshMeasures):
-    """The part of TriangleMesh that examines its topology, repairs it and combines it with other meshes.
+    """Methods of TriangleMesh for topology, repair, intersection tests and boolean operations.
 
-    Intersections: triangles include their edges and corners, so triangles that touch intersect. The decision is exact
-    for the stored float32 coordinates, whatever their size: float64 with an error bound, and integers where the bound
-    leaves it open. Open3D reports triangles that are apart in one plane (#5117, #5525) and misses some that touch.
+    Intersection tests include the edges and corners of triangles and are exact for the stored float32 coordinates.
     Triangles without area count as edges. Lists of triangles omit those with a corner that is not finite;
     `is_self_intersecting` and `is_intersecting` raise ValueError for them.
     """
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> NDArray[np.int32]:
-        """The edges that more than two triangles have.
+        """List the edges of more than two triangles.
 
         Args:
-            allow_boundary_edges: Whether edges of one triangle count as manifold; else they are listed as well.
+            allow_boundary_edges: If False, edges of one triangle are listed too.
 
         Returns:
-            Two vertex numbers an edge, the lower one first, in ascending order; shape [k, 2]. Open3D's order is that of
-            a hash table. A triangle that names a vertex twice has an edge from that vertex to itself.
+            Vertex indices of shape (k, 2), the lower one first, in ascending order.
 
         Example:
             >>> import pointloom as loom
@@ -140,7 +135,7 @@ class MeshRepair(MeshMeasures):
         return self._ends(edges, found)
 
     def get_boundary_edges(self) -> NDArray[np.int32]:
-        """The edges that one triangle has alone: two vertex numbers each, the lower one first, ascending; shape [k, 2].
+        """Edges of exactly one triangle: vertex indices of shape (k, 2), the lower one first, in ascending order.
 
         Example:
             >>> import pointloom as loom
@@ -152,17 +147,14 @@ class MeshRepair(MeshMeasures):
         return self._ends(edges, mesh_edges.mask_counts(edges, 1, 1))
 
     def get_boundaries(self) -> list[NDArray[np.int32]]:
-        """The loops that the border of the mesh forms, as lists of vertices.
+        """Trace the boundary loops of the mesh.
+
+        About 130 B of memory per triangle. Bitwise identical on every device.
 
         Returns:
-            One int32 array a loop, in the direction of the triangles there: around a hole clockwise seen from outside.
-            A loop passes no vertex twice and begins with its lowest one; loops come in the order of these. Where the
-            border leads to an edge of three triangles or more, or to two triangles that turn different ways, it is no
-            loop and left out: see `remove_non_manifold_edges`, `orient_triangles`. Open3D has it in
-            HalfEdgeTriangleMesh, which takes none of these meshes.
-
-        Notes:
-            About 130 B of memory a triangle. Same bits from run to run and on every device.
+            One int32 array of vertices per loop, in triangle orientation (clockwise around a hole seen from outside). A
+            loop starts with its lowest vertex and visits no vertex twice. Boundaries at edges of three or more
+            triangles or at inconsistent orientations are omitted: see `remove_non_manifold_edges`, `orient_triangles`.
 
         Example:
             >>> import pointloom as loom
@@ -178,9 +170,9 @@ class MeshRepair(MeshMeasures):
         return [vertices[first:end] for first, end in pairwise(ends)]
 
     def get_non_manifold_vertices(self) -> NDArray[np.int32]:
-        """The vertices whose triangles hang together by the vertex alone, and not by edges at it; ascending.
+        """List the vertices whose triangles are not connected by edges at the vertex, in ascending order.
 
-        Vertices without triangles are none. Triangles that name a vertex twice do not count at it.
+        Vertices without triangles and triangles with a repeated vertex do not count.
 
         Example:
             >>> import pointloom as loom
@@ -192,10 +184,10 @@ class MeshRepair(MeshMeasures):
         return self._handed_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
-        """Whether the triangles at each vertex hang together by edges at it; see `get_non_manifold_vertices`.
+        """True if the triangles at each vertex are connected by edges; see `get_non_manifold_vertices`.
 
         Raises:
-            ValueError: A triangle has a corner that is not finite.
+            ValueError: If a triangle has a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -207,13 +199,12 @@ class MeshRepair(MeshMeasures):
         return len(self.get_non_manifold_vertices()) == 0
 
     def is_orientable(self) -> bool:
-        """Whether all triangles can be wound so that neighbours turn alike: not so on a Möbius strip or a Klein bottle.
+        """True if all triangles can be oriented consistently; False for a Möbius strip or a Klein bottle.
 
-        Edges of three triangles or more ask for nothing here; Open3D's answer for them depends on a hash table. Whether
-        the triangles are wound so already is another question: `orient_triangles` does it.
+        Edges of three or more triangles impose no constraint. `orient_triangles` applies the orientation.
 
         Raises:
-            ValueError: A triangle has a corner that is not finite.
+            ValueError: If a triangle has a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -226,20 +217,17 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def orient_triangles(self, *, outward: bool = False) -> tuple[Self, bool]:
-        """Wind triangles so that neighbours turn alike.
+        """Orient neighboring triangles consistently.
+
+        About 50 B of memory per half-edge. Bitwise identical on every device.
 
         Args:
-            outward: Wind closed parts so that their outside is outside. Each part is taken for itself, so the wall of a
-                hollow inside another part faces the solid's inside, too.
+            outward: Orient closed parts outward. Each part is oriented alone, also if it is inside another part.
 
         Returns:
-            (mesh, orientable). The first triangle of each part stays as it is, and decides; Open3D begins where a hash
-            table does. Parts that cannot be oriented stay as they are, and `orientable` is False. Parts hang together
-            by edges of two triangles; edges of more ask for nothing. Texture stays at its corners. Normals of vertices
-            stay, too: `compute_vertex_normals` makes them anew.
-
-        Notes:
-            About 50 B of memory a half-edge. Same bits from run to run and on every device.
+            (mesh, orientable). Each part keeps the orientation of its first triangle. Parts that cannot be oriented
+            stay unchanged, and `orientable` is False. Edges of more than two triangles do not connect parts. Vertex
+            normals are not updated: call `compute_vertex_normals`.
 
         Example:
             >>> import pointloom as loom
@@ -257,12 +245,12 @@ class MeshRepair(MeshMeasures):
         return self._with_arrays(**arrays), found.orientable
 
     def euler_poincare_characteristic(self) -> int:
-        """Vertices less edges plus triangles: 2 for a closed surface without handles, 0 for a torus.
+        """Euler characteristic V - E + F: 2 for a closed surface without handles, 0 for a torus.
 
-        Vertices that no triangle uses do not count; in Open3D they do, so that a stray one changes the answer.
+        Unreferenced vertices do not count (in Open3D they do).
 
         Raises:
-            ValueError: A triangle has a corner that is not finite.
+            ValueError: If a triangle has a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -275,14 +263,13 @@ class MeshRepair(MeshMeasures):
         return used - self._edges().count + len(self)
 
     def compute_adjacency_list(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-        """The vertices that an edge joins to each vertex.
+        """List the neighbors of each vertex along edges.
+
+        About 50 B of memory per half-edge. Bitwise identical on every device.
 
         Returns:
-            (starts, neighbors): `neighbors[starts[v] : starts[v + 1]]` are those of vertex v, ascending; int32 [m + 1]
-            and [k]. No vertex is its own neighbour. Open3D keeps sets in `mesh.adjacency_list`.
-
-        Notes:
-            About 50 B of memory a half-edge. Same bits from run to run and on every device.
+            (starts, neighbors), int32 of shape (m + 1,) and (k,): `neighbors[starts[v] : starts[v + 1]]` belong to
+            vertex v, ascending.
 
         Example:
             >>> import pointloom as loom
@@ -297,9 +284,7 @@ class MeshRepair(MeshMeasures):
         return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
-        """The area [m^2] of each triangle, shape [t]; NaN for those with a corner that is not finite.
-
-        Open3D's tensor mesh stores them; here they are returned.
+        """Area of each triangle [m^2], shape (t,); NaN if a corner is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -317,29 +302,23 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def fill_holes(self, hole_size: float = 1e6) -> Self:
-        """Close the holes of the mesh by triangles between the vertices of their borders.
+        """Close holes with triangles between their boundary vertices.
 
-        Each loop of `get_boundaries` is taken for a hole, the rim of an open surface too: give a size that tells them
-        apart. The new triangles turn as those around them and make no edge of three triangles. The triangulation of a
-        hole is the one that bends least, then that of the shortest sides: fit for holes that are small beside the shape
-        of the surface.
+        Each loop of `get_boundaries` counts as a hole, the outer rim of an open surface too: choose `hole_size` below
+        it. The triangulation has the smallest dihedral angles, then the shortest sides; it suits holes that are small
+        relative to the shape. New triangles may intersect others. O(n^3) time and 44 n^2 B for a hole of n vertices,
+        about 130 B per triangle. Bitwise identical on every device. Barequet and Sharir, "Filling gaps in the boundary
+        of a polyhedron", CAGD 1995; Liepa, "Filling holes in meshes", SGP 2003, section 3.
 
         Args:
-            hole_size: [m]; a hole is filled where no vertex of its border lies farther from the middle of their box.
+            hole_size: Maximum distance of boundary vertices from the center of their bounding box [m].
 
         Returns:
-            The mesh with its triangles first. Left open are holes of more than 1,000 vertices, those with a vertex that
-            is not finite, those that only an edge of three triangles could close, and the border of a triangle alone.
-            Normals and colours stay; new triangles take texture and material from the corners at the border. `repair`
-            counts what was filled and what was left.
+            The mesh, old triangles first. Not filled: holes of more than 1,000 vertices or with a vertex that is not
+            finite, holes that need an edge of three triangles, and single triangles. `repair` reports counts.
 
         Raises:
-            ValueError: No finite number above 0.
-
-        Notes:
-            Open3D goes through VTK, whose triangles may turn against those around them. O(n^3) time and 44 n^2 B of
-            memory for a hole of n vertices, about 130 B a triangle of the mesh. New triangles may cut through others.
-            Same bits from run to run and on every device. Barequet and Sharir 1995; Liepa 2003, section 3.
+            ValueError: If `hole_size` is not finite and positive.
 
         Example:
             >>> import pointloom as loom
@@ -354,34 +333,25 @@ class MeshRepair(MeshMeasures):
     def repair(
         self, *, merge_distance: float | None = None, hole_size: float | None = None
     ) -> tuple[Self, MeshRepairReport]:
-        """Mend what is commonly wrong with a mesh, and say what was done and what is still wrong.
+        """Repair common mesh defects and report the changes.
 
-        In this order: triangles with a corner that is not finite or that name a vertex twice go, and vertices that no
-        triangle uses; borders that lie on each other are sewn up; edges of more than two triangles are split into
-        sheets by angle, and vertices of several fans into one each; what is there twice goes, such as the second side
-        of a surface, and single triangles for which no partner is left at an edge of more than two; the others are
-        wound as most of their part are; holes are closed; closed parts are turned by what they lie within.
-
-        What is right stays as it is. A closed part that is wound alike is joined to nothing that it touches. Parts
-        within others stay the hollows or the solids that they were, those within none look outwards, and those that
-        were wound both ways look outwards or inwards by how many lie around them.
+        Steps: remove triangles that are not finite or degenerate, and unused vertices; stitch coincident borders; split
+        edges of more than two triangles into sheets by angle and non-manifold vertices into fans; remove duplicate
+        triangles and those without a partner at a crowded edge; orient each part as most of its triangles; fill holes;
+        orient closed parts by nesting. Consistently oriented closed parts are not joined to others. Nested parts keep
+        their orientation; outermost parts face outward. Intersecting triangles are neither repaired nor reported.
+        Memory as `fill_holes`. Bitwise identical on every device. Guéziec et al., "Cutting and stitching: converting
+        sets of polygons to manifold surfaces", IEEE TVCG 2001.
 
         Args:
-            merge_distance: [m]; vertices closer than this become one, as of `merge_close_vertices`; None for those at
-                the same position.
-            hole_size: [m]; holes of up to this radius are closed, as of `fill_holes`; None for none of them.
+            merge_distance: Merge vertices closer than this [m], as `merge_close_vertices`. If None: equal ones.
+            hole_size: Fill holes of up to this radius [m], as `fill_holes`. If None: none.
 
         Returns:
-            (mesh, report): a mesh with `is_edge_manifold()` and `is_vertex_manifold()`, closed where it was, and a
-            MeshRepairReport. Texture, normals and colours stay.
+            (mesh, report): an edge- and vertex-manifold mesh, and a MeshRepairReport. Texture, normals and colors stay.
 
         Raises:
-            ValueError: A number that is not finite and above 0.
-
-        Notes:
-            Triangles that cut through each other are neither mended nor reported. Memory is that of `fill_holes`. Same
-            bits from run to run and on every device. Guéziec et al., "Cutting and stitching: converting sets of
-            polygons to manifold surfaces", IEEE TVCG 7(2), 2001.
+            ValueError: If a number is not finite and positive.
 
         Example:
             >>> import pointloom as loom
@@ -424,17 +394,13 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def split_non_manifold_vertices(self) -> Self:
-        """Give each fan of triangles a vertex of its own where several hang together by the vertex alone.
+        """Duplicate vertices so that each fan of triangles has its own vertex.
+
+        About 80 B of memory per triangle. Bitwise identical on every device.
 
         Returns:
-            A mesh with `is_vertex_manifold()` where no triangle names a vertex twice. New vertices stand behind the old
-            ones, with their position, normal and colour; the fan with the lowest triangle keeps the old one. Triangles,
-            their texture and vertices without triangles stay. Edges stay what they are: those of more than two
-            triangles are split by `repair`.
-
-        Notes:
-            About 80 B of memory a triangle. Same bits from run to run and on every device. Open3D lists these vertices
-            and leaves them.
+            A vertex-manifold mesh, unless a triangle repeats a vertex. New vertices follow the old ones and copy
+            position, normal and color. Edges of more than two triangles stay: see `repair`.
 
         Example:
             >>> import pointloom as loom
@@ -448,7 +414,7 @@ class MeshRepair(MeshMeasures):
         return self._with_arrays(triangles=split, **self._vertices_at(rows))
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
-        """(the mesh with its holes filled, how many were, how many of this size were not)."""
+        """(mesh with filled holes, number filled, number not filled)."""
         found = Filling(self._arrays["vertices"], self._arrays["triangles"], hole_size)
         arrays: dict[str, Any] = {"triangles": found.triangles}
         if "triangle_uvs" in self._arrays:
@@ -460,22 +426,17 @@ class MeshRepair(MeshMeasures):
         return self._with_arrays(**arrays), found.filled, found.left
 
     def _flipped(self, flips: Mask) -> Self:
-        """The mesh with the triangles wound the other way where a uint8 device mask is set."""
         arrays: dict[str, Any] = {"triangles": flip_some(self._arrays["triangles"], flips)}
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = flip_some_corners(self._arrays["triangle_uvs"], flips)
         return self._with_arrays(**arrays)
 
     def _nested(self, flipped: Mask) -> tuple[Self, bool]:
-        """(the mesh with its closed parts turned by what they lie within, whether all can be wound alike).
-
-        The first triangles are those of a mask, uint8: what was flipped belongs to parts that were not wound alike as
-        they were given.
-        """
+        """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         found = Orientation(triangles, vertices.size)
         measured = found.measure_parts(vertices, triangles)
-        several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # else no part lies within another
+        several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
         labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
         parts = Parts(labels, measured.closed, measured.volumes)
         kept = ~holds_marked(measured.labels, flipped, len(measured.closed))  # sync
@@ -483,7 +444,7 @@ class MeshRepair(MeshMeasures):
         return self._flipped(found.flips), found.orientable
 
     def _findings(self) -> dict[str, Any]:
-        """What may still be wrong, as MeshRepairReport names it."""
+        """Remaining defects, by the field names of MeshRepairReport."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         boundary, split, empty = positions_of_each(  # sync
             mask_counts(self._edges(padded=True), 1, 1),
@@ -498,13 +459,10 @@ class MeshRepair(MeshMeasures):
         }
 
     def is_self_intersecting(self) -> bool:
-        """Whether any two triangles without a common vertex have a point in common.
+        """True if two triangles without a common vertex intersect; see `get_self_intersecting_triangles`.
 
         Raises:
-            ValueError: A triangle has a corner that is not finite.
-
-        Notes:
-            As of `get_self_intersecting_triangles`.
+            ValueError: If a triangle has a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -516,18 +474,17 @@ class MeshRepair(MeshMeasures):
         return len(self.get_self_intersecting_triangles()) > 0
 
     def get_self_intersecting_triangles(self) -> NDArray[np.int32]:
-        """The pairs of triangles without a common vertex that have a point in common.
+        """List pairs of intersecting triangles without a common vertex.
+
+        O(n log n) time, O(n + k) memory. Bitwise identical on every device. Guigue and Devillers, "Fast and robust
+        triangle-triangle overlap test", JGT 2003; Shewchuk, "Adaptive precision floating-point arithmetic", DCG 1997.
 
         Returns:
-            int32 [k, 2], the lower number first, ascending. Vertices at one place with two numbers are two vertices,
-            so in a soup of triangles all neighbours meet; as in Open3D.
+            int32 of shape (k, 2), the lower index first, ascending. Coincident vertices with two indices count as two,
+            so in a triangle soup all neighbors intersect.
 
         Raises:
-            ValueError: 2^31 pairs or more.
-
-        Notes:
-            O(n log n) time for a surface, O(n + k) memory; Open3D tests all pairs. Same bits from run to run and on
-            every device. Guigue and Devillers 2003; Shewchuk 1997 for the bounds.
+            ValueError: If there are 2^31 pairs or more.
 
         Example:
             >>> import pointloom as loom
@@ -541,18 +498,16 @@ class MeshRepair(MeshMeasures):
         return self._handed_out(pair_up(first, second))
 
     def is_intersecting(self, other: TriangleMesh) -> bool:
-        """Whether a triangle of this mesh and one of another have a point in common.
+        """True if a triangle of this mesh intersects one of another mesh.
 
-        Where one mesh lies inside the other, the surfaces have none: see `RaycastingScene.compute_occupancy`.
+        Meshes inside each other do not intersect: see `RaycastingScene.compute_occupancy`.
 
         Args:
-            other: Another mesh on the same device; where its `origin` is another one, its vertices are rounded to
-                float32 about this one's.
+            other: A mesh on the same device. Its vertices are rounded to float32 about this mesh's `origin`.
 
         Raises:
-            TypeError: No mesh.
-            DeviceError: The meshes are on different devices.
-            ValueError: 2^31 pairs of triangles or more, or a triangle with a corner that is not finite.
+            TypeError, DeviceError: If `other` is not a mesh, or if the meshes are on different devices.
+            ValueError: If there are 2^31 pairs or more, or a triangle has a corner that is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -576,27 +531,20 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def boolean_union(self, mesh: Self) -> Self:
-        """The solid that two closed meshes fill together.
+        """Union of two closed meshes as solids, computed on the CPU by manifold3d (`pip install "pointloom[mesh]"`).
 
-        Computed on the host, whatever the device: by the package manifold3d, which `pip install "pointloom[mesh]"`
-        brings. Open3D goes through VTK and takes a tolerance; here there is none to choose.
+        Computed in float64, rounded once to float32. Reproducibility depends on manifold3d.
 
         Args:
-            mesh: A closed mesh on any device, whose triangles look outwards, as must those of this one.
+            mesh: A closed, outward-oriented mesh on any device; this mesh must be so too.
 
         Returns:
-            The surface of the solid, on the device of this mesh, relative to its origin. Colours of vertices go along
-            where both meshes have them, on the cut between those of its triangle's corners; normals are made anew where
-            both have them; texture is left behind. An empty mesh where nothing is left.
+            The surface on this mesh's device, relative to its origin; empty if nothing remains. Vertex colors are
+            interpolated if both meshes have them; normals are recomputed; texture is dropped.
 
         Raises:
-            ValueError: A mesh that is not closed, or whose triangles turn different ways or inwards.
-            TypeError: No mesh.
-            ImportError: manifold3d is not installed.
-
-        Notes:
-            The cut is made in float64 and rounded once to float32. The same bits from run to run are manifold's promise
-            and not ours.
+            ValueError, TypeError: If a mesh is not closed or not oriented outward, or if `mesh` is not a mesh.
+            ImportError: If manifold3d is not installed.
 
         Example:
             >>> import pointloom as loom
@@ -612,15 +560,7 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def boolean_difference(self, mesh: Self) -> Self:
-        """The solid that this closed mesh fills and another does not; all else as `boolean_union`.
-
-        Args:
-            mesh: What is taken away.
-
-        Raises:
-            ValueError: A mesh that is not closed, or whose triangles turn different ways or inwards.
-            TypeError: No mesh.
-            ImportError: manifold3d is not installed.
+        """Difference of two closed meshes: this solid without the other one. Arguments and errors as `boolean_union`.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -634,15 +574,7 @@ class MeshRepair(MeshMeasures):
 
     @returns_new
     def boolean_intersection(self, mesh: Self) -> Self:
-        """The solid that two closed meshes both fill; all else as `boolean_union`.
-
-        Args:
-            mesh: The other one.
-
-        Raises:
-            ValueError: A mesh that is not closed, or whose triangles turn different ways or inwards.
-            TypeError: No mesh.
-            ImportError: manifold3d is not installed.
+        """Intersection of two closed meshes as solids. Arguments and errors as `boolean_union`.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -680,7 +612,6 @@ class MeshRepair(MeshMeasures):
 
 
 def count_edges(mesh: MeshRepair) -> EdgeCounts:
-    """How many edges a mesh has, and of which kinds."""
     edges = mesh._edges()
     boundary, crowded = (
         positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MOST))
@@ -689,12 +620,12 @@ def count_edges(mesh: MeshRepair) -> EdgeCounts:
 
 
 def _difference(whole: float, rest: float) -> float:
-    """What is left of a sum without the rest of it; 0 where that is rounding."""
+    """Difference of sums; 0 if it is below the rounding error."""
     return whole - rest if whole - rest > ROUNDING * whole else 0.0
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:
-    """A mesh as manifold holds it, relative to an origin; refused where it is no solid."""
+    """Convert a mesh to a manifold relative to `origin`; raise ValueError if it is not a solid."""
     if len(mesh):
         if (wrong := find_wrong_corner(mesh)) is not None:
             raise ValueError(f"{what} has corners that are not finite: {wrong}; {REMEDY}")
@@ -721,7 +652,7 @@ def _check_status(solid: Any, what: str) -> None:
 
 
 def _arrays_of(solid: Any) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
-    """(positions [m, 3], triangles [t, 3], further columns): vertices that differ in the latter alone become one."""
+    """(positions (m, 3), triangles (t, 3), other columns); merges vertices that differ only in the latter."""
     mesh = solid.to_mesh64()
     properties = np.asarray(mesh.vert_properties)
     target = np.arange(len(properties))

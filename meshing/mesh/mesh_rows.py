@@ -1,4 +1,4 @@
-"""Which arrays a mesh has, of what type, and how many rows of each."""
+"""Types and row counts of a mesh's arrays."""
 
 from __future__ import annotations
 
@@ -12,19 +12,17 @@ from ...kernels.lang import int32, vec2, vec3, vec3i
 PER_VERTEX = {"vertices": vec3, "vertex_normals": vec3, "vertex_colors": vec3}
 PER_TRIANGLE = {"triangles": vec3i, "triangle_uvs": vec2, "triangle_material_ids": int32}
 TEXTURE = ("triangle_uvs", "triangle_material_ids")
-CORNERS = ("triangle_uvs",)  # three rows a triangle
-ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and what has one row of each
+CORNERS = ("triangle_uvs",)  # three rows per triangle
+ATTRIBUTES = {"vertex_attributes": "vertices", "triangle_attributes": "triangles"}  # and arrays of the same rows
 
 
 def kind_and_count(name: str, counts: dict[str, int]) -> tuple[Any, int]:
-    """The type of an array and how many rows it has in a mesh."""
     if name in PER_VERTEX:
         return PER_VERTEX[name], counts["vertices"]
     return PER_TRIANGLE[name], counts["triangles"] * (3 if name in CORNERS else 1)
 
 
 def check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -> None:
-    """Hold that attributes lie on a device and have so many rows."""
     for name, values in attributes.items():
         check_same_device(name, device, values.device)
         if values.ndim not in (1, 2) or values.shape[0] != count:
@@ -32,7 +30,6 @@ def check_attributes(attributes: dict[str, wp.array], count: int, device: Any) -
 
 
 def as_triples(triangles: wp.array) -> wp.array:
-    """Triangles as vec3i [t], over the same memory."""
     if triangles.dtype == vec3i and triangles.ndim == 1:
         return triangles
     is_table = triangles.ndim == 2 and triangles.shape[1] == 3

@@ -1,4 +1,4 @@
-"""Meshes sewn up at their seams for what asks how a surface goes on, and what is found there brought back."""
+"""Meshes welded at seams for topological operations, and transfer of the results."""
 
 from __future__ import annotations
 
@@ -17,27 +17,19 @@ MeshType = TypeVar("MeshType", bound=MeshArrays)
 
 @dataclass(frozen=True)
 class Sewn(Generic[MeshType]):
-    """A mesh with one vertex a place of its surface, and which of its vertices each one of another mesh has become.
-
-    Files keep two vertices at one place where a texture or a shade has a seam; what moves them on their own tears the
-    surface. Normals and colours of such vertices are their means here, attributes those of the first; texture stays at
-    its corners.
-
-    Attributes:
-        mesh: The sewn mesh; the one that was given where it has no seam.
-        places: int32 device array [m]; None where it has none.
-    """
+    """A mesh with coincident seam vertices merged, and the vertex map `places` (int32 (m,), None without seams).
+    Normals and colors of merged vertices are means, attributes those of the first; texture stays at the corners."""
 
     mesh: MeshType
     places: Indices | None
 
     def spread(self, values: Array) -> Array:
-        """Values at the vertices of the sewn mesh at those of the other one."""
+        """Values of the welded mesh's vertices at those of the original mesh."""
         return values if self.places is None else gather_rows(values, self.places)
 
 
 def sew(mesh: MeshType) -> Sewn[MeshType]:
-    """Sew up the borders of a mesh that lie on each other; closed parts that touch stay apart."""
+    """Weld coincident borders; closed parts that touch stay separate."""
     arrays = mesh._device_arrays
     owners = find_seams(arrays["vertices"], arrays["triangles"])
     if owners is None:

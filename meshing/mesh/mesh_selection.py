@@ -52,44 +52,42 @@ from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
 
-FINEST = 2.0**-45  # of the largest coordinate: cells of a smaller size cannot be told apart in float64
+FINEST = 2.0**-45  # of the largest coordinate: float64 cannot resolve smaller cells
 
 
 class _Plane(NamedTuple):
-    """A plane about a mesh's origin."""
-
-    normal: NDArray[np.float64]  # of unit length
-    offset: float  # [m], the height of the origin
-    slack: float  # [m], what rounding moves vertices by
+    normal: NDArray[np.float64]  # unit length
+    offset: float  # [m] height of the origin
+    slack: float  # [m] rounding of vertices
 
     def axes(self) -> NDArray[np.float64]:
-        """Two axes in the plane, [2, 3], to the left of each other seen against the normal."""
+        """Two axes in the plane, shape (2, 3), counterclockwise seen against the normal."""
         u = np.cross(np.eye(3)[np.abs(self.normal).argmin()], self.normal)
         u /= norm(u)
         return np.array([u, np.cross(self.normal, u)])
 
 
 class MeshSelection(MeshArrays):
-    """The part of TriangleMesh that selects, removes and cuts parts of it."""
+    """Methods of TriangleMesh that select, remove and cut parts."""
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
-        """Drop the vertices that no triangle uses; the others keep their order."""
+        """Remove vertices that no triangle uses; the others keep their order."""
         triangles = self._arrays["triangles"]
         return self._with_used(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
 
     @returns_new
     def remove_vertices_by_mask(self, mask: ArrayLike) -> Self:
-        """Drop the vertices where a mask is set, and the triangles that have any of them.
+        """Remove masked vertices and the triangles that use them.
 
         Args:
-            mask: Booleans of shape [m].
+            mask: Booleans of shape (m,).
 
         Returns:
-            What is left, in its order. Vertices that lost all their triangles stay: see `remove_unreferenced_vertices`.
+            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
 
         Raises:
-            ValueError: Not booleans, or another shape.
+            ValueError: If the mask is not boolean or has another shape.
 
         Example:
             >>> import pointloom as loom
@@ -103,13 +101,13 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
-        """Drop the triangles where a mask is set; all vertices stay.
+        """Remove masked triangles; all vertices stay.
 
         Args:
-            mask: Booleans of shape [t].
+            mask: Booleans of shape (t,).
 
         Raises:
-            ValueError: Not booleans, or another shape.
+            ValueError: If the mask is not boolean or has another shape.
 
         Example:
             >>> import pointloom as loom
@@ -121,7 +119,7 @@ class MeshSelection(MeshArrays):
         return self._with_arrays(**self._triangles_at(kept))
 
     def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
-        """The vertices that are marked, int32 [m] of 1 or 0, and triangles that have no other."""
+        """Select by a vertex mask, int32 of 1 or 0, and drop triangles with other vertices."""
         rows = self._per_vertex()
         triangles, kept = mesh_edits.keep_vertices(triangles, used, rows.values())
         arrays: dict[str, Any] = dict(zip(rows, kept, strict=True))
@@ -130,11 +128,11 @@ class MeshSelection(MeshArrays):
         return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _with_triangles(self, mask: wp.array) -> Self:
-        """The triangles where a uint8 device mask is set, and the vertices that they use; one sync."""
+        """Select by a uint8 triangle mask, with the used vertices; one sync."""
         return self._chosen(mask)[0]  # sync
 
     def _chosen(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
-        """As `_with_triangles`: (mesh, rows of the triangles, of the vertices, positions of other masks); one sync."""
+        """As `_with_triangles`: (mesh, triangle rows, vertex rows, positions of other masks); one sync."""
         count = self._arrays["vertices"].size
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
@@ -144,22 +142,19 @@ class MeshSelection(MeshArrays):
         return self._with_arrays(**arrays), rows, vertices, *positions
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
-        """What a mask of removals leaves, uint8 on the mesh's device."""
+        """Inverse of a removal mask, uint8 on the mesh's device."""
         if is_on_gpu(mask):
             return invert_mask(take_mask("mask", mask, self._device, count))
         return upload(~_check_mask(mask, count, of), uint8, self._device)
 
     @returns_new
     def remove_degenerate_triangles(self, *, zero_area: bool = False) -> Self:
-        """Drop the triangles that name a vertex twice; all vertices stay.
+        """Remove triangles with a repeated vertex; all vertices stay.
+
+        Triangles with a corner that is not finite stay. Bitwise identical on every device.
 
         Args:
-            zero_area: Drop those without area as well, whose corners lie on one line. Open3D keeps them here, and drops
-                them in `remove_non_manifold_edges`.
-
-        Notes:
-            Triangles with a corner that is not finite have no area that could be zero, and stay. An area is zero where
-            its cross product in float64 is. Same bits from run to run and on every device.
+            zero_area: Also remove triangles with collinear corners (float64 cross product of zero).
 
         Example:
             >>> import pointloom as loom
@@ -175,10 +170,9 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_duplicated_triangles(self) -> Self:
-        """Keep the first of triangles that have the same vertices in the same order, from whichever they begin.
+        """Remove triangles with the same vertices in the same cyclic order as an earlier one.
 
-        Two triangles that turn opposite ways are two. Open3D misses turned copies of triangles that name a vertex
-        twice.
+        Triangles of opposite orientation are not duplicates.
 
         Example:
             >>> import pointloom as loom
@@ -190,11 +184,10 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_duplicated_vertices(self) -> Self:
-        """Make one of the vertices at the same position: the first there, with all that belongs to it.
+        """Merge vertices at equal positions into the first one, which keeps its attributes.
 
-        Triangles keep their places and name the first vertex; some may then name it twice, see
-        `remove_degenerate_triangles`. Positions are equal where all three float32 coordinates are, zero and minus zero
-        among them. Vertices with a NaN equal none. Texture stays at its corners.
+        Compares the three float32 coordinates; zero equals minus zero, NaN equals nothing. Triangles are renumbered and
+        may become degenerate: see `remove_degenerate_triangles`. Texture stays at the corners.
 
         Example:
             >>> import pointloom as loom
@@ -211,26 +204,21 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
-        """Make one of the vertices that are closer than a distance, in the order of their numbers.
+        """Merge vertices that are closer than a distance, in index order.
 
-        A vertex stays unless an earlier one that stays is closer than `eps`; else it joins the first of those. Each
-        group becomes one vertex at its mean position, with its mean colour, the direction of its mean normal and the
-        further attributes of its first member, at the place of that one. Open3D makes the same groups; it does not
-        bring the normals back to unit length.
+        A vertex joins the first earlier kept vertex closer than `eps`; else it is kept itself. Each group becomes one
+        vertex with the mean position and color, the normalized mean normal, and the other attributes of its first
+        member. Open3D makes the same groups. O(m) time, about 130 B per vertex. Bitwise identical on every device.
 
         Args:
-            eps: [m]; vertices exactly so far apart are not close.
+            eps: Exclusive maximum distance [m].
 
         Returns:
-            All triangles, of which some may name a vertex twice or be duplicates now: see
-            `remove_degenerate_triangles` and `remove_duplicated_triangles`. Texture stays at its corners.
+            All triangles. Some may be degenerate or duplicated now: see `remove_degenerate_triangles` and
+            `remove_duplicated_triangles`.
 
         Raises:
-            ValueError: No finite number above 0, or one too small to tell vertices of this mesh apart.
-
-        Notes:
-            Distances are compared in float64. Vertices that are not finite stay as they are. O(m) time whatever `eps`
-            is, about 130 B of memory a vertex. Same bits from run to run and on every device.
+            ValueError: If `eps` is not finite and positive, or below the resolution of the coordinates.
 
         Example:
             >>> import pointloom as loom
@@ -243,19 +231,14 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_non_manifold_edges(self) -> Self:
-        """Drop the smallest triangles at edges that have more than two, until none has; all vertices stay.
+        """Remove the smallest triangles at edges of more than two triangles; all vertices stay.
 
-        Triangles at such edges are taken in the order of their areas, equal ones by their numbers. One goes if, when
-        its turn comes, one of its edges has more than two that are still there. Those that name a vertex twice go
-        first.
+        Triangles with a repeated vertex are removed first. The others are visited by area, then index, and removed if
+        one of their edges still has more than two triangles. Areas are compared in float32. About 50 B of memory per
+        half-edge. Bitwise identical on every device.
 
         Returns:
-            A mesh with `is_edge_manifold()`. A mesh that has it already comes back as it is; Open3D drops triangles
-            without area from it. Open3D takes edges in the order of a hash table, so it may drop others.
-
-        Notes:
-            Areas are compared in float32. About 50 B of memory a half-edge. Same bits from run to run and on every
-            device.
+            A mesh with `is_edge_manifold()`. Open3D visits edges in hash order and may remove others.
 
         Example:
             >>> import pointloom as loom
@@ -273,7 +256,7 @@ class MeshSelection(MeshArrays):
         )
 
     def _merge_close(self, name: str, distance: Any) -> Self:
-        """`merge_close_vertices` by a distance that the caller's argument of some name gives."""
+        """`merge_close_vertices`; `name` is the argument named in errors."""
         reach, vertices = check_positive(name, distance), self._arrays["vertices"]
         low, high, count = bound_points(vertices)
         extent = float(np.abs([low, high]).max()) if count else 0.0
@@ -296,7 +279,7 @@ class MeshSelection(MeshArrays):
         return self._with_arrays(triangles=triangles, **arrays)
 
     def _without_waste(self) -> Self:
-        """Without triangles that are not finite, name a vertex twice or repeat another, and vertices that none has."""
+        """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         gone = clean_triangles.join_masks(
             clean_triangles.mask_repeats(triangles, vertices.size),
@@ -306,7 +289,7 @@ class MeshSelection(MeshArrays):
         return self._left(gone, clean_triangles.mask_used(triangles, gone, vertices.size))
 
     def _left(self, gone: Mask, used: Mask) -> Self:
-        """The triangles that a mask leaves, and the vertices that another one has, theirs among them; one sync."""
+        """Remove masked triangles; keep their vertices and those of `used`; one sync."""
         rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
         taken = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mark_places(vertices, used.size)[1]
@@ -318,19 +301,17 @@ class MeshSelection(MeshArrays):
         return self._arrays["vertices"].size
 
     def _without(self, mask: wp.array) -> Self:
-        """The mesh without the triangles where a uint8 device mask is set."""
         return self._with_arrays(**self._triangles_at(positions_of(invert_mask(mask))))  # sync
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
-        """Drop the triangles at some indices; all vertices stay.
+        """Remove triangles by index; all vertices stay.
 
         Args:
             triangle_indices: In -t..t-1, in any order; repeats count once.
 
         Raises:
-            IndexError: An index beyond the mesh; Open3D warns and goes on.
-            TypeError: Not whole numbers.
+            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
 
         Example:
             >>> import pointloom as loom
@@ -343,17 +324,16 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_vertices_by_index(self, vertex_indices: ArrayLike) -> Self:
-        """Drop the vertices at some indices, and the triangles that have any of them.
+        """Remove vertices by index, and the triangles that use them.
 
         Args:
             vertex_indices: In -m..m-1, in any order; repeats count once.
 
         Returns:
-            What is left, in its order. Vertices that lost all their triangles stay: see `remove_unreferenced_vertices`.
+            The remaining mesh in order. Vertices without triangles stay: see `remove_unreferenced_vertices`.
 
         Raises:
-            IndexError: An index beyond the mesh; Open3D warns and goes on.
-            TypeError: Not whole numbers.
+            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
 
         Example:
             >>> import pointloom as loom
@@ -366,19 +346,17 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def select_by_index(self, indices: ArrayLike, cleanup: bool = True) -> Self:
-        """The vertices at some indices, in the order given, and the triangles between them.
+        """Select vertices by index, in the given order, and the triangles between them.
 
         Args:
-            indices: In -m..m-1; a vertex listed twice counts where it comes first.
-            cleanup: Call `remove_duplicated_vertices`, `remove_duplicated_triangles`, `remove_unreferenced_vertices`
-                and `remove_degenerate_triangles` on the result, as Open3D does.
+            indices: In -m..m-1; repeats count once.
+            cleanup: Remove duplicated, unreferenced and degenerate vertices and triangles, as Open3D.
 
         Returns:
-            What is left, triangles in their order. Texture stays with its triangles; Open3D leaves it behind.
+            The selection, triangles in order, with their texture (Open3D drops it).
 
         Raises:
-            IndexError: An index beyond the mesh; Open3D warns and goes on.
-            TypeError: Not whole numbers.
+            IndexError, TypeError: If an index is out of range (Open3D warns), or if the indices are not integers.
 
         Example:
             >>> import pointloom as loom
@@ -393,16 +371,16 @@ class MeshSelection(MeshArrays):
     def crop(
         self, bounding_box: AxisAlignedBoundingBox | OrientedBoundingBox | SelectionPolygonVolume, invert: bool = False
     ) -> Self:
-        """The vertices inside a box, its faces included, or inside a polygon volume, and the triangles between them.
+        """Select the vertices in a box (faces included) or polygon volume and the triangles between them.
 
-        It is `select_by_index` of these vertices, with its clean-up: triangles that reach across the box are left out.
+        Same as `select_by_index` with cleanup: triangles that cross the boundary are removed.
 
         Args:
-            bounding_box: A box, or a polygon volume.
-            invert: Take the vertices outside.
+            bounding_box: A box or a polygon volume.
+            invert: Select the vertices outside.
 
         Raises:
-            TypeError: No bounding box and no polygon volume.
+            TypeError: If `bounding_box` is of another type.
 
         Example:
             >>> import pointloom as loom
@@ -434,29 +412,26 @@ class MeshSelection(MeshArrays):
         chosen = chosen.remove_duplicated_vertices()
         vertices, triangles = chosen._arrays["vertices"], chosen._arrays["triangles"]
         repeats = clean_triangles.mask_repeats(triangles, vertices.size)
-        used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # those of degenerate triangles stay
+        used = clean_triangles.mask_used(triangles, repeats, vertices.size)  # keep those of degenerate triangles
         degenerate = clean_triangles.mask_degenerate(vertices, triangles, zero_area=False)
         return chosen._left(clean_triangles.join_masks(repeats, degenerate), used)
 
     def _at_vertices(self, rows: wp.array) -> Self:
-        """The vertices at some rows, each once, and the triangles between them."""
+        """Select vertices by row, each once, and the triangles between them."""
         used, places = mesh_edits.mark_places(rows, self._vertex_count)
         whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
         whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self._vertices_at(rows)
         return self._with_arrays(**whole)
 
     def cluster_connected_triangles(self) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
-        """Find the parts of the mesh whose triangles hang together by shared edges.
+        """Find parts of the mesh that are connected by shared edges.
 
-        Triangles that share but a vertex are of two parts. Vertices at one place with two numbers are two vertices.
+        Triangles that share only a vertex, or coincident vertices with two indices, are not connected. O(t) memory.
+        Bitwise identical on every device.
 
         Returns:
-            (labels, counts, areas): the part of each triangle, int32 [t]; how many triangles each part has, int32 [c];
-            its area [m^2], float64 [c], NaN if a triangle of it has a corner that is not finite. Parts are numbered by
-            their first triangles, as Open3D numbers them.
-
-        Notes:
-            O(t) memory. Same bits from run to run and on every device.
+            (labels, counts, areas): part of each triangle, int32 (t,); triangles of each part, int32 (c,); area of each
+            part [m^2], float64 (c,), NaN if a corner is not finite. Parts are numbered by their first triangle.
 
         Example:
             >>> import pointloom as loom
@@ -476,20 +451,18 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:
-        """Drop the parts of the mesh, as of `cluster_connected_triangles`, that are too small.
-
-        To keep the largest part alone: `mesh.remove_small_components(min_area=areas.max())`.
+        """Remove small parts, as found by `cluster_connected_triangles`.
 
         Args:
-            min_triangles: A part with fewer triangles goes.
-            min_area: A part with a smaller area [m^2] goes.
+            min_triangles: Minimum number of triangles of a kept part.
+            min_area: Minimum area of a kept part [m^2]; `areas.max()` keeps only the largest part.
 
         Returns:
-            The other triangles, in their order, and the vertices that they use.
+            The other triangles, in order, and their vertices.
 
         Raises:
-            ValueError: A count below 1, or an area that is negative or not finite.
-            TypeError: No numbers.
+            ValueError: If a count is below 1, or an area is negative or not finite.
+            TypeError: If an argument is not a number.
 
         Example:
             >>> import pointloom as loom
@@ -506,30 +479,24 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def trim(self, vertex_values: ArrayLike, level: float, *, island_ratio: float = 0.001) -> Self:
-        """Cut away the surface where values at its vertices, linear in between, are below a level.
+        """Cut away the surface where linearly interpolated vertex values are below a level.
 
-        To cut what Poisson's surface makes up where there are no points: `mesh.trim(densities, densities.max() - 2)`.
-        Unlike `remove_vertices_by_mask` it cuts through triangles, so the border is a line and not teeth.
+        Removes the surface that Poisson reconstruction extrapolates: `mesh.trim(densities, densities.max() - 2)`. Cuts
+        through triangles, unlike `remove_vertices_by_mask`. Bitwise identical on every device. As SurfaceTrimmer of
+        PoissonRecon (`--trim`, `--aRatio`).
 
         Args:
-            vertex_values: One number a vertex, shape [m].
-            level: Where to cut; what lies on it stays.
-            island_ratio: What is left in parts of less than this share of the mesh's area goes too; then what is gone
-                in smaller parts stays where the rest encloses it: a hole, and not a piece at the mesh's own border.
-                0 for neither.
+            vertex_values: Values of shape (m,).
+            level: Threshold; values equal to it stay.
+            island_ratio: Remaining parts below this fraction of the total area are removed too, and smaller enclosed
+                holes are kept filled. 0 disables both.
 
         Returns:
-            What is left, and the vertices that it uses: in their order, then those on the cut, with normals of unit
-            length, colours, texture coordinates and further attributes between those of their edges. Pieces are wound
-            as their triangles are.
+            The remaining mesh: used vertices in order, then those on the cut, with interpolated attributes.
 
         Raises:
-            ValueError: Another shape, numbers that are not finite, or a ratio that is no share.
-            TypeError: No numbers.
-
-        Notes:
-            Same bits from run to run and on every device. As SurfaceTrimmer of PoissonRecon does it (`--trim`,
-            `--aRatio`).
+            ValueError: If the shape is wrong, a number is not finite, or the ratio is out of range.
+            TypeError: If an argument is not numeric.
 
         Example:
             >>> import pointloom as loom
@@ -550,7 +517,7 @@ class MeshSelection(MeshArrays):
         return whole._with_triangles(mask)  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
-        """All pieces of a cut as a mesh, with all that belongs to vertices and triangles."""
+        """All pieces of a cut as a mesh, with interpolated attributes."""
         rows = self._per_vertex()
         arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
         held = self._attributes["vertex_attributes"]
@@ -565,33 +532,28 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def clip_plane(self, point: ArrayLike, normal: ArrayLike, *, cap: bool = False) -> Self:
-        """What lies on the side of a plane to which its normal points.
+        """Keep the part of the mesh on the side of a plane that the normal points to.
+
+        Vertices within the float32 rounding of the largest coordinate count as on the plane. About 150 B of memory per
+        triangle. Bitwise identical on every device.
 
         Args:
-            point: A point of the plane [m], shape [3].
-            normal: Where to keep the mesh, shape [3], of any length.
-            cap: Close the mesh where the plane opens it. Outlines are filled as the triangles at them turn, so a cavity
-                stays one; where these turn different ways, what lies within an odd number of outlines is filled.
+            point: A point on the plane [m], shape (3,).
+            normal: Direction of the kept side, shape (3,), any length.
+            cap: Close the cut. Outlines are filled by triangle orientation, else by the even-odd rule.
 
         Returns:
-            Triangles in their order, cut ones as two or one; vertices in their order, then one for each edge that the
-            plane cuts, shared by the triangles there, with normals (of unit length), colours, texture coordinates and
-            attributes between those of its ends. Vertices in the plane stay what they are. Without a lid triangles in
-            the plane stay; with one those that face up go. The lid's triangles come last and have the vertices of the
-            border alone, so a watertight mesh stays watertight; the texture coordinates, materials and attributes of
-            its triangles are those of a triangle beside it. Triangles with a corner that is not finite go.
+            Triangles in order, cut ones as one or two; vertices in order, then one per cut edge with interpolated
+            attributes. Triangles in the plane stay without a cap; with one, those facing up are removed. Cap triangles
+            come last, share the border vertices, and take texture, material and attributes from a triangle beside them.
+            Triangles with a corner that is not finite are removed.
 
         Raises:
-            ValueError: Not three finite numbers, or a normal without a length.
-            TypeError: No numbers.
-            ImportError: A lid was asked for, and manifold3d is not installed.
+            ValueError: If there are not three finite numbers, or the normal has no length.
+            TypeError, ImportError: If an argument is not numeric, or if `cap` is True and manifold3d is not installed.
 
         Warns:
-            UserWarning: Some outlines are not closed, because the mesh is not: there is no lid.
-
-        Notes:
-            A vertex lies in the plane where it is nearer than float32 rounds the largest coordinate about `origin`.
-            Some 150 B of memory a triangle. Same bits from run to run and on every device.
+            UserWarning: If some outlines are not closed because the mesh is open; these get no cap.
 
         Example:
             >>> import pointloom as loom
@@ -618,25 +580,21 @@ class MeshSelection(MeshArrays):
     def slice_plane(
         self, point: ArrayLike, normal: ArrayLike, contour_values: ArrayLike = (0.0,), *, cap: bool | None = None
     ) -> Any:
-        """The lines in which one or more parallel planes meet the mesh.
+        """Intersect the mesh with one or more parallel planes.
 
         Args:
-            point: A point of the plane [m], shape [3].
-            normal: Across the plane, shape [3], of any length.
-            contour_values: How far above the point the planes lie along the normal [m].
-            cap: The mesh above the one plane instead, as trimesh calls it: `clip_plane(point, normal, cap=cap)`.
+            point: A point on the plane [m], shape (3,).
+            normal: Normal of the planes, shape (3,), any length.
+            contour_values: Offsets of the planes along the normal [m].
+            cap: If given, return `clip_plane(point, normal, cap=cap)` instead, as trimesh does.
 
         Returns:
-            A LineSet: the lines of each plane in turn, with one point for each edge that it cuts, shared by the lines
-            there. Lines of a mesh that is wound alike run so that it lies to their left, seen against the normal. A
-            mesh that only touches a plane from above has no line there; one that stands on it has its outline.
+            A LineSet: the lines plane by plane, one shared point per cut edge. For a consistently oriented mesh, the
+            solid is to the left of each line seen against the normal. A mesh that touches a plane from above has none.
 
         Raises:
-            ValueError: Not three finite numbers, a normal without a length, or contours that are no finite numbers.
-            TypeError: No numbers.
-
-        Notes:
-            As `clip_plane`, plane by plane.
+            ValueError: If a number is not finite, a shape is wrong, or the normal has no length.
+            TypeError: If an argument is not numeric.
 
         Example:
             >>> import pointloom as loom
@@ -659,16 +617,15 @@ class MeshSelection(MeshArrays):
         return LineSet(np.concatenate(points), np.concatenate([np.zeros((0, 2), np.int64), *lines]).astype(np.int32))
 
     def section_loops(self, point: ArrayLike, normal: ArrayLike) -> list[NDArray[np.float64]]:
-        """The lines in which a plane meets the mesh, joined: closed loops first, then paths that end at borders.
+        """Intersect the mesh with a plane and join the lines: closed loops first, then open paths.
 
         Args:
-            point: A point of the plane [m], shape [3].
-            normal: Across the plane, shape [3], of any length.
+            point: A point on the plane [m], shape (3,).
+            normal: Normal of the plane, shape (3,), any length.
 
         Returns:
-            Points [m] of shape [k, 3] each; the last one of a loop is its first one again. Loops of a mesh that is
-            wound alike and outwards run to the left seen against the normal, those of cavities to the right. Where
-            loops touch they are parted there.
+            Points [m] of shape (k, 3) per path; a loop repeats its first point at the end. Loops of an outward-oriented
+            mesh run counterclockwise seen against the normal, those of cavities clockwise.
 
         Raises:
             ValueError, TypeError: As `slice_plane`.
@@ -686,7 +643,7 @@ class MeshSelection(MeshArrays):
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
 
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> tuple[_Plane, Self]:
-        """The plane, and the mesh without triangles that have a corner which is not finite; one sync, two with such."""
+        """(plane, mesh without non-finite triangles); one sync, two if there are such triangles."""
         place = check_finite("point", check_shape("point", point, (3,)))
         way, vertices = check_direction("normal", normal), self._arrays["vertices"]
         low, high, count = bound_points(vertices)  # sync
@@ -702,14 +659,14 @@ class MeshSelection(MeshArrays):
         return _Plane(way, float(matmul(way, self._origin - place)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
-        """(the cut, the side of each piece, all pieces as a mesh)."""
+        """(cut, side of each piece, mesh of all pieces)."""
         heights = plane_cut.measure_heights(self._arrays["vertices"], *plane)
         cut = LevelCut(self._arrays["triangles"], heights, 0.0)
         whole = self._cut_up(cut)
         return cut, plane_cut.find_sides(whole._arrays["vertices"], cut.pieces, cut.sides, plane.normal), whole
 
     def _section(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-        """(points [m] [n, 3], lines between them [k, 2])."""
+        """(points (n, 3) [m], lines (k, 2))."""
         cut, sides, whole = self._cut_by(plane)
         rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
         found = plane_cut.read_half_edges(whole._arrays["vertices"], cut.pieces, sides, rows)  # sync
@@ -718,15 +675,14 @@ class MeshSelection(MeshArrays):
         return found.places(used) + self._origin, numbers.reshape(-1, 2)
 
     def _above(self, cut: LevelCut, sides: wp.array, kept: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
-        """The pieces that are kept with the vertices that they use, and their half-edges in the plane; two syncs."""
+        """(kept pieces with their vertices, their half-edges in the plane); two syncs."""
         mesh, rows, chosen, found = self._chosen(kept, plane_cut.mark_in_plane(cut, kept))  # sync
         vertices, pieces = self._arrays["vertices"], cut.pieces
         places = [mesh_edits.mark_places(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
         return mesh, plane_cut.read_half_edges(vertices, pieces, sides, found, (places[0], places[1]))  # sync
 
     def _with_lid(self, found: plane_cut.HalfEdges, plane: _Plane) -> Self:
-        """The pieces above a plane, closed along it."""
-        ends = outline(found.rows)[:, ::-1]  # as the lid's triangles run
+        ends = outline(found.rows)[:, ::-1]  # in the direction of the cap's triangles
         used = np.unique(ends)
         flat = matmul(found.places(used), plane.axes()[::-1].T)  # seen from below
         loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
@@ -742,7 +698,7 @@ class MeshSelection(MeshArrays):
         return self._with_more(numbers[fill_loops("cap", places)], found.rows)
 
     def _with_more(self, lid: NDArray[np.int32], half_edges: NDArray[np.int32]) -> Self:
-        """The mesh with more triangles, whose corners take what belongs to the first of some half-edges there."""
+        """Add cap triangles whose corners take the attributes of the first of the given half-edges there."""
         numbers = half_edges[:, 3]
         ends = np.concatenate([half_edges[:, 0], half_edges[:, 1]])
         held = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])

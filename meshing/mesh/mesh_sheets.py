@@ -1,4 +1,4 @@
-"""Any triangles made sheets: no edge of more than two, no vertex of more than one fan, nothing twice."""
+"""Convert triangles to manifold sheets: no edge of more than two, no vertex of several fans, no duplicates."""
 
 from __future__ import annotations
 
@@ -30,20 +30,10 @@ MeshType = TypeVar("MeshType", bound=MeshSelection)
 
 @dataclass(frozen=True)
 class Stitched(Generic[MeshType]):
-    """A mesh of sheets, and what became of the triangles and vertices of the one that it was made of.
-
-    Attributes:
-        mesh: The mesh.
-        copies: Triangles that were copies of others, of either side.
-        copied_area: The area of these [m^2].
-        crowding: Triangles that found no place where more than two met.
-        halved: Triangles added where one was made of two, to part two edges between the same vertices.
-        merged: Vertices that became one with another.
-        split: Vertices added where sheets came apart.
-        unused: Vertices that no triangle uses.
-        open_sides: Sides of triangles at a border.
-        degenerate: Triangles that named a vertex, or a position, twice.
-    """
+    """A mesh of sheets, and counts of changes. `copies`, `copied_area`: removed duplicates, either orientation.
+    `crowding`: triangles without a partner. `halved`: triangles added to separate double edges. `merged`, `split`,
+    `unused`: vertices. `open_sides`: boundary half-edges. `degenerate`: triangles with a repeated vertex or
+    position."""
 
     mesh: MeshType
     copies: int
@@ -58,13 +48,9 @@ class Stitched(Generic[MeshType]):
 
 
 def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
-    """Make sheets of finite triangles: cut at edges of more than two, stitched in pairs; see kernels/meshes/sheets.py.
-
-    Closed parts that are wound alike stay as they are. Of all others what names a position twice goes, and what
-    repeats an earlier triangle. Then parts go that are copies of others, and single triangles without a partner at an
-    edge of more than two. Where that leaves a border, and less of one if a single triangle is kept of those that have
-    the same vertices whichever way round, that is done.
-    """
+    """Cut finite triangles at edges of more than two and stitch them in pairs; see kernels/meshes/sheets.py. Closed,
+    consistently oriented parts stay. Of all others, degenerate and duplicate triangles, parts that copy others, and
+    single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept."""
     clean = mesh.remove_degenerate_triangles()
     vertices, triangles = clean._device_arrays["vertices"], clean._device_arrays["triangles"]
     owners = merge_vertices.find_equal_vertices(vertices)
@@ -79,7 +65,7 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
 
 
 def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeated: Indices) -> Stitched[MeshType]:
-    """`cut_and_stitch` without the triangles at some rows."""
+    """`cut_and_stitch` without some triangles."""
     vertices, copied_area = mesh._device_arrays["vertices"], _area_of(mesh, repeated)
     kept = other_rows(_joined(folded, repeated), placed.size, are_distinct=True)
     clean = mesh._with_arrays(**mesh._triangles_at(kept))
@@ -108,7 +94,7 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
 
 
 def _find_worthless(mesh: MeshSelection, placed: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
-    """(rows that name a position twice, that repeat an earlier one, that do so whichever way round) of loose ones."""
+    """Rows of loose triangles: degenerate, duplicate, duplicate in either orientation."""
     rows = positions_of(loose)  # sync
     own = gather_triangles(placed, rows)
     vertices = mesh._device_arrays["vertices"]
@@ -124,7 +110,7 @@ def _find_worthless(mesh: MeshSelection, placed: Triangles, loose: Mask) -> tupl
 
 
 def _find_parts_to_drop(mesh: MeshSelection, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
-    """(rows of parts that are copies of others, rows of single triangles that found no partner)."""
+    """(rows of parts that copy others, rows of single triangles without a partner)."""
     count, device = placed.size, placed.device
     classes, class_count = find_copies(placed, mesh._device_arrays["vertices"].size)  # sync
     covered = np.zeros(count, np.bool_)
@@ -151,12 +137,10 @@ def _rows_of(mask: NDArray[np.bool_], device: Any) -> Indices:
 
 
 def _joined(first: Indices, second: Indices) -> Indices:
-    """Two lists of rows as one."""
     if not first.size or not second.size:
         return first if first.size else second
     return upload(np.concatenate([download(first), download(second)]), int32, first.device)  # sync
 
 
 def _area_of(mesh: Any, rows: Indices) -> float:
-    """The area [m^2] of some triangles."""
     return mesh._with_arrays(**mesh._triangles_at(rows)).get_surface_area() if rows.size else 0.0

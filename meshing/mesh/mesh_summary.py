@@ -1,4 +1,4 @@
-"""How large a mesh is, and what its surface is like, as reports say it."""
+"""Size and surface statistics of a mesh for reports."""
 
 from __future__ import annotations
 
@@ -13,34 +13,26 @@ Corner = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class MeshSummary:
-    """The size of a mesh.
-
-    Attributes:
-        vertices, triangles: How many.
-        bounds: The lowest and the highest corner [m] of the finite vertices; None without vertices.
-    """
+    """Number of vertices and triangles, and bounds of the finite vertices [m], None without any."""
 
     vertices: int
     triangles: int
     bounds: tuple[Corner, Corner] | None
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         return {"vertices": self.vertices, "triangles": self.triangles, "bounds": _bounds_to_json(self.bounds)}
 
 
 @dataclass(frozen=True)
 class SurfaceSummary:
-    """A surface in figures.
+    """Statistics of a surface.
 
     Attributes:
-        vertices, triangles: How many.
-        area: [m^2].
-        parts: Pieces that hang together by edges.
-        largest_share: Of the area, that of the largest part.
-        edges: How many; `boundary_edges` of them have one triangle, `crowded_edges` three or more.
-        watertight: Whether it is closed.
-        bounds: The lowest and the highest corner [m] of the finite vertices; None without vertices.
+        vertices, triangles, parts: Counts; parts are connected by edges.
+        area, largest_share: [m^2], and fraction of the largest part.
+        edges, boundary_edges, crowded_edges: All edges, those of one triangle, those of three or more.
+        watertight: True if closed.
+        bounds: Lowest and highest corner of the finite vertices [m]; None without vertices.
     """
 
     vertices: int
@@ -55,17 +47,14 @@ class SurfaceSummary:
     bounds: tuple[Corner, Corner] | None
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         return {**vars(self), "bounds": _bounds_to_json(self.bounds)}
 
 
 def describe_mesh(mesh: TriangleMesh) -> MeshSummary:
-    """The size of a mesh."""
     return MeshSummary(_vertex_count(mesh), len(mesh), _bounds_of(mesh))
 
 
 def describe_surface(mesh: TriangleMesh) -> SurfaceSummary:
-    """The figures of a surface."""
     _, _, areas = mesh.to(mesh.device, arrays="numpy").cluster_connected_triangles()
     area, edges = float(areas.sum()), count_edges(mesh)
     return SurfaceSummary(

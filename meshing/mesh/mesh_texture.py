@@ -20,44 +20,36 @@ from ...kernels.textures.surface_texels import SurfaceTexels
 from .mesh_arrays import MeshArrays
 from .posed_images import Names, check_images
 
-MOST_SIZE = 2**14  # of a picture; 2^28 texels are what files hold
+MOST_SIZE = 2**14  # per side; file formats allow 2^28 texels
 TEXEL_BYTES = 40
 TRIES = 3
-MOST_EXCESS = 3  # of xatlas's picture over the size: beyond, wider gutters chase a picture that grows with them
-_WIDER = 1.5  # xatlas exceeds the size that it is given, by a fifth and more, and the gutter shrinks with it
-MOST_TEXELS = 16384  # a side: 2.7e8 texels, some 30 GB on the way
+MOST_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image
+_WIDER = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
+MOST_TEXELS = 16384  # per side: 2.7e8 texels, about 30 GB temporarily
 NAMES = Names("images", "intrinsic_matrices", "extrinsic_matrices")
-GUTTER = 8  # rings of texels: three levels of a mipmap
+GUTTER = 8  # texels of padding: three mipmap levels
 
 
 class MeshTexture(MeshArrays):
-    """The part of TriangleMesh that computes texture coordinates and textures."""
+    """Methods of TriangleMesh that compute texture coordinates and textures."""
 
     @returns_new
     def compute_uvatlas(self, size: int = 512, gutter: float = 1.0) -> Self:
-        """Cut the surface into charts and lay them side by side on a square picture.
+        """Compute texture coordinates: cut the surface into charts and pack them, with xatlas on the CPU.
 
-        This runs on the host, in the library xatlas: `pip install "pointloom[mesh]"`. Open3D's function of this name
-        (of its tensor meshes) uses Microsoft's UVAtlas and changes the mesh; max_stretch, parallel_partitions and
-        nthreads are settings of that.
+        Needs `pip install "pointloom[mesh]"`. Open3D's function uses Microsoft's UVAtlas and other parameters.
 
         Args:
-            size: Width and height of the picture that the coordinates are for [texels], 1 to 2^14.
-            gutter: Room between charts [texels].
+            size: Width and height of the texture [texels], 1 to 2^14.
+            gutter: Space between charts [texels].
 
         Returns:
-            The mesh with texture coordinates in 0..1 that no two triangles share, but for such as lie at the same
-            place; a triangle without area has (0, 0) at its corners. Earlier coordinates, material numbers and textures
-            are left behind. Vertices, triangles and what else they have stay as they are.
+            The mesh with non-overlapping texture coordinates in 0..1, (0, 0) for triangles without area. Earlier
+            coordinates, material ids and textures are dropped. Reproducible and independent of the unit.
 
         Raises:
-            ImportError: xatlas is not there.
-            ValueError: No triangles, a vertex that is not finite, a size or gutter out of range, or a size that has no
-                room for all charts with such a gutter.
-            TypeError: No numbers.
-
-        Notes:
-            Same coordinates from run to run. Does not depend on the mesh's units.
+            ImportError, ValueError, TypeError: If xatlas is not installed, if there are no triangles, a vertex is not
+                finite, `size` or `gutter` is out of range, or the charts do not fit, or if an argument is not a number.
 
         Example:
             >>> import pointloom as loom
@@ -80,24 +72,19 @@ class MeshTexture(MeshArrays):
 
     @returns_new
     def bake_vertex_colors(self, size: int = 1024, *, gutter: int = 4) -> Self:
-        """Draw the colours of the vertices into a texture, as for programs that know no vertex colours.
+        """Bake vertex colors into a texture, for programs without vertex colors.
 
         Args:
-            size: Width and height of the picture [texels], 1 to 2^14.
-            gutter: How many texels around triangles are coloured as well, so that no background shows at their edges.
+            size: Width and height of the texture [texels], 1 to 2^14.
+            gutter: Colored texels around triangles, which hide the background at seams.
 
         Returns:
-            The mesh with that texture in place of vertex colours, earlier textures and material numbers.
+            The mesh with this texture instead of vertex colors and other textures. Bitwise identical on every device.
 
         Raises:
-            ValueError: The mesh has no vertex colours, no texture coordinates, or some beyond 0..1; or a size or gutter
-                out of range.
-            TypeError: No whole numbers.
-            MemoryError: The device has no room for the picture.
-
-        Notes:
-            40 B of memory a texel, 8 B a row of texels over each triangle. Same bits from run to run and on every
-            device.
+            ValueError, TypeError: If the mesh has no vertex colors, no texture coordinates or some outside 0..1, or an
+                argument is out of range, or if an argument is not an integer.
+            MemoryError: If the texture does not fit into device memory.
 
         Example:
             >>> import pointloom as loom
@@ -125,33 +112,26 @@ class MeshTexture(MeshArrays):
     def project_images_to_albedo(
         self, images: Any, intrinsic_matrices: Any, extrinsic_matrices: Any, tex_size: int = 1024
     ) -> Any:
-        """Fill the mesh's texture with what posed pictures show of it.
+        """Fill the texture from posed images.
 
-        Each texel is looked up in every picture that shows it from before, nothing of the mesh in between (one ray a
-        texel and picture) and no edge of it within 2 pixels, and takes their mean by angle of view and distance:
-        (cos / depth)^4. What no picture shows takes the vertices' colours where there are any, else black. Open3D
-        returns the picture and puts it into the mesh's material; here a new mesh has it.
+        A texel is the mean, weighted by (cos / depth)^4, of the images that see it from the front, unoccluded (one ray
+        per texel and image) and more than 2 pixels from a mesh edge. Unseen texels take the vertex colors, or black.
+        Unlike Open3D's, a new mesh is returned.
 
         Args:
-            images: uint8 pictures [h, w, 3], or RGBDImages with colours, whose depth is not looked at.
-            intrinsic_matrices: Calibration matrices [3, 3], one a picture, or one PinholeCameraIntrinsic for all, or a
-                list of those.
-            extrinsic_matrices: T_camera_world [4, 4], world to camera, one a picture.
-            tex_size: Texels a side.
+            images: uint8 images (h, w, 3), or RGBDImages with colors, whose depth is ignored.
+            intrinsic_matrices: Matrices (3, 3), one per image, or one PinholeCameraIntrinsic or a list of them.
+            extrinsic_matrices: T_camera_world (4, 4), one per image.
+            tex_size: Texels per side.
 
         Returns:
-            The mesh with this one texture, uint8 [tex_size, tex_size, 3], and without material numbers. Texels beside
-            the triangles' places (8 rings) repeat them, so seams do not show when texels are blended.
+            The mesh with one texture, uint8 (tex_size, tex_size, 3), padded by 8 texels around triangles. Bitwise
+            reproducible on one device. About 110 B per texel, 7 B per pixel.
 
         Raises:
-            ValueError: No triangles, no texture coordinates or none in 0..1, pictures, cameras and poses of different
-                number or size, or a pose that is no rigid motion.
-            TypeError: Not pictures, or not cameras.
-            DeviceError: Images on another device than the mesh.
-
-        Notes:
-            The same bits from run to run on one device. Some 110 B of memory a texel, 7 B a pixel. A triangle that
-            covers much of the texture is the work of one thread.
+            ValueError, TypeError: If there are no triangles or texture coordinates in 0..1, images, cameras and poses
+                disagree, or a pose is not rigid, or if images or cameras have another type.
+            DeviceError: If images are on another device than the mesh.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -166,7 +146,7 @@ class MeshTexture(MeshArrays):
         return self._with_albedo(images, intrinsic_matrices, extrinsic_matrices, tex_size)[0]
 
     def _with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
-        """The mesh with its texture, and the share of its texels that a picture shows."""
+        """(mesh with its texture, fraction of texels seen in an image)."""
         because = "the texture and what it is made from would not fit; take fewer texels"
         size = check_count("tex_size", tex_size, minimum=1, maximum=MOST_TEXELS, because=because)
         if not len(self):
@@ -193,7 +173,7 @@ class MeshTexture(MeshArrays):
 def _lay_out(
     vertices: NDArray[np.float32], triangles: NDArray[np.int32], size: int, gutter: float
 ) -> NDArray[np.float32]:
-    """Texture coordinates of corners by xatlas, [3 t, 2]."""
+    """Texture coordinates of corners by xatlas, (3 t, 2)."""
     xatlas = _import_xatlas()
     padding, reason = math.ceil(_WIDER * gutter), ""
     for _ in range(TRIES):
@@ -225,7 +205,6 @@ def _import_xatlas() -> Any:
 
 
 def _cameras(cameras: Any, pictures: list[Any]) -> Any:
-    """Cameras of matrices, whose sizes are the pictures'."""
     if isinstance(cameras, PinholeCameraIntrinsic):
         return cameras
     listed = check_list("intrinsic_matrices", cameras, "cameras")

@@ -1,4 +1,4 @@
-"""Pictures with cameras and poses as the operations on meshes take them: checked, and put on the mesh's device."""
+"""Validated images with cameras and poses on the mesh's device."""
 
 from __future__ import annotations
 
@@ -19,19 +19,12 @@ from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul
 from ...kernels.textures.posed_pictures import PosedPictures, smooth_brightness
 
-MOST_PIXELS = 2**31 - 1  # in all: device code counts them in 32 bits
+MOST_PIXELS = 2**31 - 1  # in total: 32-bit indices on the device
 
 
 @dataclass(frozen=True)
 class PosedImages:
-    """Checked pictures of one mesh.
-
-    Attributes:
-        colors: uint8 device arrays [pixels, 3], one a picture.
-        depths: float32 device arrays [pixels] [m], or None for a picture without depth.
-        cameras: One a picture.
-        T_camera_world: Shape [n, 4, 4].
-    """
+    """Validated images: uint8 colors (pixels, 3), float32 depths (pixels,) [m] or None, cameras and poses."""
 
     colors: list[wp.array]
     depths: list[wp.array | None]
@@ -39,7 +32,7 @@ class PosedImages:
     T_camera_world: NDArray[np.float64]
 
     def pictures(self, origin: NDArray[np.float64], margin: float) -> PosedPictures:
-        """The pictures for kernels, poses about an origin [m]; 7 B a pixel."""
+        """Images for kernels, poses about an origin [m]; 7 B per pixel."""
         sizes = np.array([(camera.width, camera.height) for camera in self.cameras], np.int64)
         firsts = np.concatenate([[0], np.cumsum(sizes.prod(axis=1))])
         layout = np.column_stack([sizes, firsts[:-1]])
@@ -52,7 +45,7 @@ class PosedImages:
 
 @dataclass(frozen=True)
 class Names:
-    """What a function calls its pictures, cameras and poses."""
+    """Argument names of images, cameras and poses, for errors."""
 
     images: str
     cameras: str
@@ -60,15 +53,7 @@ class Names:
 
 
 def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
-    """Pictures, their cameras and their poses, as many of each.
-
-    Args:
-        names: Of the arguments.
-        images: RGBDImages with colours, or uint8 pictures [h, w, 3] or [h, w].
-        intrinsics: A camera for all, or one a picture.
-        T_camera_world: Poses [n, 4, 4], or a list of [4, 4].
-        device: Where the mesh is.
-    """
+    """Validate as many images (RGBDImages or uint8 arrays) as cameras and poses, and upload them."""
     pictures, poses = check_list(names.images, images, "pictures"), list(T_camera_world)
     if not pictures:
         raise ValueError(f"{names.images}: expected at least one picture, got none")
@@ -96,7 +81,6 @@ def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any
 
 
 def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | None]:
-    """The colours and the depth of one picture."""
     if isinstance(image, RGBDImage):
         check_same_device("device", image.device, device)
         check_intrinsic(camera, image.width, image.height)

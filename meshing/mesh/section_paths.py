@@ -1,7 +1,4 @@
-"""Outlines of sections: which half-edges in a plane are lines of it, and these lines as loops and paths.
-
-In NumPy: a section has some roots of the triangles' number of lines.
-"""
+"""Section lines from half-edges in a plane, joined to loops and paths, in NumPy."""
 
 from __future__ import annotations
 
@@ -18,16 +15,9 @@ ABOVE, BELOW = 1, -1
 
 
 def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
-    """The lines along which a mesh passes a plane, [n, 2]: each once, in the order of their vertices' numbers.
-
-    Args:
-        half_edges: Tail, head, side of the piece and number of the half-edges that lie in the plane.
-        first_new: Vertices from here on came in by the cut.
-
-    Returns:
-        Lines through triangles; and edges of the mesh where it goes on below or in the plane, or ends. Where it only
-        touches the plane from above, as a ridge, there is no line. They run as the half-edges above do.
-    """
+    """Lines along which a mesh crosses a plane, (n, 2), each once, ordered by vertices. Half-edges are (tail, head,
+    side of the piece, number); vertices from `first_new` on come from the cut. Includes mesh edges in the plane where
+    the mesh continues below or in it, or ends; excludes ridges that touch from above."""
     rows = np.asarray(half_edges, np.int64)
     low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
     key = low * (int(high.max(initial=0)) + 1) + high
@@ -43,7 +33,7 @@ def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
 
 
 def outline(half_edges: NDArray[np.int32]) -> Ends:
-    """The half-edges that only an odd number of pieces share, [n, 2], as they run."""
+    """Half-edges shared by an odd number of pieces, (n, 2), in their direction."""
     rows = np.asarray(half_edges, np.int64)
     low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
     key = low * (int(high.max(initial=0)) + 1) + high
@@ -54,15 +44,8 @@ def outline(half_edges: NDArray[np.int32]) -> Ends:
 
 
 def join_lines(ends: Ends, places: dict[int, NDArray[np.float64]]) -> tuple[list[list[int]], list[list[int]]]:
-    """(loops, paths): lines joined at their ends, each used once; a loop does not repeat its first vertex.
-
-    Where lines run head to tail throughout, loops do so; else any way round. Where several lines leave a vertex, the
-    one that turns furthest to the left goes on, so that loops touch and do not cross.
-
-    Args:
-        ends: Lines, [n, 2].
-        places: Where vertices lie in the plane, float64 [2].
-    """
+    """(loops, paths): lines joined at their ends, each used once; a loop does not repeat its first vertex. Keeps
+    directions if consistent. At branches the leftmost turn is taken, so loops touch but do not cross."""
     balance: dict[int, int] = {}
     for a, b in ends.tolist():
         balance[a], balance[b] = balance.get(a, 0) + 1, balance.get(b, 0) - 1
@@ -72,13 +55,12 @@ def join_lines(ends: Ends, places: dict[int, NDArray[np.float64]]) -> tuple[list
 
 
 def run_alike(loops: list[list[int]], ends: Ends) -> bool:
-    """Whether loops go along all their lines as these run."""
     lines = set(map(tuple, ends.tolist()))
     return all((a, b) in lines for loop in loops for a, b in zip(loop, [*loop[1:], loop[0]], strict=True))
 
 
 def _is_path_like(balance: dict[int, int]) -> bool:
-    """Whether what is not balanced may be ends of paths that run one way: none is off by two."""
+    """True if unbalanced vertices may be ends of directed paths."""
     return all(abs(value) <= 1 for value in balance.values())
 
 
@@ -108,7 +90,7 @@ def _walk(
 
 
 def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray[np.bool_], places) -> list[int] | None:
-    """The vertices of a walk from a vertex until it is there again or stuck; None where nothing leaves it."""
+    """Follow lines from a vertex until closed or stuck; None if there is no line."""
     path, at = [start], start
     while True:
         open_lines = [(line, to) for line, to in leaving.get(at, ()) if not used[line]]
@@ -123,20 +105,19 @@ def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray
 
 
 def _leftmost(path: list[int], lines: Iterable[tuple[int, int]], places) -> tuple[int, int]:
-    """The line that turns furthest to the left from the last one."""
     here = places[path[-1]]
     back = places[path[-2]] - here if len(path) > 1 else np.array([-1.0, 0.0])
 
     def turn(line: tuple[int, int]) -> float:
         way = places[line[1]] - here
         angle = math.atan2(back[0] * way[1] - back[1] * way[0], matmul(back, way))
-        return float(-angle % (2 * np.pi)) or 2 * np.pi  # clockwise from where we came
+        return float(-angle % (2 * np.pi)) or 2 * np.pi  # clockwise from the previous line
 
     return min(lines, key=turn)
 
 
 def _simple(loop: list[int]) -> list[list[int]]:
-    """A loop parted where it comes by a vertex again."""
+    """Split a loop at repeated vertices."""
     seen: dict[int, int] = {}
     walk: list[int] = []
     parts: list[list[int]] = []

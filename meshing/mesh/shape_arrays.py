@@ -1,7 +1,4 @@
-"""The vertices, triangles and texture coordinates of simple shapes, in the order in which Open3D has them.
-
-In NumPy: they are small, and made once.
-"""
+"""Vertices, triangles and texture coordinates of primitives in Open3D's order, in NumPy."""
 
 from __future__ import annotations
 
@@ -12,7 +9,7 @@ from numpy.typing import NDArray
 
 
 class Shape(NamedTuple):
-    """Vertices float64 [m, 3], triangles [t, 3], and the texture coordinates of their corners, [3 t, 2]."""
+    """Vertices float64 (m, 3), triangles (t, 3), and texture coordinates of their corners, (3 t, 2)."""
 
     vertices: NDArray[Any]
     triangles: NDArray[Any]
@@ -24,7 +21,7 @@ _BOX_TRIANGLES = (
     (1, 5, 7), (1, 7, 3), (2, 3, 7), (2, 7, 6), (0, 4, 1), (1, 4, 5),
 )  # fmt: skip
 
-# In quarters of the picture: the faces side by side, like a box that is unfolded.
+# In quarters of the image: the faces of the unfolded box.
 _UNFOLDED = (
     2, 2, 3, 3, 2, 3,  2, 2, 3, 2, 3, 3,  1, 2, 1, 1, 2, 2,  1, 1, 2, 1, 2, 2,
     1, 2, 1, 3, 0, 2,  1, 3, 0, 3, 0, 2,  1, 3, 2, 3, 2, 4,  1, 3, 2, 4, 1, 4,
@@ -38,24 +35,22 @@ _EACH_FACE = (
 
 
 def box(width: float, height: float, depth: float, each_face: bool) -> Shape:
-    """A box from zero on; the whole picture on each face, or the unfolded box on the picture."""
+    """Box at the origin, with the image on each face or the unfolded box in the image."""
     corners = [[x, y, z] for y in (0, 1) for z in (0, 1) for x in (0, 1)]
     uvs = np.array(_EACH_FACE, float) if each_face else np.array(_UNFOLDED) / 4
     return Shape(np.array(corners) * [width, height, depth], np.array(_BOX_TRIANGLES), uvs.reshape(-1, 2))
 
 
 def plane(width: float, height: float) -> Shape:
-    """A rectangle in the plane z = 0, from zero on, seen from above."""
     corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
     triangles = np.array([[0, 1, 2], [0, 2, 3]])
     return Shape(corners * [width, height, 0.0], triangles, corners[triangles.reshape(-1), :2].astype(float))
 
 
 def tetrahedron(radius: float) -> Shape:
-    """Four corners on a sphere."""
     a, b, c = np.sqrt(8 / 9), np.sqrt(2 / 9), np.sqrt(2 / 3)
     corners = [[a, 0, -1 / 3], [-b, c, -1 / 3], [-b, -c, -1 / 3], [0, 0, 1]]
-    # three faces about one corner and the fourth beside them; 0.866 is the height of a triangle of edge 1
+    # three faces around one corner, the fourth beside them; 0.866 is the height of a triangle of edge 1
     at = [(0.866, 0.5), (0.433, 0.75), (0.433, 0.25), (0.866, 1.0), (0.866, 0.0), (0.0, 0.5)]
     order = [0, 1, 2, 0, 3, 1, 0, 2, 4, 2, 1, 5]
     return Shape(
@@ -64,7 +59,6 @@ def tetrahedron(radius: float) -> Shape:
 
 
 def octahedron(radius: float) -> Shape:
-    """Six corners on the axes."""
     corners = np.concatenate([np.eye(3), -np.eye(3)])
     triangles = [[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [0, 5, 1], [1, 5, 3], [3, 5, 4], [4, 5, 0]]
     step = (0.0, 0.1444, 0.2887, 0.433, 0.5773)  # quarters of two heights of a triangle of edge 1/3
@@ -78,7 +72,7 @@ _ICOSAHEDRON = (
     (4, 8, 7), (4, 7, 9), (3, 6, 2), (3, 2, 7), (2, 6, 10), (2, 10, 9), (2, 9, 7), (3, 11, 6), (3, 8, 11), (3, 7, 8),
 )  # fmt: skip
 
-# Columns and half rows of triangles of edge 2/11 that Open3D cuts the picture into, corner by corner.
+# Columns and half rows of the triangles of edge 2/11 into which Open3D divides the image, corner by corner.
 _ICOSAHEDRON_AT = (
     0, 2, 1, 1, 1, 3,  0, 4, 1, 3, 1, 5,  1, 3, 1, 1, 2, 2,  1, 3, 2, 2, 2, 4,  1, 3, 2, 4, 1, 5,
     0, 10, 1, 9, 1, 11,  0, 8, 1, 7, 1, 9,  0, 6, 1, 5, 1, 7,  1, 5, 2, 6, 1, 7,  1, 5, 2, 4, 2, 6,
@@ -102,19 +96,18 @@ def icosahedron(radius: float) -> Shape:
 
 
 def _band(rows: int, columns: int, first: int) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Triangles between `rows` + 1 closed rings of vertices, and their coordinates (row, column) in whole numbers."""
+    """Triangles between `rows` + 1 closed rings, and their (row, column) coordinates."""
     i, j = (part.reshape(-1, 1) for part in np.mgrid[:rows, :columns])
     at = np.concatenate([i + 1, j, i, j + 1, i, j, i + 1, j, i + 1, j + 1, i, j + 1], axis=1).reshape(-1, 2)
     return (first + at[:, 0] * columns + at[:, 1] % columns).reshape(-1, 3), at.astype(float)
 
 
 def _alternate(first: NDArray, second: NDArray) -> NDArray:
-    """Rows of two arrays in turn."""
+    """Interleave the rows of two arrays."""
     return np.stack([first, second], axis=1).reshape(-1, *first.shape[1:])
 
 
 def sphere(radius: float, resolution: int) -> Shape:
-    """Two poles and rings between them."""
     n = 2 * resolution
     alpha = (np.pi / resolution * np.arange(1, resolution))[:, None]
     theta = (np.pi / resolution * np.arange(n))[None, :]
@@ -135,7 +128,6 @@ def sphere(radius: float, resolution: int) -> Shape:
 
 
 def cylinder(radius: float, height: float, resolution: int, split: int) -> Shape:
-    """Rings from above to below, and a lid at each end."""
     j = np.arange(resolution)
     theta = 2 * np.pi / resolution * j
     ring = np.stack([np.cos(theta), np.sin(theta)], axis=1)
@@ -154,7 +146,6 @@ def cylinder(radius: float, height: float, resolution: int, split: int) -> Shape
 
 
 def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
-    """Rings from below to the tip, and a lid below."""
     j, i = np.arange(resolution), np.arange(split)
     theta = 2 * np.pi / resolution * j
     ring = np.stack([np.cos(theta), np.sin(theta)], axis=1)
@@ -178,7 +169,7 @@ def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
 
 
 def torus(torus_radius: float, tube_radius: float, radial: int, tubular: int) -> Shape:
-    """Rings around the tube, one after another around the hole; without texture coordinates."""
+    """Rings around the tube; no texture coordinates."""
     u = (2 * np.pi / radial * np.arange(radial))[:, None]
     v = (2 * np.pi / tubular * np.arange(tubular))[None, :]
     away = torus_radius + tube_radius * np.cos(v)
@@ -194,7 +185,6 @@ def torus(torus_radius: float, tube_radius: float, radial: int, tubular: int) ->
 def mobius(
     length_split: int, width_split: int, twists: int, radius: float, flatness: float, width: float, scale: float
 ) -> Shape:
-    """A band with half twists; without texture coordinates."""
     u = (2 * np.pi / length_split * np.arange(length_split))[:, None]
     v = (-width / 2 + width / (width_split - 1) * np.arange(width_split))[None, :]
     alpha = twists * 0.5 * u
@@ -218,7 +208,7 @@ def mobius(
 def _turn_last(
     corners: NDArray, twists: int, here: NDArray, beside: NDArray, there: NDArray, across: NDArray, place: NDArray
 ) -> None:
-    """The last pieces of a band, whose triangles Open3D begins at other corners."""
+    """Last pieces of a strip, whose triangles Open3D starts at other corners."""
     a, b, c, d = here[-1], beside[-1], there[-1], across[-1]
     if twists % 2 == 1:
         even, odd = [d, a, b, c, a, d], [a, b, c, c, b, d]
@@ -228,12 +218,11 @@ def _turn_last(
 
 
 def moved(shape: Shape, shift: tuple[float, float, float]) -> Shape:
-    """The same shape elsewhere."""
     return shape._replace(vertices=shape.vertices + shift)
 
 
 def joined(shapes: list[Shape]) -> Shape:
-    """Several as one; without texture coordinates."""
+    """Concatenate shapes, without texture coordinates."""
     begins = np.cumsum([0, *(len(shape.vertices) for shape in shapes)])
     triangles = [shape.triangles + begin for shape, begin in zip(shapes, begins, strict=False)]
     return Shape(np.concatenate([shape.vertices for shape in shapes]), np.concatenate(triangles), np.empty((0, 2)))

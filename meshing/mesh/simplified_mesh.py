@@ -1,4 +1,4 @@
-"""A mesh of fewer triangles, and how far its surface moved: `simplify_mesh`."""
+"""Mesh simplification with a quality check: `simplify_mesh`."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from .finite_corners import find_wrong_corner
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 
-MISSED = 1.05  # times the triangles wanted: more, and the target is missed
-FAR = 0.01  # of the box's diagonal: a root mean square distance above this is another surface
+MISSED = 1.05  # times the target: more triangles are reported
+FAR = 0.01  # of the box's diagonal: a larger RMS distance is reported
 SAMPLES = 20_000
 
 _WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "voxel": "one vertex a voxel of {:g} {m}"}
@@ -25,12 +25,7 @@ _WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "vo
 
 @dataclass(frozen=True)
 class SurfaceShift:
-    """How far one surface lies from another one.
-
-    Attributes:
-        rms: The root of the mean squared distance [m].
-        max: The largest distance [m].
-    """
+    """Distance between two surfaces [m]: root mean square `rms` and maximum `max`."""
 
     rms: float
     max: float
@@ -38,24 +33,17 @@ class SurfaceShift:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SimplifiedMesh(ChangedMesh):
-    """A mesh of fewer triangles, and how far its surface moved; `print` tells it.
+    """A simplified mesh and its deviation.
 
     Attributes:
-        mesh: The new one.
-        by: "triangles", "ratio" or "voxel": what was given.
-        amount: The count, the share, or the edge of a voxel [m].
-        target: Triangles that were asked for; None by voxels.
-        errors: How far the full surface lies from the new one; None where either has no area.
-        max_error: As it was given.
+        mesh: The result.
+        by, amount: "triangles", "ratio" or "voxel", and its value.
+        target: Requested triangles; None by voxels.
+        errors: Distance of the full surface to the new one; None if either has no area.
+        max_error: As given.
         diagonal: Of the full mesh's box [m].
-        vertices_in, triangles_in: How many the other one had.
-        reliable, warnings: Whether all quality checks passed, and those that failed.
-
-    Example:
-        >>> import pointloom as loom
-        >>> found = loom.simplify_mesh(loom.TriangleMesh.create_sphere(), triangles=8)
-        >>> found.target, "the surface moved by" in found.warnings[0]
-        (8, True)
+        vertices_in, triangles_in: Counts of the input.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     by: str
@@ -67,7 +55,6 @@ class SimplifiedMesh(ChangedMesh):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         count, target = len(self.mesh), self.target
         if not count:
             return ("no triangle is left; use more triangles or smaller voxels",)
@@ -80,13 +67,11 @@ class SimplifiedMesh(ChangedMesh):
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         errors = None if self.errors is None else {"rms": self.errors.rms, "max": self.errors.max}
         found = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
         return plain(self.sizes_to_dict() | found | quality(self))
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         distance, m = "none measured", symbol_of(self.mesh.unit)
         if self.errors is not None:
             distance = f"{self.errors.rms:.3g} {m} rms, {self.errors.max:.3g} {m} at most"
@@ -103,33 +88,24 @@ def simplify_mesh(
     boundary_weight: float = 1.0,
     progress: ReportProgress | None = None,
 ) -> SimplifiedMesh:
-    """Make a mesh of fewer triangles, and say how far its surface moved.
+    """Simplify a mesh and measure the deviation of its surface, as `pointloom simplify`.
 
-    What `pointloom simplify` does: `simplify_quadric_decimation` to a count or a share of the triangles, or
-    `simplify_vertex_clustering` with quadrics, and the distances of 20,000 points of the full surface from the new one.
+    Uses `simplify_quadric_decimation`, or `simplify_vertex_clustering` with quadrics, and distances of 20,000 points of
+    the full surface. Bitwise identical on every device.
 
     Args:
         mesh: The mesh.
-        triangles: How many are to be left.
-        ratio: Which share of them is to be left, above 0 and up to 1.
-        voxel_size: Leave one vertex a voxel of this size [m].
-        max_error: Decimation ends where a collapse would cost more than this.
-        boundary_weight: Of borders in decimation.
+        triangles, ratio: Number or fraction (up to 1) of the remaining triangles.
+        voxel_size: Keep one vertex per voxel of this edge [m].
+        max_error, boundary_weight: As of `simplify_quadric_decimation`.
         progress: Called with each stage when it begins: "simplify", "check".
 
-    Returns:
-        A SimplifiedMesh: the mesh, figures, `reliable` and `warnings`.
-
     Raises:
-        TypeError: No mesh, or no numbers.
-        ValueError: Not one of triangles, ratio and voxel_size, a number out of range, or what goes with decimation
-            given with a voxel_size.
+        TypeError, ValueError: If `mesh` is not a mesh, or an argument is not a number, or if not exactly one of
+            triangles, ratio and voxel_size is given, or an argument is out of range or does not apply.
 
     Warns:
         UserWarning: As of `simplify_quadric_decimation`.
-
-    Notes:
-        Same bits from run to run and on every device; memory as of the methods.
 
     Example:
         >>> import pointloom as loom
@@ -165,7 +141,6 @@ def simplify_mesh(
 
 
 def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
-    """What was given, and how much."""
     given = {"triangles": triangles, "ratio": ratio, "voxel_size": voxel_size}
     names = [name for name, amount in given.items() if amount is not None]
     if len(names) != 1:
@@ -181,7 +156,7 @@ def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
 
 
 def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
-    """How far the full surface lies from the simplified one; None where either has no area or corners not finite."""
+    """Distance of the full surface to the simplified one; None if either has no area or non-finite corners."""
     if find_wrong_corner(small) or find_wrong_corner(full):
         return None
     if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):

@@ -1,4 +1,4 @@
-"""A mesh with smoother vertices, and what that cost of its shape: `smooth_mesh`."""
+"""Mesh smoothing with a quality check: `smooth_mesh`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .mesh_arrays import check_mesh
 from .mesh_remeshing import MOST_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
-SHRUNK = 0.1  # of the area: more, and the shape goes with the noise
+SHRUNK = 0.1  # of the area: a larger loss is reported
 
 _DEFAULTS = {"lambda_filter": 0.5, "mu": -0.53, "strength": 1.0}
 _OWNERS = {"lambda_filter": ("taubin", "laplacian"), "mu": ("taubin",), "strength": ("sharpen",)}
@@ -26,11 +26,7 @@ _OWNERS = {"lambda_filter": ("taubin", "laplacian"), "mu": ("taubin",), "strengt
 
 @dataclass(frozen=True)
 class Movement:
-    """How far vertices moved.
-
-    Attributes:
-        mean, max: [m].
-    """
+    """Displacement of vertices, `mean` and `max` [m]."""
 
     mean: float
     max: float
@@ -38,22 +34,15 @@ class Movement:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SmoothedMesh(ChangedMesh):
-    """A mesh with smoother vertices, and what that cost of its shape; `print` tells it.
+    """A smoothed mesh and its change of shape.
 
     Attributes:
-        mesh: The new one.
-        method: "taubin", "laplacian", "simple" or "sharpen".
-        iterations: How often.
-        moved: How far the finite vertices moved; None where there is none.
-        area_in, area: Of the triangles with finite corners, before and after [m^2].
-        vertices_in, triangles_in: How many the other one had.
-        reliable, warnings: Whether all quality checks passed, and those that failed.
-
-    Example:
-        >>> import pointloom as loom
-        >>> found = loom.smooth_mesh(loom.TriangleMesh.create_sphere(), "simple", 50)
-        >>> found.warnings[0].split(": ")[1]
-        "use fewer iterations, or method='taubin', which shrinks less"
+        mesh: The result.
+        method, iterations: As given.
+        moved: Displacement of the finite vertices; None if there are none.
+        area_in, area: Area of triangles with finite corners, before and after [m^2].
+        vertices_in, triangles_in: Counts of the input.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     method: str
@@ -64,7 +53,6 @@ class SmoothedMesh(ChangedMesh):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.mesh):
             return ("the mesh has no triangles",)
         change = self.area / self.area_in - 1 if self.area_in > 0 else 0.0
@@ -76,13 +64,11 @@ class SmoothedMesh(ChangedMesh):
         return ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         moved = None if self.moved is None else {"mean": self.moved.mean, "max": self.moved.max}
         how = {"method": self.method, "iterations": self.iterations, "moved": moved}
         return plain(self.sizes_to_dict() | how | {"area_in": self.area_in, "area": self.area, **quality(self)})
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         moved, m = "no vertex is finite", symbol_of(self.mesh.unit)
         if self.moved is not None:
             moved = f"{self.moved.mean:.3g} {m} mean, {self.moved.max:.3g} {m} at most"
@@ -103,29 +89,22 @@ def smooth_mesh(
     mu: float | None = None,
     strength: float | None = None,
 ) -> SmoothedMesh:
-    """Smooth or sharpen the vertices, normals and colours of a mesh, and say how far it moved and shrank.
+    """Smooth or sharpen a mesh and measure displacement and shrinkage, as `pointloom smooth-mesh`.
 
-    What `pointloom smooth-mesh` does with `TriangleMesh.filter_smooth_taubin`, `..._laplacian`, `..._simple` and
-    `filter_sharpen`. Colours stay within 0..1, where those of the filters go beyond (taubin and sharpen do).
+    Uses the `filter_smooth_*` and `filter_sharpen` methods; colors are clipped to 0..1. Bitwise identical on every
+    device.
 
     Args:
         mesh: The mesh.
-        method: "taubin" hardly shrinks, "laplacian" heeds near neighbours more, "simple" takes the mean of all,
-            "sharpen" moves away from it.
-        iterations: How often, up to 10,000.
-        lambda_filter: Of taubin and laplacian; None takes 0.5.
-        mu: Of taubin; None takes -0.53.
-        strength: Of sharpen; None takes 1.
-
-    Returns:
-        A SmoothedMesh: the mesh, figures, `reliable` and `warnings`.
+        method: "taubin" (little shrinkage), "laplacian" (distance weights), "simple" (mean) or "sharpen".
+        iterations: Number of passes, up to 10,000.
+        lambda_filter: Of taubin and laplacian, default 0.5.
+        mu: Of taubin, default -0.53.
+        strength: Of sharpen, default 1.
 
     Raises:
-        TypeError: No mesh, or no numbers.
-        ValueError: No such method, a number out of range, or one of another method.
-
-    Notes:
-        Same bits from run to run and on every device; memory as of the methods.
+        TypeError: If `mesh` is not a mesh, or an argument is not a number.
+        ValueError: If the method is unknown, or an argument is out of range or of another method.
 
     Example:
         >>> import pointloom as loom
@@ -156,11 +135,7 @@ def smooth_mesh(
 
 
 def _factors_of(method: Any, given: dict[str, Any]) -> list[float]:
-    """The method's own factors, in the order in which its filter takes them.
-
-    Raises:
-        TypeError, ValueError: No such method, or a factor of another one.
-    """
+    """Factors of the method in the order of its filter."""
     if check_name("method", method) not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     for name, value in given.items():

@@ -1,4 +1,4 @@
-"""A surface of a cloud and its reliability: `SurfaceResult`."""
+"""Result of surface reconstruction: `SurfaceResult`."""
 
 from __future__ import annotations
 
@@ -13,24 +13,18 @@ from .mesh_reconstruction import FLAT_REMEDY, OPPOSED
 from .mesh_summary import SurfaceSummary
 
 # Thresholds of the quality checks.
-TORN = 0.1  # share of edges at a border: 30 x 30 squares have 4 %, a ball that rolls through the gaps makes 30 %
-CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # share of edges of three triangles or more; some alpha has
-ISLANDS = 0.1  # share of the area outside the largest part
-MADE_UP = 0.05  # share of the surface far from all points
-OFF = 0.006  # of the points' size: half of them lie farther than this from the surface, which is not theirs then
+TORN = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
+CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # fraction of non-manifold edges; alpha shapes have some
+ISLANDS = 0.1  # fraction of the area outside the largest part
+MADE_UP = 0.05  # fraction of the surface far from all points
+OFF = 0.006  # of the points' extent: limit of their median distance from the surface
 
 _LARGER = {"poisson": "a smaller density_quantile or depth", "ball": "larger radii", "alpha": "a larger alpha"}
 
 
 @dataclass(frozen=True)
 class NormalsUsed:
-    """The normals that a surface was made with.
-
-    Attributes:
-        origin: Where they come from, in words.
-        given: Whether they are the cloud's own.
-        disagreement: The share of near neighbours that point to opposite sides; None where none were needed.
-    """
+    """Source of the normals in words, True if `given`, and the fraction of disagreeing neighbors (None if unused)."""
 
     origin: str
     given: bool
@@ -38,7 +32,7 @@ class NormalsUsed:
 
     @property
     def problem(self) -> str | None:
-        """Why a surface with these normals is unreliable, with the remedy; None if it is reliable."""
+        """Warning about these normals with its remedy, or None."""
         share = self.disagreement
         if share is None or share <= OPPOSED:
             return None
@@ -50,32 +44,19 @@ class NormalsUsed:
 
 @dataclass(frozen=True)
 class MadeUp:
-    """How much of a surface no point bears out.
-
-    Attributes:
-        share: Of the area, what lies far from all points; None where it was not asked.
-        far: How far that is [m].
-        better_quantile: A `density_quantile` that leaves little of it; None where none of those tried does.
-    """
+    """Fraction of the area farther than `far` [m] from all points; `density_quantile` that removes it, or None."""
 
     share: float | None = None
     far: float | None = None
     better_quantile: float | None = None
 
     def to_dict(self) -> dict[str, float | None]:
-        """The same in JSON's types."""
         return {"made_up": self.share, "far": self.far, "better_quantile": self.better_quantile}
 
 
 @dataclass(frozen=True)
 class PointsOff:
-    """How far the points lie from the surface made of them.
-
-    Attributes:
-        median: Of their distances [m]; None where there is no surface.
-        size: The diagonal of their box [m].
-        unit: Of these, where it is known.
-    """
+    """Median distance of the points from the surface [m] (None without one), diagonal of their box [m], and unit."""
 
     median: float | None = None
     size: float = 0.0
@@ -83,7 +64,7 @@ class PointsOff:
 
     @property
     def problem(self) -> str | None:
-        """Why the surface does not fit the points, or None."""
+        """Warning if the surface does not fit the points, or None."""
         if self.median is None or self.median <= OFF * self.size:
             return None
         share = format_share(self.median / self.size)
@@ -96,27 +77,19 @@ class PointsOff:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceResult(Report, Assessed):
-    """A surface through the points of a cloud, and what there is to say of it; `print` tells it.
+    """A reconstructed surface with statistics.
 
     Attributes:
-        mesh: The surface; without triangles where there is none.
-        method: "poisson", "ball" or "alpha".
-        settings: The method's own, by name.
-        normals: Which were used, and how far they disagree.
-        points_in: Points of the cloud; `points` of them are finite.
-        not_carried: The cloud's attributes, which a mesh does not hold.
-        summary: The surface in figures.
-        made_up: How much of the surface lies far from all points; of Poisson's and of alpha shapes.
-        off: How far the points lie from it.
-        flat: Why no alpha gives an alpha shape, such as that the points lie in one plane; None if one does.
-        reliable, warnings: Whether all quality checks passed, and those that failed.
-
-    Example:
-        >>> import pointloom as loom
-        >>> cloud = loom.TriangleMesh.create_sphere().sample_points_poisson_disk(400)
-        >>> result = loom.create_surface(cloud, "ball")
-        >>> result.summary.watertight, result.reliable
-        (True, True)
+        mesh: The surface; empty if there is none.
+        method, settings: "poisson", "ball" or "alpha", and its settings.
+        normals: Normals used, and their disagreement.
+        points_in, points: Points of the cloud, and finite ones.
+        not_carried: Attributes of the cloud that the mesh lacks.
+        summary: Statistics of the surface.
+        made_up: Fraction of the surface far from all points; of Poisson and alpha shapes.
+        off: Distance of the points from the surface.
+        flat: Reason why no alpha shape exists; None if one does.
+        reliable, warnings: True if all quality checks passed, and those that failed.
     """
 
     mesh: TriangleMesh
@@ -136,13 +109,11 @@ class SurfaceResult(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         empty = self._why_empty()
         surface = [empty] if empty else self._surface_problems()
         return failed(self.normals.problem, *surface, self.off.problem)
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the mesh in JSON's types."""
         normals = {"normals": self.normals.origin, "disagreement": self.normals.disagreement}
         counts = {"points_in": self.points_in, "points": self.points, "not_carried": [*self.not_carried]}
         head = {"device": str(self.mesh.device), "method": self.method, **self.settings}
@@ -150,7 +121,6 @@ class SurfaceResult(Report, Assessed):
         return plain(head | normals | counts | figures | quality(self))
 
     def fields(self) -> Fields:
-        """What was done as labels and values."""
         settings = ", ".join(f"{name.replace('_', ' ')} {_shown(value)}" for name, value in self.settings.items())
         lost, normals, found = self.points_in - self.points, self.normals.origin, self.summary
         if self.normals.disagreement is not None:
@@ -186,7 +156,7 @@ class SurfaceResult(Report, Assessed):
         return None
 
     def _surface_problems(self) -> list[str]:
-        """Messages if the mesh is torn, far from the points or in pieces."""
+        """Warnings if the mesh is torn, far from the points or fragmented."""
         found, larger = self.summary, _LARGER[self.method]
         reasons: list[str] = []
         if found.boundary_edges > TORN * found.edges:

@@ -1,4 +1,4 @@
-"""Values that one mesh takes from the surface of another: what a change of all triangles left behind."""
+"""Transfer of values from the surface of one mesh to another."""
 
 from __future__ import annotations
 
@@ -15,12 +15,9 @@ Mesh = TypeVar("Mesh", bound=Any)
 
 
 def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -> Mesh:
-    """A mesh with the further attributes of another one about the same origin.
-
-    Those of a vertex are the source's at the nearest point of its surface, floating ones between the three corners
-    there and others those of the nearest corner; those of a triangle are of the source's nearest to its centre. The
-    source's `tree` is made where it is not given.
-    """
+    """Copy attributes from another mesh about the same origin. Vertices take the values at the nearest surface point
+    (floating ones interpolated, others of the nearest corner), triangles those of the triangle nearest to their
+    center."""
     held = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
     if not any(held.values()) or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh
@@ -36,7 +33,7 @@ def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None
 
 
 def with_vectors_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -> Mesh:
-    """A mesh with the normals, of unit length, and the colours of another one at the nearest points of its surface."""
+    """Copy unit normals and colors from the nearest surface points of another mesh."""
     names = [name for name in ("vertex_normals", "vertex_colors") if name in source._device_arrays]
     if not names or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh

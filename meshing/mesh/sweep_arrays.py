@@ -11,12 +11,12 @@ from ...core.checks import check_finite, check_number, check_numeric, check_rows
 from ...kernels.linear_algebra import matmul, norm
 from .flat_polygons import signed_area
 
-SAME_AREA = 1e-6  # of a polygon's area: what its triangles may be off
-LARGEST_STEP = 1e30  # [m] or times: float32 ends at 3e38
+SAME_AREA = 1e-6  # of a polygon's area: tolerance of its triangulation
+LARGEST_STEP = 1e30  # [m] or factor: float32 ends at 3e38
 
 
 def check_length(name: str, value: Any) -> float:
-    """A number that places can be multiplied by or moved by, and stay within float32 about their middle."""
+    """Validate a factor or length within float32."""
     number = check_number(name, value)
     if abs(number) > LARGEST_STEP:
         raise ValueError(f"{name}: expected a number up to {LARGEST_STEP:g}, got {number:g}")
@@ -24,7 +24,7 @@ def check_length(name: str, value: Any) -> float:
 
 
 def number_ring_vertices(rings: NDArray[np.float64], is_closed: bool) -> NDArray[np.int64]:
-    """The number of each vertex at each place, [k, m]; those that stay where they are have one."""
+    """Vertex number at each position, (k, m); vertices that do not move have one."""
     count, width = rings.shape[:2]
     numbers = np.arange(count * width).reshape(count, width)
     numbers[:, (rings == rings[0]).all(axis=(0, 2))] = numbers[:1, (rings == rings[0]).all(axis=(0, 2))]
@@ -34,7 +34,7 @@ def number_ring_vertices(rings: NDArray[np.float64], is_closed: bool) -> NDArray
 
 
 def wall_triangles(numbers: NDArray[np.int64], lines: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Two triangles for each step of each line, [2 (k - 1) n, 3]."""
+    """Two triangles for each step of each line, (2 (k - 1) n, 3)."""
     a, b = numbers[:-1, lines[:, 0]], numbers[:-1, lines[:, 1]]
     c, d = numbers[1:, lines[:, 1]], numbers[1:, lines[:, 0]]
     return (
@@ -51,14 +51,14 @@ def wall_triangles(numbers: NDArray[np.int64], lines: NDArray[np.int64]) -> NDAr
 
 
 def used_vertices(triangles: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """(the vertices that triangles use, the triangles by their places among them)."""
+    """(used vertices, triangles renumbered to them)."""
     triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
     used, numbers = np.unique(triangles, return_inverse=True)
     return used, numbers.reshape(-1, 3)
 
 
 def signed_volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
-    """Six times the volume inside the finite triangles, below zero where they face inwards."""
+    """Six times the volume inside the finite triangles, negative if inward."""
     corners = places[triangles]
     corners = corners[np.isfinite(corners).all(axis=(1, 2))]
     if not len(corners):
@@ -68,7 +68,7 @@ def signed_volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> 
 
 
 def check_ring(name: str, points: ArrayLike) -> NDArray[np.float64]:
-    """The points of an outline, without the first one again at its end."""
+    """Validate an outline and drop a repeated first point."""
     given = check_numeric(name, points)
     width = 3 if given.ndim == 2 and given.shape[1] == 3 else 2
     ring = check_finite(name, check_rows(name, points, width, dtype=np.float64))
@@ -80,7 +80,7 @@ def check_ring(name: str, points: ArrayLike) -> NDArray[np.float64]:
 
 
 def flatten_outline(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Places [n, 2] or [n, 3] in the plane of the first `count`."""
+    """Project positions (n, 2) or (n, 3) to the plane of the first `count`."""
     if places.shape[1] == 2:
         return places - places[0]
     local = places - places[0]
@@ -99,7 +99,6 @@ def flatten_outline(places: NDArray[np.float64], count: int) -> NDArray[np.float
 
 
 def check_area(flat: NDArray[np.float64], order: list[Any], triangles: NDArray[np.int64]) -> None:
-    """Refuse triangles that overlap."""
     a, b, c = flat[triangles].transpose(1, 0, 2)
     doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
     whole = sum(signed_area(flat[rows]) for rows in order)

@@ -1,4 +1,4 @@
-"""The one place that checks numbers of vertices."""
+"""Validation of vertex indices."""
 
 from __future__ import annotations
 
@@ -12,12 +12,7 @@ from ...kernels.memory import download
 
 
 def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
-    """Numbers of vertices as int32 [n], n at least 1, each in 0..count-1.
-
-    Raises:
-        TypeError: No whole numbers.
-        ValueError: Another shape, none, or a vertex that does not exist.
-    """
+    """Vertex indices as int32 (n,), n >= 1, each in 0..count-1."""
     numbers = check_numeric(name, values)
     if numbers.ndim != 1:
         raise ValueError(f"{name}: expected shape [n], got {list(numbers.shape)}")
@@ -32,11 +27,7 @@ def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
 
 
 def check_finite_vertices(name: str, numbers: NDArray[np.int32], places: Any) -> None:
-    """Refuse vertices that are not finite, by their positions, vec3 device array [n].
-
-    Raises:
-        ValueError: One is not.
-    """
+    """Raise ValueError if a vertex (vec3 device array) is not finite."""
     lost = ~np.isfinite(download(places).reshape(-1, 3)).all(axis=1)
     if lost.any():
         raise ValueError(f"{name}: vertex {numbers[lost][0]} is not finite, so nothing is near it; leave it out")

@@ -1,4 +1,4 @@
-"""VoxelGrid: which cells of a regular grid are occupied."""
+"""VoxelGrid: occupied cells of a regular grid."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from ...pcd.point_arrays import read_only
 
 
 class VoxelGrid(ToldNames):
-    """The occupied voxels of a regular grid, as `TriangleMesh.voxelize` gives them; `len(grid)` counts them.
+    """Occupied voxels of a regular grid, as of `TriangleMesh.voxelize`; `len(grid)` counts them.
 
     Attributes:
-        origin: The lowest corner of voxel (0, 0, 0) [m], float64 [3].
+        origin: Lowest corner of voxel (0, 0, 0) [m], float64 (3,).
         voxel_size: Edge of a voxel [m].
-        counts: Voxels of the whole grid along x, y and z.
-        coordinates: The occupied voxels, int32 [k, 3], ascending by x, then y, then z; on the host.
+        counts: Number of voxels along x, y and z.
+        coordinates: Occupied voxels, int32 (k, 3), sorted by x, y, z, on the host.
 
     Example:
         >>> import pointloom as loom
@@ -51,14 +51,14 @@ class VoxelGrid(ToldNames):
 
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
-        """The voxels that a mesh touches; see `TriangleMesh.voxelize`."""
+        """Voxels that a mesh touches; see `TriangleMesh.voxelize`."""
         return input.voxelize(voxel_size)
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> Self:
-        """The voxels between two corners [m] that a mesh touches; see `TriangleMesh.voxelize`."""
+        """Voxels between two corners [m] that a mesh touches; see `TriangleMesh.voxelize`."""
         return input.voxelize(voxel_size, min_bound, max_bound)
 
     def __len__(self) -> int:
@@ -70,14 +70,14 @@ class VoxelGrid(ToldNames):
 
     @property
     def centers(self) -> NDArray[np.float64]:
-        """The centres of the occupied voxels [m], float64 [k, 3]."""
+        """Centers of the occupied voxels [m], float64 (k, 3)."""
         return self.origin + (self.coordinates + 0.5) * self.voxel_size
 
     def dense(self) -> NDArray[np.bool_]:
-        """The whole grid, one byte a voxel, shape `counts`.
+        """Complete grid as booleans of shape `counts`.
 
         Raises:
-            MemoryError: There is no room for so many voxels.
+            MemoryError: If the array does not fit into memory.
         """
         size = math.prod(self.counts)
         check_room(resolve_device("cpu"), size, f"a dense grid of {size:,} voxels")
@@ -86,11 +86,10 @@ class VoxelGrid(ToldNames):
         return grid
 
     def get_voxel(self, point: ArrayLike) -> NDArray[np.int64]:
-        """The voxel in which a point [m], shape [3], lies, int64 [3]; occupied or not, inside the grid or beyond it.
+        """Voxel that contains a point [m], shape (3,), int64 (3,), also outside the grid.
 
         Raises:
-            ValueError: Not three finite numbers, or a voxel beyond 64 bits.
-            TypeError: No numbers.
+            ValueError, TypeError: If the point is not three finite numbers, or the voxel exceeds 64 bits.
 
         Example:
             >>> import pointloom as loom
@@ -103,11 +102,10 @@ class VoxelGrid(ToldNames):
         return cell.astype(np.int64)
 
     def check_if_included(self, queries: ArrayLike) -> NDArray[np.bool_]:
-        """Whether points [m], shape [n, 3], lie in occupied voxels.
+        """True where points [m], shape (n, 3), are in occupied voxels.
 
         Raises:
-            ValueError: Another shape.
-            TypeError: No numbers.
+            ValueError, TypeError: If the array has a wrong shape or is not numeric.
         """
         cells = self._cells_of(check_rows("queries", queries, 3, dtype=np.float64))
         with np.errstate(invalid="ignore"):

@@ -1,4 +1,4 @@
-"""Change of a surface against a model of it: `loom.change.cloud_to_mesh`."""
+"""Signed distances of a cloud from a mesh: `loom.change.cloud_to_mesh`."""
 
 from __future__ import annotations
 
@@ -27,17 +27,15 @@ from ..mesh.mesh_arrays import check_mesh
 
 @dataclass(frozen=True, eq=False)
 class CloudToMeshResult:
-    """How far each of n points lies from a mesh.
+    """Distances of n points from a mesh.
 
     Attributes:
-        distances: Along the nearest way to the surface [m], positive on the side that its triangles face, float64 [n];
-            with a radius the mean over the neighbours. NaN beyond `max_distance`, for points that are not finite, and
-            without triangles.
-        level_of_detection: What the distance must exceed to be a change with 95 % confidence [m], float64 [n].
-        spreads: Standard deviations of the neighbours' distances [m], float64 [n]; NaN without a radius, or of one.
-        counts: Neighbours that have a distance, the point among them, int32 [n]; 1 without a radius.
-        beside: Where the nearest place is on the rim of an open mesh: the surface ends there, and the point may lie
-            beside it. bool [n].
+        distances: To the nearest surface point [m], positive on the triangles' front, float64 (n,); with a radius the
+            mean of the neighbors. NaN beyond `max_distance`, for non-finite points, and without triangles.
+        level_of_detection: Significant change at 95% confidence [m], float64 (n,).
+        spreads: Standard deviations of the neighbors' distances [m], float64 (n,); NaN without a radius, or of one.
+        counts: Neighbors with a distance, including the point, int32 (n,); 1 without a radius.
+        beside: True if the nearest surface point is on the border of an open mesh, bool (n,).
     """
 
     distances: NDArray[np.float64]
@@ -48,13 +46,12 @@ class CloudToMeshResult:
 
     @property
     def is_significant(self) -> NDArray[np.bool_]:
-        """Where the distance exceeds the level of detection, beside no rim, and by 4 points where there is a radius."""
+        """True where the distance exceeds the level of detection, not beside a border, with 4 points if averaged."""
         enough = np.isnan(self.spreads).all() | (self.counts >= LEAST_POINTS)
         with np.errstate(invalid="ignore"):
             return (np.abs(self.distances) > self.level_of_detection) & ~self.beside & enough
 
     def __repr__(self) -> str:
-        """Its size, and how much has changed."""
         found, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
         return f"CloudToMeshResult({len(self.distances)} points, {found} with a distance, {changed} significant)"
 
@@ -68,31 +65,26 @@ def cloud_to_mesh(
     registration_error: float = 0.0,
     max_distance: float | None = None,
 ) -> CloudToMeshResult:
-    """The signed distance of each point from a mesh: a scan against a design, or against a model of an earlier epoch.
+    """Signed distance of each point from a mesh: a scan against a design or an earlier model.
+
+    Float64 about the mesh's origin; bitwise reproducible. The sign uses angle-weighted pseudonormals (Baerentzen and
+    Aanaes 2005). The level of detection is 1.96 (s / sqrt(n) + registration_error), as M3C2 without reference noise.
 
     Args:
         cloud: The later epoch.
-        mesh: The surface that it is compared with, open or closed, on the same device. Its triangles face outwards, or
-            up.
-        radius: Of neighbours whose distances are averaged [m], the boundary excluded: their spread and number then say
-            what is noise. None takes each point by itself, and leaves the registration error as all that is known.
-        registration_error: Of cloud and mesh against each other [m], as a standard deviation.
-        max_distance: Points farther away have no distance [m]; None takes all.
+        mesh: The reference surface, open or closed, on the same device; triangles face outward or up.
+        radius: Exclusive radius of neighbors whose distances are averaged [m]. If None: single points, with the
+            registration error as the only uncertainty.
+        registration_error: Standard deviation of the registration [m].
+        max_distance: Maximum distance [m]; None for no limit.
 
     Raises:
-        TypeError: No cloud, or no mesh.
-        ValueError: Lengths that are not above 0, or a triangle of the mesh has a corner that is not finite.
-        DeviceError: They are on different devices.
+        TypeError: If `cloud` is not a cloud, or `mesh` is not a mesh.
+        ValueError: If a length is not positive, or the mesh has a corner that is not finite.
+        DeviceError: If they are on different devices.
 
     Warns:
-        UnitWarning: They have different units.
-
-    Notes:
-        Exact in float64 about the mesh's origin, to which positions are rounded to float32; the same bits from run to
-        run. The sign is that of the angle-weighted pseudonormal (Baerentzen and Aanaes 2005), so that points over
-        edges and corners have the side that they lie on; `RaycastingScene.compute_signed_distance` asks in place of
-        that whether a point is inside. The level of detection is 1.96 (s / sqrt(n) + registration_error), as of M3C2
-        whose second epoch has no noise.
+        UnitWarning: If they have different units.
 
     Example:
         >>> import numpy as np, pointloom as loom

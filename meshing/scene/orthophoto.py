@@ -1,4 +1,4 @@
-"""Meshes as maps: what is seen straight from above, as colours and as heights on square cells."""
+"""Orthographic maps of meshes: colors and heights seen from above."""
 
 from __future__ import annotations
 
@@ -28,20 +28,18 @@ from ...pcd.terrain import Raster
 from ..mesh.mesh import TriangleMesh
 from .plan_grid import PlanGrid, grid_over, grid_within
 
-STRIP = 2**20  # cells that are looked at together, of which 24 B each lie on the device
-PART = 2**18  # vertices that are projected together, some 300 B each
-EVERY = -1  # as a material: all triangles
+STRIP = 2**20  # cells per batch, 24 B each on the device
+PART = 2**18  # vertices projected per batch, about 300 B each
+EVERY = -1  # material id for all triangles
 
 
 @dataclass(frozen=True, eq=False)
 class Orthophoto:
-    """A mesh as it is seen straight from above, as `loom.orthophoto` makes it.
+    """A mesh seen from above, as created by `loom.orthophoto`.
 
     Attributes:
-        colors: Red, green, blue and alpha, uint8 [rows, columns, 4], the northernmost row first; alpha is 0 where
-            nothing is seen or what is seen has no colour, else 255. None of a mesh without any colours.
-        heights: The highest surface at each cell's centre, a raster as of `loom.rasterize` on the same cells; NaN
-            where nothing is seen. `heights.write("dem.tif")` writes it.
+        colors: RGBA, uint8 (rows, columns, 4), northernmost row first; alpha is 0 if empty. None if the mesh has none.
+        heights: Raster of the highest surface at cell centers; NaN if empty.
     """
 
     colors: NDArray[np.uint8] | None
@@ -49,26 +47,19 @@ class Orthophoto:
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Low x, low y, high x, high y of the cells."""
+        """(x0, y0, x1, y1) of the cells."""
         return self.heights.bounds
 
     def __repr__(self) -> str:
-        """Its size, and how much of it is seen."""
         (rows, columns), cell = self.heights.values.shape, self.heights.cell
         seen, system = int(np.isfinite(self.heights.values).sum()), self.heights.crs or "no system"
         kind = "" if self.colors is not None else ", no colours"
         return f"Orthophoto({columns} x {rows} cells of {cell:g}, {seen:,} seen{kind}, {system})"
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
-        """Write the colours as a Cloud Optimized GeoTIFF with alpha and overviews, whole or not at all.
+        """Write the colors as a Cloud Optimized GeoTIFF with alpha and overviews, atomically.
 
-        Args:
-            path: The file, which ends in .tif or .tiff.
-            overwrite: Whether an existing file may be replaced.
-
-        Raises:
-            ValueError: The mesh had no colours.
-            FileError: The file cannot be written, the package rasterio is missing, or it does not know the system.
+        Raises ValueError without colors, FileError if writing fails, rasterio is missing or the system unknown.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -99,37 +90,26 @@ def orthophoto(
     bounds: ArrayLike | None = None,
     crs: str | None = None,
 ) -> Orthophoto:
-    """A map of a mesh: its colours and heights as they are seen straight from above.
+    """Create a map of a mesh: colors and heights seen from above, sampled at cell centers.
 
-    Each cell is what a ray down through its centre meets first; cells that meet nothing stay empty, and nothing is made
-    up between neighbours. Colours are those of the texture, between its four pixels there, or else of the vertices.
+    Colors are bilinear from the texture, or interpolated from vertices. Cells without surface stay empty. Projected in
+    float64, stored in float32 about the mesh's center: 0.03 mm within 500 m. 9 B per cell, 50 B per triangle. Ties go
+    to the lowest triangle. Bitwise reproducible.
 
     Args:
-        mesh: The mesh, z up; metres east, north and up about the origin of `frame`, where that is given.
-        cell: The side of a cell [m].
-        frame: Where the mesh lies on the Earth, such as `result.fit.frame` of `loom.video.reconstruct`: the map is in
-            the UTM zone of that place. None keeps the mesh's own coordinates.
+        mesh: The mesh, z up; meters east, north and up about the origin of `frame`, if given.
+        cell: Edge of a cell [m], not larger than the texture's detail.
+        frame: Position on the Earth, such as `result.fit.frame` of `loom.video.reconstruct`: the map is in its UTM
+            zone. If None: the mesh's own coordinates.
         epsg: Another UTM zone than that of the frame, 32601..32660 or 32701..32760.
         corner: A corner of cells, x and y.
-        bounds: (x0, y0, x1, y1) that the map covers; None covers the mesh.
-        crs: The coordinate system of a mesh without `frame`, for files, as rasterio takes it: "EPSG:26910" or
-            well-known text.
-
-    Returns:
-        An Orthophoto, `colors` and `heights`.
+        bounds: (x0, y0, x1, y1) of the map. If None: those of the mesh.
+        crs: Coordinate system of a mesh without `frame` as rasterio accepts it: "EPSG:26910" or well-known text.
 
     Raises:
-        TypeError: No TriangleMesh, or no WorldFrame.
-        ValueError: An argument out of range; a mesh in degrees, or with `frame` in another unit than metres; a mesh
-            without triangles, where no bounds are given; more than 2^28 cells, with the cell that fits.
-        MemoryError: The map does not fit into memory.
-
-    Notes:
-        Vertices are projected in float64, and kept about the middle of the mesh in float32: within 500 m of it to 0.03
-        mm. 9 B of memory a cell for the result, 24 MB for the rays, which go in strips of rows; some 50 B a triangle.
-        Of surfaces at one height the triangle of the lowest number is seen. The same bits from run to run.
-
-        A colour is that of one place, not the mean over a cell: make cells no larger than what the texture shows.
+        TypeError, ValueError: If `mesh` is not a TriangleMesh, or `frame` is not a WorldFrame, or if an argument is out
+            of range, the unit does not fit, there is neither a triangle nor bounds, or there are more than 2^28 cells.
+        MemoryError: If the map does not fit into memory.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -166,7 +146,6 @@ def orthophoto(
 
 
 def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) -> str | None:
-    """The coordinate system, as rasterio takes it."""
     if mesh.unit is not None and is_same(mesh.unit, DEGREE):
         raise ValueError("mesh: is in degrees, which are no lengths")
     if frame is None:
@@ -184,7 +163,7 @@ def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) ->
 
 
 def _placed_vertices(mesh: TriangleMesh, frame: WorldFrame | None, epsg: int | None) -> tuple[Any, NDArray[np.float64]]:
-    """The vertices where the map has them: a device array of vec3 about an origin, float64 [3]."""
+    """Projected vertices: a device array of vec3 about an origin, float64 (3,)."""
     if frame is None:
         return mesh.array("vertices"), mesh.origin
     places = np.array(mesh.vertices)
@@ -199,7 +178,7 @@ def _placed_vertices(mesh: TriangleMesh, frame: WorldFrame | None, epsg: int | N
 
 
 def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]:
-    """The looks of a mesh by the numbers of its materials, those of triangles without any colour left out."""
+    """Appearance of each material; triangles without color are omitted."""
     arrays, none, device = mesh._device_arrays, empty(0, vec3, mesh.device), mesh.device
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
     looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}
@@ -227,7 +206,7 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
 def _strips(
     grid: PlanGrid, tree: TriangleTree, origin: NDArray[np.float64], mesh: TriangleMesh, surfaces: list[Any]
 ) -> Iterator[tuple[slice, NDArray[np.float32], NDArray[np.uint8]]]:
-    """Rows of a map from the northernmost on, their heights, and their colours where there are surfaces."""
+    """Rows of a map from the north, their heights, and colors if there are surfaces."""
     trees, (rows, columns) = SceneTrees([tree], [0], np.eye(4)[None]), grid.shape
     top = grid.corner[1] + rows * grid.cell
     above = float(trees.high[2] + 0.01 * (trees.high[2] - trees.low[2]))

@@ -1,4 +1,4 @@
-"""The rays of a pinhole camera, one a pixel, for ray casting."""
+"""Rays of a pinhole camera, one per pixel."""
 
 from __future__ import annotations
 
@@ -12,13 +12,12 @@ from ...core.checks import check_count, check_finite, check_number, check_shape,
 from ...core.coordinates import NEAR_ZERO
 from ...kernels.linear_algebra import inv, matmul, norm
 
-MOST_PIXELS = 2**28  # of a picture: as many as a camera of clouds may have
+MOST_PIXELS = 2**28  # of an image, as for cameras of clouds
 MATRICES = ("intrinsic_matrix", "extrinsic_matrix", "width_px", "height_px")
 VIEW = ("fov_deg", "center", "eye", "up", "width_px", "height_px")
 
 
 def pinhole_rays(*args: Any, **kwargs: Any) -> NDArray[Any]:
-    """The rays of a camera that is given as `RaycastingScene.create_rays_pinhole` says."""
     given = _named(args, kwargs)
     width, height = check_count("width_px", given["width_px"]), check_count("height_px", given["height_px"])
     if width * height > MOST_PIXELS:
@@ -34,7 +33,7 @@ def pinhole_rays(*args: Any, **kwargs: Any) -> NDArray[Any]:
 
 
 def _named(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
-    """The arguments by name, of the one way or the other."""
+    """Arguments by name, of either signature."""
     names = VIEW if "fov_deg" in kwargs or len(args) + len(kwargs) == len(VIEW) else MATRICES
     given = dict(zip(names, args, strict=False)) | kwargs
     if len(args) + len(kwargs) != len(names) or set(given) != set(names):
@@ -46,7 +45,7 @@ def _named(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
 
 
 def _camera_of_view(given: dict[str, Any], width: int, height: int) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Intrinsic and extrinsic matrix of a camera at a place that looks at another; rows follow `up`."""
+    """Intrinsic and extrinsic matrix of a look-at camera; rows follow `up`."""
     fov = check_number("fov_deg", given["fov_deg"])
     if not 0 < fov < 180:
         raise ValueError(f"fov_deg: expected a field of view between 0 and 180, got {fov}")
@@ -73,7 +72,7 @@ def _rays(K: NDArray[Any], T: NDArray[Any], width: int, height: int) -> NDArray[
     far = np.abs(back[:3, 3]).max() > NEAR_ZERO
     rays = np.empty((height, width, 6), np.float64 if far else np.float32)
     columns, rows = np.arange(width) + 0.5, np.arange(height) + 0.5
-    rays[..., :3] = back[:3, 3] + 0.0  # no minus zero
+    rays[..., :3] = back[:3, 3] + 0.0  # avoids negative zero
     for axis in range(3):
         a, b, c = to_scene[axis]
         rays[..., 3 + axis] = a * columns + (b * rows + c)[:, None]

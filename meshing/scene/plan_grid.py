@@ -1,4 +1,4 @@
-"""The cells of a map: square, counted from a corner that is fixed in space, no more than fit."""
+"""Grid of square map cells, aligned with a fixed corner, of limited size."""
 
 from __future__ import annotations
 
@@ -13,24 +13,18 @@ from numpy.typing import NDArray
 from ...kernels.terrain.cells import check_cell_numbers
 from ...pcd.raster_cells import MOST_CELLS, cells_over, cells_within
 
-MOST_ALONG = 2**24  # cells along a side: rows are looked at whole
-BYTES = 9  # of memory a cell: a colour, a height, and whether it was filled
-DIGITS = 2  # of a length that is proposed
-LONGEST = 1e12  # a number that is told with all its digits
+MOST_ALONG = 2**24  # cells per side: rows are processed completely
+BYTES = 9  # per cell: color, height, fill flag
+DIGITS = 2  # significant digits of a proposed length
+LONGEST = 1e12  # largest number printed with all digits
 
 Array = NDArray[np.float64]
-Cells = tuple[Array, Array]  # the number of the first along x and y, and how many
+Cells = tuple[Array, Array]  # first cell along x and y, and counts
 
 
 @dataclass(frozen=True, eq=False)
 class PlanGrid:
-    """Square cells over an area.
-
-    Attributes:
-        corner: The low x and y, float64 [2].
-        cell: The side of a cell.
-        shape: Rows and columns.
-    """
+    """Square cells: low corner (2,), edge `cell`, and `shape` (rows, columns)."""
 
     corner: Array
     cell: float
@@ -38,25 +32,17 @@ class PlanGrid:
 
 
 def grid_over(low: Array, high: Array, corner: Array, cell: float) -> PlanGrid:
-    """The half-open cells that hold everything from a low to a high x and y, both included.
-
-    Raises:
-        ValueError: More than MOST_CELLS or MOST_ALONG, or so far from the corner that float64 does not part them.
-    """
+    """Half-open cells over a range, both ends included; ValueError for too many cells, or too far from the corner."""
     return _grid_of(partial(cells_over, low, high, corner), corner, cell)
 
 
 def grid_within(box: Array, corner: Array, cell: float) -> PlanGrid:
-    """The cells of a box (x0, y0, x1, y1), which ends at cells or within them.
-
-    Raises:
-        ValueError: As `grid_over`.
-    """
+    """Cells of a box (x0, y0, x1, y1) that ends at or within cells."""
     return _grid_of(partial(cells_within, box.reshape(2, 2) - corner), corner, cell)
 
 
 def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> PlanGrid:
-    with np.errstate(over="ignore", invalid="ignore"):  # more cells than float64 holds are too many, too
+    with np.errstate(over="ignore", invalid="ignore"):  # overflow means too many cells
         first, counts = cells_of(cell)
         if not _fits(counts):
             columns, rows, gigabytes = map(_counted, (*counts, counts[0] * counts[1] * BYTES / 1e9))
@@ -73,9 +59,9 @@ def _fits(counts: Array) -> bool:
 
 
 def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -> str:
-    """A cell of few digits that makes few enough, in words."""
+    """Rounded cell size that gives few enough cells, as text."""
     larger = cell
-    for _ in range(8):  # the first one fits, but for a cell more at the rims
+    for _ in range(8):  # the first fits, except for a cell at the border
         share = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MOST_CELLS), counts.max() / MOST_ALONG)
         if not math.isfinite(larger * share):
             break

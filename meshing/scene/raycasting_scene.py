@@ -1,4 +1,4 @@
-"""RaycastingScene: meshes in places, and what rays and points find there; one file a subject."""
+"""RaycastingScene: posed meshes for ray and distance queries."""
 
 from __future__ import annotations
 
@@ -7,17 +7,16 @@ from .scene_rays import SceneRays
 
 
 class RaycastingScene(SceneRays, SceneDistances):
-    """Meshes, each in one place or several, for queries by rays and points.
+    """Posed meshes for queries by rays and points, with the names of Open3D's `t.geometry.RaycastingScene`.
 
-    The names are those of Open3D's `t.geometry.RaycastingScene`; results are NumPy arrays in the leading shape of the
-    rays or points. A search tree over each mesh is built when it is added. Meshes far from zero keep their float64
-    origin: rays and points are taken relative to it before anything is rounded to float32.
+    Results are NumPy arrays in the leading shape of the queries. Each mesh has a search tree and keeps its float64
+    origin, so scenes far from zero stay exact.
 
     Args:
         device: "cpu" (default), "cuda:N" or "auto".
 
     Raises:
-        DeviceError: No such device.
+        DeviceError: If the device does not exist.
 
     Example:
         >>> scene = RaycastingScene()

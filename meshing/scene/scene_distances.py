@@ -1,4 +1,4 @@
-"""What points find in a scene: the nearest triangle, how far it is, and whether they lie inside."""
+"""Distance queries of a scene: nearest triangle, distance, inside test."""
 
 from __future__ import annotations
 
@@ -29,20 +29,14 @@ PSEUDONORMALS, WINDING_NUMBERS = "pseudonormals", "winding_numbers"
 
 
 class SceneDistances(SceneGeometries):
-    """The part of RaycastingScene that measures distances.
+    """Methods of RaycastingScene that measure distances.
 
-    Inside is where the surface goes around a point. Two ways find it, and `sign_method` says which one a scene takes:
-
-    - "pseudonormals" (Baerentzen and Aanaes 2005), exact: the scene is one geometry, and its mesh one closed shell
-      whose triangles turn the same way, have an area, and do not meet but where they share a vertex.
-    - "winding_numbers" (Jacobson et al. 2013; Barill et al. 2018), for all else: several shells or geometries, open
-      meshes, triangles without area. Inside is where the sum over all triangles passes 1/2; with holes that is the
-      smoothest guess.
-
-    Both take a mesh that is inside out as a whole for what it encloses.
+    `sign_method` is the inside test: "pseudonormals" (Baerentzen and Aanaes 2005), exact, for one closed, consistently
+    oriented mesh without degenerate or intersecting triangles; otherwise "winding_numbers" (Jacobson et al. 2013;
+    Barill et al. 2018), inside above 1/2. Both treat an inverted mesh as if it faced outward.
     """
 
-    _side_data: dict[int, Pseudonormals | None]  # of the meshes that were asked for; None where it is not for them
+    _side_data: dict[int, Pseudonormals | None]  # by mesh, built on demand; None if not applicable
     _dipoles: dict[int, Dipoles]
 
     def __init__(self, device: Any = None):
@@ -51,9 +45,9 @@ class SceneDistances(SceneGeometries):
 
     @property
     def sign_method(self) -> str:
-        """How `compute_signed_distance` and `compute_occupancy` tell inside from outside in this scene as it is.
+        """Inside test of `compute_signed_distance` and `compute_occupancy` for the current scene.
 
-        "pseudonormals" where the scene is one closed shell, "winding_numbers" otherwise.
+        "pseudonormals" if the scene is one closed shell, else "winding_numbers".
 
         Example:
             >>> import pointloom as loom
@@ -68,32 +62,26 @@ class SceneDistances(SceneGeometries):
         return WINDING_NUMBERS
 
     def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, NDArray[Any]]:
-        """Find the point of the surface that is closest to each query.
+        """Find the closest surface point of each query.
+
+        Float64; ties go to the lowest geometry, then triangle. Bitwise identical on every device. 80 B per query.
 
         Args:
-            query_points: Shape [..., 3], float32 or float64.
-            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+            query_points: Shape (..., 3), float32 or float64.
+            nthreads: Ignored; for compatibility with Open3D.
 
         Returns:
-            Arrays by name, in the leading shape of the queries:
+            Arrays in the leading shape of the queries. If there is no closest point (queries that are not finite or
+            1.8e19 m away, empty scene): NaN, INVALID_ID or zeros.
 
-            - points: [..., 3], float32, or float64 where the scene lies far from zero; NaN where there is none.
-            - geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where there is none.
-            - primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
-            - primitive_uvs: float32 [..., 2], the weights of its second and third corner.
-            - primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 1) where it has no
-              area, (0, 0, 0) where there is none.
-
-            There is none for queries that are not finite or 1.8e19 m away, and in a scene without triangles.
+            - points: (..., 3), float32, or float64 if the scene is far from zero.
+            - geometry_ids: uint32 (...), as returned by `add_triangles`.
+            - primitive_ids: uint32 (...), triangle index in its mesh.
+            - primitive_uvs: float32 (..., 2), weights of the second and third corner.
+            - primitive_normals: float32 (..., 3), unit normal by the right-hand rule; (0, 0, 1) without area.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape.
-
-        Notes:
-            Distances are compared in float64. Of triangles at the same distance, as at an edge or a corner, the one of
-            the smallest geometry, then of the smallest number is it. Same bits from run to run and on every device.
-            80 B of memory a query.
+            TypeError, ValueError: If the queries are not numeric or have another shape.
 
         Example:
             >>> import pointloom as loom
@@ -116,22 +104,18 @@ class SceneDistances(SceneGeometries):
         return form.hand_out_all(found, dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32), shape=shape)
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
-        """Measure how far each query is from the surface.
+        """Distance of each query to the surface.
 
         Args:
-            query_points: Shape [..., 3], float32 or float64.
-            nthreads: Taken as Open3D takes it; the number of threads is the library's.
+            query_points: Shape (..., 3), float32 or float64.
+            nthreads: Ignored; for compatibility with Open3D.
 
         Returns:
-            Distances [m], float32 [...]; infinite in a scene without triangles and beyond 1.8e19 m, NaN for queries
-            that are not finite.
+            Distances [m], float32 (...): infinite in an empty scene or beyond 1.8e19 m, NaN for queries that are not
+            finite. Measured in float64, bitwise identical on every device. 24 B per query.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape.
-
-        Notes:
-            Measured in float64. Same bits from run to run and on every device. 24 B of memory a query.
+            TypeError, ValueError: If the queries are not numeric or have another shape.
 
         Example:
             >>> import pointloom as loom
@@ -146,26 +130,20 @@ class SceneDistances(SceneGeometries):
         return form.hand_out(sign_distances(queries, self._find_nearest(queries).sqdists, outside), shape=shape)
 
     def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
-        """Measure how far each query is from the surface: negative inside, positive outside, zero on it.
+        """Signed distance of each query to the surface: negative inside, positive outside.
 
-        Open3D counts how often rays along (1, 1, 1) meet the surface, which is wrong where one passes an edge or a
-        corner, whatever `nsamples` is. Here the sign is that of `sign_method`.
+        The sign follows `sign_method` (Open3D counts intersections of a ray). Its data is built at the first call.
 
         Args:
-            query_points: Shape [..., 3], float32 or float64.
-            nthreads: Taken as Open3D takes it; the number of threads is the library's.
-            nsamples: Taken as Open3D takes it, an odd number; no rays are cast, so it changes nothing.
+            query_points: Shape (..., 3), float32 or float64.
+            nthreads, nsamples: Without effect, for compatibility with Open3D; `nsamples` must be odd.
 
         Returns:
-            Distances [m], float32 [...]; infinite in a scene without triangles and beyond 1.8e19 m, NaN for queries
-            that are not finite.
+            Distances [m], float32 (...): infinite in an empty scene or beyond 1.8e19 m, NaN for queries that are not
+            finite. Bitwise identical on every device.
 
         Raises:
-            TypeError: Not numeric, or `nsamples` is no whole number.
-            ValueError: Another shape, or an even `nsamples`.
-
-        Notes:
-            What the sign needs of a mesh is made at the first call. Same bits from run to run and on every device.
+            TypeError, ValueError: If the queries are not numeric or have another shape, or `nsamples` is even.
 
         Example:
             >>> import pointloom as loom
@@ -180,19 +158,17 @@ class SceneDistances(SceneGeometries):
         return form.hand_out(distances, shape=shape)
 
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
-        """Find out which queries lie inside, as `compute_signed_distance` does; the surface itself is inside.
+        """Test which queries are inside, as `compute_signed_distance`; the surface itself is inside.
 
         Args:
-            query_points: Shape [..., 3], float32 or float64.
-            nthreads: Taken as Open3D takes it; the number of threads is the library's.
-            nsamples: Taken as Open3D takes it, an odd number; no rays are cast, so it changes nothing.
+            query_points: Shape (..., 3), float32 or float64.
+            nthreads, nsamples: Without effect, for compatibility with Open3D; `nsamples` must be odd.
 
         Returns:
-            float32 [...]: 1 inside, 0 outside, NaN for queries that are not finite.
+            float32 (...): 1 inside, 0 outside, NaN for queries that are not finite.
 
         Raises:
-            TypeError: Not numeric, or `nsamples` is no whole number.
-            ValueError: Another shape, or an even `nsamples`.
+            TypeError, ValueError: As `compute_signed_distance`.
 
         Example:
             >>> import pointloom as loom
@@ -209,7 +185,7 @@ class SceneDistances(SceneGeometries):
     def _signed_distances(
         self, query_points: Any, nthreads: Any, nsamples: Any
     ) -> tuple[wp.array, tuple[int, ...], Form]:
-        """Distances of queries on the device, their leading shape, and what they came as."""
+        """(distances on the device, leading shape, input form)."""
         samples = check_count("nsamples", nsamples)
         if samples % 2 == 0:
             raise ValueError(f"nsamples: expected an odd number, got {samples}")
@@ -223,7 +199,7 @@ class SceneDistances(SceneGeometries):
         return sign_distances(queries, nearest.sqdists, numbers), shape, form
 
     def _device_queries(self, query_points: Any, nthreads: Any) -> tuple[wp.array, tuple[int, ...], Form]:
-        """Queries about the scene's origin as vec3 [n] on the device, their leading shape, and what they came as."""
+        """(queries about the scene's origin as vec3 (n,), leading shape, input form)."""
         check_count("nthreads", nthreads, minimum=0)
         form = form_of(query_points)
         if not form.on_host:
@@ -234,12 +210,11 @@ class SceneDistances(SceneGeometries):
         flat, origin = given.reshape(-1, 3), self._origin
         if origin.any():
             flat = flat.astype(np.float64) - origin
-        with quiet():  # what float32 cannot hold is infinite there: it finds nothing
+        with quiet():  # float32 overflow is infinite and finds nothing
             flat = np.ascontiguousarray(flat, np.float32)
         return upload(flat, vec3, self._device, copied=False), given.shape[:-1], form
 
     def _seen_from(self, number: int, queries: wp.array) -> wp.array:
-        """Queries about the scene's origin as a geometry's stored vertices count."""
         back = inv(self._stored_poses()[number])
         if np.array_equal(back, np.eye(4)):
             return queries
@@ -260,7 +235,7 @@ class SceneDistances(SceneGeometries):
         return numbers
 
     def _pseudonormals(self, geometry: int) -> Pseudonormals | None:
-        """What tells the side of a geometry's mesh by its nearest triangle; None where that would not do."""
+        """Pseudonormals of a geometry; None if it is not a closed shell."""
         number = self._mesh_of[geometry]
         if number not in self._side_data:
             mesh = self._meshes[number]

@@ -1,4 +1,4 @@
-"""The meshes of a ray casting scene and where they stand."""
+"""Meshes of a ray casting scene and their poses."""
 
 from __future__ import annotations
 
@@ -22,12 +22,11 @@ from ..mesh.mesh_arrays import check_mesh
 
 
 class SceneGeometries(KnownNames):
-    """The part of RaycastingScene that holds its meshes; queries are mixins over it.
+    """Meshes of a RaycastingScene; base of the query mixins.
 
-    A geometry is a mesh in a place. `_meshes` and `_trees` hold each mesh once, `_mesh_of` says which of them a
-    geometry is, and `_poses` where it stands: float64 [4, 4], from the mesh's own coordinates to the scene's. Float32
-    positions on the device count from `_origin` (float64 [3], of the scene as it is), those of a mesh from its own
-    `origin`.
+    A geometry is a posed mesh. `_meshes` and `_trees` store each mesh once, `_mesh_of` maps geometries to meshes, and
+    `_poses` are float64 (4, 4) from mesh to scene. Device positions are float32 about the scene's `_origin`, those of a
+    mesh about its own `origin`.
     """
 
     _device: Any
@@ -35,7 +34,7 @@ class SceneGeometries(KnownNames):
     _trees: list[TriangleTree]
     _mesh_of: list[int]
     _poses: list[NDArray[np.float64]]
-    _placed: SceneTrees | None  # for `_meshes` as they are; its places for `_poses` unless `_is_moved`
+    _placed: SceneTrees | None  # for the current `_meshes`; poses are current unless `_is_moved`
     _is_moved: bool
 
     def __init__(self, device: Any = None):
@@ -52,27 +51,21 @@ class SceneGeometries(KnownNames):
         return f"{type(self).__name__}({counts}, {self._device})"
 
     def __copy__(self) -> Self:
-        """Another scene of the same meshes: what is added to one or moved in it does not reach the other."""
+        """Independent scene that shares the meshes."""
         scene = type(self)(self._device)
         scene._meshes, scene._trees = list(self._meshes), list(self._trees)
         scene._mesh_of, scene._poses = list(self._mesh_of), [pose.copy() for pose in self._poses]
         return scene
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
-        return self.__copy__()  # nobody writes to the meshes that a scene keeps
+        return self.__copy__()  # meshes of a scene are immutable
 
     def __getstate__(self) -> dict[str, Any]:
-        """The meshes and where they stand, for pickle; their trees are built anew."""
+        """Meshes and poses for pickle; trees are rebuilt."""
         return {"device": str(self._device), "meshes": self._meshes, "mesh_of": self._mesh_of, "poses": self._poses}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The scene on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError: The state is damaged: no meshes, a geometry of a mesh that is not there, or a pose that is not
-                rigid.
-            DeviceError: It was on a GPU, and here is none.
-        """
+        """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("scene"):
             device, meshes, mesh_of = device_like("scene", state["device"]), state["meshes"], state["mesh_of"]
             for mesh in meshes:
@@ -88,28 +81,24 @@ class SceneGeometries(KnownNames):
 
     @property
     def device(self) -> Any:
-        """The device on which the scene is."""
+        """Device of the scene."""
         return self._device
 
     def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: Any = None) -> int:
-        """Add a mesh.
+        """Add a mesh; returns the id of the new geometry: 0, 1, ...
 
         Args:
-            mesh: A TriangleMesh on the scene's device, whose arrays are shared; or vertices [m], shape [m, 3].
-            triangles: Vertex numbers, shape [t, 3], where `mesh` is vertices.
-            pose: The rigid motion [4, 4] from the mesh's coordinates to the scene's; None leaves it where it is.
-
-        Returns:
-            The number of the new geometry: 0, 1, ...
+            mesh: A TriangleMesh on the scene's device, whose arrays are shared; or vertices [m], shape (m, 3).
+            triangles: Vertex indices, shape (t, 3), if `mesh` is vertices.
+            pose: Rigid motion (4, 4) from mesh to scene. If None: identity.
 
         Raises:
-            TypeError: Not a mesh, or triangles that are not whole numbers.
-            ValueError: Another shape, a triangle that names a vertex which does not exist, or a pose that is not rigid.
-            DeviceError: The mesh is on another device.
+            TypeError: If `mesh` has another type, or the triangles are not integers.
+            ValueError: If a shape or index is invalid, or the pose is not rigid.
+            DeviceError: If the mesh is on another device.
 
-        Notes:
-            Triangles with a corner that is not finite are left out with a warning; the numbers of the others stay
-            theirs.
+        Warns:
+            UserWarning: If triangles with a corner that is not finite are ignored; other ids stay unchanged.
 
         Example:
             >>> import pointloom as loom
@@ -135,18 +124,14 @@ class SceneGeometries(KnownNames):
         return self._place(len(self._meshes) - 1, T)
 
     def add_instance(self, geometry_id: int, pose: Any) -> int:
-        """Let a mesh stand in one more place; its triangles are there once.
+        """Add another instance of a mesh, which shares its triangles; returns its geometry id.
 
         Args:
             geometry_id: A geometry of that mesh.
-            pose: The rigid motion [4, 4] from the mesh's coordinates to the scene's, as given to `add_triangles`.
-
-        Returns:
-            The number of the new geometry.
+            pose: Rigid motion (4, 4) from mesh to scene.
 
         Raises:
-            TypeError: Not a whole number.
-            ValueError: No such geometry, or a pose that is not rigid.
+            TypeError, ValueError: If the id is not an integer or unknown, or the pose is not rigid.
 
         Example:
             >>> import numpy as np
@@ -162,15 +147,14 @@ class SceneGeometries(KnownNames):
         return self._place(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
 
     def set_pose(self, geometry_id: int, pose: Any) -> None:
-        """Move a geometry; no tree of a mesh is built again.
+        """Set the pose of a geometry; mesh trees are not rebuilt.
 
         Args:
             geometry_id: The geometry.
-            pose: Its new rigid motion [4, 4] from the mesh's coordinates to the scene's.
+            pose: Rigid motion (4, 4) from mesh to scene.
 
         Raises:
-            TypeError: Not a whole number.
-            ValueError: No such geometry, or a pose that is not rigid.
+            TypeError, ValueError: If the id is not an integer or unknown, or the pose is not rigid.
 
         Example:
             >>> import numpy as np
@@ -201,7 +185,7 @@ class SceneGeometries(KnownNames):
 
     @property
     def _origin(self) -> NDArray[np.float64]:
-        """What the scene's float32 positions count from: zero, or where the first mesh's do if that is far away."""
+        """Origin of the scene's float32 positions: zero, or that of the first mesh if it is far away."""
         if not self._poses:
             return np.zeros(3)
         anchor = self._meshes[self._mesh_of[0]].origin
@@ -209,14 +193,14 @@ class SceneGeometries(KnownNames):
         return place if anchor.any() or np.abs(place).max() > NEAR_ZERO else np.zeros(3)
 
     def _stored_poses(self) -> NDArray[np.float64]:
-        """float64 [geometries, 4, 4], from the meshes' stored float32 vertices to positions about `_origin`."""
+        """float64 (geometries, 4, 4), from the meshes' float32 vertices to positions about `_origin`."""
         poses = np.array(self._poses).reshape(-1, 4, 4)
         origins = np.array([self._meshes[mesh].origin for mesh in self._mesh_of]).reshape(-1, 3)
         poses[:, :3, 3] += np.einsum("nij,nj->ni", poses[:, :3, :3], origins) - self._origin
         return poses
 
     def _scene_trees(self) -> SceneTrees:
-        """The trees of all meshes and where they stand, built at the first query after a change."""
+        """Trees and poses of all meshes, built at the first query after a change."""
         if self._placed is None:
             self._placed = SceneTrees(self._trees, self._mesh_of, self._stored_poses())
         elif self._is_moved:

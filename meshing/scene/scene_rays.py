@@ -1,4 +1,4 @@
-"""What rays meet in a scene, and the rays of a pinhole camera."""
+"""Ray queries of a scene, and the rays of a pinhole camera."""
 
 from __future__ import annotations
 
@@ -24,37 +24,32 @@ IDS: dict[str, Any] = dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32
 
 
 class SceneRays(SceneGeometries):
-    """The part of RaycastingScene that casts rays.
+    """Methods of RaycastingScene that cast rays.
 
-    A ray is (ox, oy, oz, dx, dy, dz): an origin and a direction of any length, in which the parameter t counts. Rays
-    that are not finite, or whose direction is zero, meet nothing. Edges and corners belong to their triangles, and no
-    ray passes between two triangles that share them (Woop, Benthin and Wald, JCGT 2013).
+    A ray is (ox, oy, oz, dx, dy, dz): origin and direction; parameter t is in units of the direction. Invalid rays hit
+    nothing. Intersections are watertight (Woop, Benthin and Wald, JCGT 2013).
     """
 
     INVALID_ID = INVALID_ID
 
     def cast_rays(self, rays: Any) -> dict[str, NDArray[Any]]:
-        """Find the first triangle that each ray meets.
+        """Find the first triangle that each ray hits.
+
+        Ties in float32 t go to the lowest geometry, then triangle. Bitwise identical on every device.
 
         Args:
-            rays: Shape [..., 6], float32 or float64.
+            rays: Shape (..., 6), float32 or float64.
 
         Returns:
-            Arrays by name, in the leading shape of the rays:
-            t_hit: float32 [...], the parameter, 0 and up; infinite where nothing is met.
-            geometry_ids: uint32 [...], as `add_triangles` returned them; INVALID_ID where nothing is met.
-            primitive_ids: uint32 [...], the triangle's number in its mesh; INVALID_ID likewise.
-            primitive_uvs: float32 [..., 2], the weights of its second and third corner.
-            primitive_normals: float32 [..., 3], its unit normal by the right-hand rule; (0, 0, 0) likewise.
+            Arrays in the leading shape of the rays:
+            t_hit: float32 (...), parameter >= 0; infinite without a hit.
+            geometry_ids: uint32 (...), as returned by `add_triangles`; INVALID_ID without a hit.
+            primitive_ids: uint32 (...), triangle index in its mesh; INVALID_ID without a hit.
+            primitive_uvs: float32 (..., 2), weights of the second and third corner.
+            primitive_normals: float32 (..., 3), unit normal by the right-hand rule; (0, 0, 0) without a hit.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape.
-
-        Notes:
-            Of triangles that are met at the same float32 t, the one with the smallest geometry, then the smallest
-            number is it; on an edge or a corner all triangles there have the same. Same bits from run to run and on
-            every device. O(1) memory a ray.
+            TypeError, ValueError: If the rays are not numeric or have another shape.
 
         Example:
             >>> import pointloom as loom
@@ -71,19 +66,14 @@ class SceneRays(SceneGeometries):
         return form.hand_out_all(_named(hits) | {"primitive_normals": normals}, IDS, shape=shape)
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
-        """Find out whether rays meet anything.
+        """Test whether rays hit anything; returns bool (...).
 
         Args:
-            rays: Shape [..., 6], float32 or float64.
-            tnear: The smallest parameter that counts.
-            tfar: The largest one.
-
-        Returns:
-            bool [...].
+            rays: Shape (..., 6), float32 or float64.
+            tnear, tfar: Range of the parameter.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape, or a negative limit.
+            TypeError, ValueError: If the rays are not numeric or have another shape, or a limit is negative.
 
         Example:
             >>> import pointloom as loom
@@ -107,20 +97,13 @@ class SceneRays(SceneGeometries):
         return form.hand_out(occluded, dtype=np.bool_, shape=shape)
 
     def count_intersections(self, rays: Any) -> NDArray[np.int32]:
-        """Count how often each ray meets the scene.
-
-        Where a ray meets several triangles of one geometry at the same float32 t, as on an edge or a corner that they
-        share or where they lie on each other, that is one intersection.
+        """Count the intersections of each ray, int32 (...); those of one geometry at the same float32 t count once.
 
         Args:
-            rays: Shape [..., 6], float32 or float64.
-
-        Returns:
-            int32 [...].
+            rays: Shape (..., 6), float32 or float64.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape.
+            TypeError, ValueError: If the rays are not numeric or have another shape.
 
         Example:
             >>> import pointloom as loom
@@ -136,21 +119,19 @@ class SceneRays(SceneGeometries):
         return form.hand_out(ray_casting.count_hits(self._scene_trees(), flat), shape=shape)
 
     def list_intersections(self, rays: Any) -> dict[str, NDArray[Any]]:
-        """Find all that each ray meets.
+        """List all intersections of each ray, merged as in `count_intersections` (lowest triangle kept).
 
         Args:
-            rays: Shape [..., 6], float32 or float64.
+            rays: Shape (..., 6), float32 or float64.
 
         Returns:
-            Arrays by name, one row an intersection, by ray, then t, then geometry; which are one as in
-            `count_intersections`, and the smallest number of a triangle stands for it.
-            ray_splits: uint32 [rays + 1], where the intersections of each ray begin, and end.
-            ray_ids: uint32 [k], the ray's number, its leading axes flattened.
+            Arrays with one row per intersection, sorted by ray, t and geometry:
+            ray_splits: uint32 (rays + 1,), start of each ray's intersections.
+            ray_ids: uint32 (k,), index of the ray, leading axes flattened.
             t_hit, geometry_ids, primitive_ids, primitive_uvs: As of `cast_rays`.
 
         Raises:
-            TypeError: Not numeric.
-            ValueError: Another shape.
+            TypeError, ValueError: If the rays are not numeric or have another shape.
 
         Example:
             >>> import pointloom as loom
@@ -170,28 +151,23 @@ class SceneRays(SceneGeometries):
 
     @staticmethod
     def create_rays_pinhole(*args: Any, **kwargs: Any) -> NDArray[Any]:
-        """Make the rays of a pinhole camera, through the middles of its pixels.
+        """Create the rays of a pinhole camera through its pixel centers, from two matrices or from a view.
 
         Args:
-            intrinsic_matrix: Shape [3, 3], upper triangular.
-            extrinsic_matrix: Shape [4, 4], scene to camera.
-            width_px: Columns.
-            height_px: Rows.
-            fov_deg: The horizontal field of view [degrees], between 0 and 180.
-            center: The point [3] that the camera looks at.
-            eye: Where it stands, [3].
-            up: The direction [3] that rows follow: as in Open3D the first row is the lowest.
+            intrinsic_matrix: Shape (3, 3), upper triangular.
+            extrinsic_matrix: Shape (4, 4), scene to camera.
+            width_px, height_px: Image size.
+            fov_deg: Horizontal field of view [degrees], between 0 and 180.
+            center, eye: Target point and camera position, (3,).
+            up: Direction of increasing rows, (3,): as in Open3D the first row is the lowest.
 
         Returns:
-            Rays for `cast_rays`, shape [height_px, width_px, 6]; float32, or float64 if the camera is more than
-            128 m from zero. Directions are not of unit length: the parameter t is the depth
-            along the camera's axis.
+            Rays for `cast_rays`, shape (height_px, width_px, 6); float32, or float64 if the camera is more than 128 m
+            from zero. Directions are scaled so that t is the depth along the camera axis.
 
         Raises:
-            TypeError: Neither the two matrices nor the four of `fov_deg`, `center`, `eye` and `up`, each with a width
-                and a height.
-            ValueError: A matrix that cannot be inverted, a field of view out of range, a camera that stands where it
-                looks or looks along `up`.
+            TypeError: If neither both matrices nor `fov_deg`, `center`, `eye` and `up` are given, with a size.
+            ValueError: If a matrix is singular, the field of view is out of range, or the view direction is undefined.
 
         Example:
             >>> import pointloom as loom
@@ -207,7 +183,7 @@ class SceneRays(SceneGeometries):
         return {name: form.hand_out_host(array, self._device) for name, array in values.items()}
 
     def _device_rays(self, rays: Any) -> tuple[wp.array, tuple[int, ...], Form]:
-        """Rays about the scene's origin as float32 [6 n] on the device, their leading shape, and what they came as."""
+        """(rays about the scene's origin as float32 (6 n,), leading shape, input form)."""
         form = form_of(rays)
         if not form.on_host:
             return *take_rays(rays, self._origin, self._device), form
@@ -217,7 +193,7 @@ class SceneRays(SceneGeometries):
         flat, origin = given.reshape(-1, 6), self._origin
         if origin.any():
             flat = np.hstack([flat[:, :3].astype(np.float64) - origin, flat[:, 3:]])
-        with quiet():  # what float32 cannot hold is infinite there: it meets nothing
+        with quiet():  # float32 overflow is infinite and hits nothing
             flat = np.ascontiguousarray(flat, np.float32)
         return upload(flat.ravel(), float32, self._device, copied=False), given.shape[:-1], form
 
@@ -227,7 +203,6 @@ def _named(hits: ray_casting.RayHits) -> dict[str, Any]:
 
 
 def _missed(shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:
-    """What rays meet in an empty scene."""
     return {
         "t_hit": np.full(shape, np.inf, np.float32),
         "geometry_ids": np.full(shape, INVALID_ID, np.uint32),
@@ -238,6 +213,5 @@ def _missed(shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:
 
 
 def _no_intersections(count: int) -> dict[str, NDArray[Any]]:
-    """What lists of intersections hold in an empty scene."""
     nothing = {name: values for name, values in _missed((0,)).items() if name != "primitive_normals"}
     return {"ray_splits": np.zeros(count + 1, np.uint32), "ray_ids": np.zeros(0, np.uint32)} | nothing

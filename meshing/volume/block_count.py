@@ -1,4 +1,4 @@
-"""A number of blocks that a GPU is still counting."""
+"""Number of blocks, still being counted by a GPU."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...kernels.volumes.frame_record import FrameCounts
 
 @functools.total_ordering
 class BlockCount:
-    """The blocks that a frame touched: a whole number that waits for the device when it is first looked at."""
+    """Number of touched blocks that waits for the device on first use."""
 
     def __init__(self, counts: FrameCounts):
         self._counts = counts

@@ -1,4 +1,4 @@
-"""DistanceField: how far it is to what is occupied, from anywhere."""
+"""DistanceField: Euclidean distances to the nearest occupied voxel."""
 
 from __future__ import annotations
 
@@ -44,23 +44,20 @@ from .voxel_boxes import check_voxel_size
 
 
 class DistanceField(FieldQueries, FieldViews, ToldNames):
-    """Exact Euclidean distances to the nearest occupied voxel, on blocks of 8^3 voxels around what is occupied.
+    """Exact Euclidean distances to the nearest occupied voxel, in blocks of 8^3 voxels; immutable.
 
-    Made by `from_point_cloud`, `from_array`, `from_voxel_grid` or `from_voxels`, and not changed afterwards. The
-    distance of a voxel is that from its centre to the centre of the nearest occupied voxel. With a `max_distance` it is
-    known up to there, everywhere in space: a voxel beyond it tells `max_distance`, which it is at least away. Without
-    one it is known in a dense box, whatever the distance; outside the box nothing is known, which NaN says.
-
-    A voxel's true clearance is up to a diagonal smaller than its distance: half of it for what lies anywhere in the
-    occupied voxel, half for where in its voxel one stands. `collides` and `collides_bodies` count both.
+    Created by `from_point_cloud`, `from_array`, `from_voxel_grid`, `from_occupancy_grid` or `from_voxels`. Distances
+    are between voxel centers. With a `max_distance`, farther voxels return `max_distance`, a lower bound. Without one,
+    all distances in a dense box are known, and those outside are NaN. The true clearance is up to one voxel diagonal
+    smaller; `collides` and `collides_bodies` include this.
 
     Attributes:
-        device: Where it is.
+        device: Device of the field.
         voxel_size: Edge of a voxel [m].
-        max_distance: How far distances are known [m]; None where all of a dense box are.
-        origin: The lowest corner of voxel (0, 0, 0) [m], float64 [3].
-        shape: Voxels of the array along x, y and z that it was made of; None of other sources.
-        is_signed: Whether distances are negative in occupied voxels: those to the nearest free one.
+        max_distance: Maximum known distance [m]; None for a dense box.
+        origin: Lowest corner of voxel (0, 0, 0) [m], float64 (3,).
+        shape: Shape of the source array (x, y, z); None for other sources.
+        is_signed: True if occupied voxels have negative distances to the nearest free voxel.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -90,26 +87,22 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
     def from_point_cloud(
         cls, cloud: PointCloud, voxel_size: float, max_distance: float, *, origin: ArrayLike | None = None
     ) -> DistanceField:
-        """The distances around the points of a cloud: a voxel is occupied where at least one lies in it.
+        """Compute the field around the voxels that contain points of a cloud.
+
+        Time and memory are proportional to the voxels within `max_distance`: 8 B each, plus 24 B for about twice as
+        many during construction. Ties go to the first voxel along x, then y, then z. Bitwise identical on every device.
+        Meijster et al., "A general algorithm for computing distance transforms in linear time", 2000.
 
         Args:
-            cloud: The points; those that are not finite do not count.
+            cloud: The points; those that are not finite are ignored.
             voxel_size: Edge of a voxel [m].
-            max_distance: How far distances are to be known [m], at most 16,383 voxels.
-            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3]; None takes the cloud's own `origin`, which is
-                zero, or near the median of points that are far from zero for their extent.
+            max_distance: Maximum known distance [m], at most 16,383 voxels.
+            origin: Lowest corner of voxel (0, 0, 0) [m], shape (3,). If None: the cloud's own `origin`.
 
         Raises:
-            TypeError: No cloud.
-            ValueError: Sizes that are not above 0, degrees, points beyond 2^20 blocks from the origin, or more blocks
-                than 32 bits count.
-            MemoryError: They have no room; the message counts them.
-
-        Notes:
-            Time and memory in proportion to the voxels within `max_distance`, whatever lies between: 8 B a voxel, 24 B
-            of about twice as many while they are made. Of equally near voxels the first along x, then y, then z is the
-            nearest. All numbers on the way are whole: the same bits on every device. Meijster, Roerdink and Hesselink,
-            "A general algorithm for computing distance transforms in linear time", 2000.
+            TypeError, ValueError: If `cloud` is not a PointCloud, or if a size is not positive, the unit is degrees,
+                points are beyond 2^20 blocks from the origin, or there are more than 2^32 blocks.
+            MemoryError: If the blocks do not fit into device memory.
 
         Example:
             >>> import pointloom as loom
@@ -142,27 +135,24 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         signed: bool = False,
         device: Any = None,
     ) -> DistanceField:
-        """The distances in a dense box of voxels.
+        """Compute the field of a dense box of voxels.
+
+        `to_array()` equals `scipy.ndimage.distance_transform_edt(~occupied) * voxel_size` (if signed, minus that of
+        `occupied`) with bitwise equal squared distances. Infinite if nothing is occupied. 8 B per voxel, temporarily 32
+        B.
 
         Args:
-            occupied: Shape [x, y, z]: booleans, or whole numbers, which are occupied where they are not 0.
+            occupied: Shape (x, y, z): booleans, or integers that are occupied if not 0.
             voxel_size: Edge of a voxel [m].
-            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3].
-            max_distance: How far distances are to be known [m]; None for all of the box, up to a diagonal of 32,767
-                voxels.
-            signed: Whether distances are to be negative in occupied voxels: those to the nearest free voxel of the
-                box. Next to each other they are one voxel and minus one voxel.
-            device: "cpu", "cuda:0", "auto"; None for the CPU, or the GPU where the array is.
+            origin: Lowest corner of voxel (0, 0, 0) [m], shape (3,).
+            max_distance: Maximum known distance [m]. If None: the complete box, up to a diagonal of 32,767 voxels.
+            signed: Give occupied voxels negative distances to the nearest free voxel of the box.
+            device: "cpu", "cuda:0" or "auto". If None: the array's GPU, or the CPU.
 
         Raises:
-            TypeError: No booleans and no whole numbers.
-            ValueError: Another shape, an axis without voxels, or sizes that are not above 0 or too large.
-            MemoryError: The box has no room.
-
-        Notes:
-            `to_array()` is `scipy.ndimage.distance_transform_edt(~occupied) * voxel_size`, and signed that minus the
-            same of `occupied`; squared distances are equal to the last bit. Infinite where nothing is occupied. 8 B a
-            voxel of memory, 24 B on the way, 32 B where it is signed.
+            TypeError: If the array is neither boolean nor integer.
+            ValueError: If the shape is wrong or empty, or a size is not positive or too large.
+            MemoryError: If the box does not fit into device memory.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -181,16 +171,16 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
     @classmethod
     @told_arguments
     def from_voxel_grid(cls, grid: VoxelGrid, max_distance: float, *, device: Any = None) -> DistanceField:
-        """The distances around the occupied voxels of a VoxelGrid, such as `TriangleMesh.voxelize` gives.
+        """Compute the field around the voxels of a VoxelGrid, for example from `TriangleMesh.voxelize`.
 
         Args:
             grid: The voxels, their size and origin.
-            max_distance: How far distances are to be known [m].
-            device: "cpu", "cuda:0", "auto"; None for the CPU.
+            max_distance: Maximum known distance [m].
+            device: "cpu" (default), "cuda:0" or "auto".
 
         Raises:
-            TypeError: No VoxelGrid.
-            ValueError, MemoryError: As of `from_voxels`.
+            TypeError: If `grid` is not a VoxelGrid.
+            ValueError, MemoryError: As `from_voxels`.
 
         Example:
             >>> import pointloom as loom
@@ -214,20 +204,19 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         origin: ArrayLike = (0.0, 0.0, 0.0),
         device: Any = None,
     ) -> DistanceField:
-        """The distances around voxels that are listed.
+        """Compute the field around listed voxels.
 
         Args:
-            coordinates: The occupied voxels, whole numbers [n, 3], in any order; repeated ones count once.
+            coordinates: Occupied voxels, integers (n, 3), in any order; repeats count once.
             voxel_size: Edge of a voxel [m].
-            max_distance: How far distances are to be known [m], at most 16,383 voxels.
-            origin: The lowest corner of voxel (0, 0, 0) [m], shape [3].
-            device: "cpu", "cuda:0", "auto"; None for the CPU.
+            max_distance: Maximum known distance [m], at most 16,383 voxels.
+            origin: Lowest corner of voxel (0, 0, 0) [m], shape (3,).
+            device: "cpu" (default), "cuda:0" or "auto".
 
         Raises:
-            TypeError: No whole numbers.
-            ValueError: Another shape, sizes that are not above 0, a voxel some 2^23 from the origin, or more blocks
-                than 32 bits count.
-            MemoryError: They have no room; the message counts them.
+            TypeError, ValueError: If the coordinates are not integers, or if the shape is wrong, a size is not
+                positive, a voxel is about 2^23 from the origin, or there are more than 2^32 blocks.
+            MemoryError: If the blocks do not fit into device memory.
 
         Example:
             >>> import pointloom as loom
@@ -247,15 +236,15 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
     @classmethod
     @told_arguments
     def from_occupancy_grid(cls, grid: OccupancyGrid, max_distance: float) -> DistanceField:
-        """The distances around the occupied voxels of an OccupancyGrid, on its device.
+        """Compute the field around the occupied voxels of an OccupancyGrid, on its device.
 
         Args:
-            grid: What scans have seen; unknown voxels count as free.
-            max_distance: How far distances are to be known [m].
+            grid: The grid; unknown voxels count as free.
+            max_distance: Maximum known distance [m].
 
         Raises:
-            TypeError: No OccupancyGrid.
-            ValueError, MemoryError: As of `from_voxels`.
+            TypeError: If `grid` is not an OccupancyGrid.
+            ValueError, MemoryError: As `from_voxels`.
 
         Example:
             >>> import pointloom as loom
@@ -272,12 +261,11 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
 
     @classmethod
     def _from_device_voxels(cls, cells: Cells, source: FieldSource) -> DistanceField:
-        """The distances around voxels that are on the device already, as vec3i, in any order and repeated or not."""
+        """Compute the field around voxels on the device, vec3i, in any order with repeats."""
         return cls._of(cells, source)
 
     @classmethod
     def _of(cls, cells: Cells, source: FieldSource) -> DistanceField:
-        """Of occupied voxels; those of an array lie in it."""
         reach = (
             reach_of_box(source.shape or (0, 0, 0))
             if source.max_distance is None
@@ -300,39 +288,39 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
 
     @property
     def voxel_count(self) -> int:
-        """Occupied voxels."""
+        """Number of occupied voxels."""
         return self._blocks.occupied.size
 
     @property
     def block_count(self) -> int:
-        """Blocks of 8^3 voxels that hold distances."""
+        """Number of blocks of 8^3 voxels."""
         return self._blocks.keys.size
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
+        """Device memory of voxels, keys and hash table [B]."""
         return self._blocks.memory_bytes
 
     @property
     def occupied_voxels(self) -> NDArray[np.int32]:
-        """The coordinates of the occupied voxels, int32 [k, 3]: what the numbers of the nearest ones count."""
+        """Coordinates of the occupied voxels, int32 (k, 3), indexed by `nearest_obstacles`."""
         return np.array(download(self._blocks.occupied)).reshape(-1, 3)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the field to an .npz file, whole or not at all: its occupied voxels, from which `load` finds the same.
+        """Write the occupied voxels to an .npz file atomically; `load` recomputes the distances.
 
         Raises:
-            FileError: The place cannot be written, or the file exists and may not be replaced.
+            FileError: If the file cannot be written, or exists and `overwrite` is False.
         """
         write_field(path, self._arrays(), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> DistanceField:
-        """Read a field that `save` wrote, and find its distances again.
+        """Read a field written by `save` and recompute its distances.
 
         Raises:
-            FileError: The file is missing, damaged, or no field.
-            MemoryError: There is no room for it.
+            FileError: If the file is missing, damaged or of another kind.
+            MemoryError: If the field does not fit into device memory.
         """
         arrays, where = read_field(path), resolve_device(device)
         with values_of_file(path):
@@ -346,16 +334,10 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         return cls._of(upload(arrays["voxels"], vec3i, device), source_of(arrays))
 
     def __getstate__(self) -> dict[str, Any]:
-        """What the field is made of and the name of its device, for pickle."""
         return {"arrays": self._arrays(), "device": str(self.device)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The field on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError: The state is damaged.
-            DeviceError: It was on a GPU, and here is none.
-        """
+        """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("distance field"):
             where = device_like("distance field", state["device"])
             made = self._of_arrays(check_field_arrays(state["arrays"]), where)
@@ -363,7 +345,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
 
 
 def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
-    """The voxels of an array on a device as uint8 [x * y * z], their number along each axis."""
+    """Upload voxels as uint8 (x * y * z,); also returns their shape."""
     where = device_for(occupied, device)
     if is_on_gpu(occupied):
         given: Any = take_numbers("occupied", occupied, where)
@@ -381,7 +363,6 @@ def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
 
 
 def _extent(cloud: PointCloud) -> str:
-    """How far a cloud reaches, for messages."""
     low, high, count = bound_points(cloud._device_array("points"))
     if not count:
         return ""

@@ -1,8 +1,7 @@
-"""Files of distance fields: NPZ archives of what a field is made of; the distances are found again, the same bits.
+"""Files of distance fields: NPZ archives of the source; distances are recomputed bitwise.
 
-Members: format, origin float64 [3], sizes float64 [2] (voxel size and how far distances are known [m], infinite where
-all of a box are), shape int64 [3] (of the array, zeros where it was none), is_signed, and voxels int32 [k, 3], the
-occupied ones.
+Members: format, origin float64 [3], sizes float64 [2] (voxel size and maximum distance [m], infinite for a dense box),
+shape int64 [3] (zeros without an array), is_signed, voxels int32 [k, 3] (occupied).
 """
 
 from __future__ import annotations
@@ -17,19 +16,11 @@ from ...files.points.archives import Arrays, Expected, check_arrays, read_archiv
 from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom distance field 1"
-LARGEST = 2**29  # of coordinates of voxels; fewer are in reach
+LARGEST = 2**29  # of voxel coordinates; the supported range is smaller
 
 
 class FieldSource(NamedTuple):
-    """What a distance field is made of, beside its voxels.
-
-    Attributes:
-        origin: The lowest corner of voxel (0, 0, 0) [m], float64 [3].
-        voxel_size: Edge of a voxel [m].
-        max_distance: How far distances are known [m]; None for all of a dense box.
-        shape: Voxels of the array along x, y and z; None where it was none.
-        signed: Whether distances are negative in occupied voxels.
-    """
+    """Source of a distance field without its voxels; fields as of DistanceField."""
 
     origin: NDArray[np.float64]
     voxel_size: float
@@ -39,7 +30,6 @@ class FieldSource(NamedTuple):
 
 
 def arrays_of(source: FieldSource, voxels: NDArray[np.int32]) -> Arrays:
-    """All that makes a field, as NumPy arrays: of a file, of pickle."""
     return {
         "origin": source.origin,
         "sizes": np.array([source.voxel_size, np.inf if source.max_distance is None else source.max_distance]),
@@ -50,7 +40,6 @@ def arrays_of(source: FieldSource, voxels: NDArray[np.int32]) -> Arrays:
 
 
 def source_of(arrays: Arrays) -> FieldSource:
-    """What `arrays_of` was given."""
     voxel_size, limit = arrays["sizes"].tolist()
     x, y, z = arrays["shape"].tolist()
     max_distance = None if limit == np.inf else limit
@@ -58,21 +47,14 @@ def source_of(arrays: Arrays) -> FieldSource:
 
 
 def write_field(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
-    """Write what makes a field, whole or not at all."""
     write_archive(path, FORMAT, arrays, overwrite=overwrite)
 
 
 def read_field(path: str | os.PathLike[str]) -> Arrays:
-    """What makes a saved field, checked."""
     return read_archive(path, FORMAT, "distance field", "DistanceField.save", _expected, _find_fault)
 
 
 def check_field_arrays(arrays: Any) -> Arrays:
-    """The arrays of a pickled field, checked.
-
-    Raises:
-        ValueError: They are damaged.
-    """
     return check_arrays(arrays, _expected, _find_fault)
 
 
@@ -87,7 +69,6 @@ def _expected(arrays: Arrays) -> Expected:
 
 
 def _find_fault(arrays: Arrays) -> str:
-    """What no saved field holds, or nothing."""
     voxel_size, limit = arrays["sizes"].tolist()
     shape, voxels = arrays["shape"], arrays["voxels"]
     has_shape = bool((shape > 0).all())

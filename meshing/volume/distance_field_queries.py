@@ -1,4 +1,4 @@
-"""What a DistanceField is asked at points, for spheres and for bodies of spheres."""
+"""Queries of a DistanceField at points, for spheres and for bodies of spheres."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from ...pcd.cloud import PointCloud
 
 @dataclass(frozen=True, eq=False)
 class NearestObstacles:
-    """The occupied voxels nearest to points.
+    """Occupied voxels nearest to points; -1 or NaN if unknown.
 
     Attributes:
-        rows: Their rows among `occupied_voxels`, int32 [n]; -1 where none is known.
-        positions: Their centres [m], float64 [n, 3]; NaN where none is known.
-        distances: Of the points from these centres [m], float32 [n]; `max_distance` where none is known, which they are
-            at least away but for half a voxel's diagonal, and NaN outside of a dense box.
+        rows: Rows in `occupied_voxels`, int32 (n,).
+        positions: Their centers [m], float64 (n, 3).
+        distances: Distances to these centers [m], float32 (n,); if unknown `max_distance`, a lower bound minus half a
+            voxel diagonal, or NaN outside a dense box.
     """
 
     rows: NDArray[np.int32]
@@ -40,13 +40,12 @@ class NearestObstacles:
 
 
 class BodyCollisions(NamedTuple):
-    """What is known of a body at m poses.
+    """Collision state of a body at m poses.
 
     Attributes:
-        collides: Whether it may touch what is occupied, bool [m].
-        clearance: How far every sphere of it is at least from what is occupied [m], float64 [m]: up to two diagonals
-            of a voxel less than in truth, below or at 0 where it may touch, and never more than `max_distance` lets
-            one know. Minus infinity where it reaches outside of a dense box.
+        collides: True if it may touch an occupied voxel, bool (m,).
+        clearance: Lower bound of the clearance of all spheres [m], float64 (m,), up to two voxel diagonals too small
+            and limited by `max_distance`; minus infinity outside a dense box.
     """
 
     collides: NDArray[np.bool_]
@@ -54,7 +53,7 @@ class BodyCollisions(NamedTuple):
 
 
 class FieldQueries:
-    """Queries in batches, on the field's device."""
+    """Batch queries on the field's device."""
 
     device: Any
     voxel_size: float
@@ -63,38 +62,30 @@ class FieldQueries:
 
     @told_arguments
     def distances(self, points: Any, *, interpolate: bool = False) -> NDArray[np.float32]:
-        """The distances at points.
+        """Distances at points.
+
+        Exact between voxel centers; a point's error is up to half a voxel diagonal. 29 B per point.
 
         Args:
-            points: A PointCloud on the field's device, or positions [m], shape [n, 3].
-            interpolate: Between the centres of the eight voxels around each point, as `gradients` sees the field; where
-                one of them is not known, and by default, the distance of the voxel that the point lies in.
+            points: A PointCloud on the field's device, or positions [m], shape (n, 3).
+            interpolate: Interpolate between the eight nearest voxel centers if all are known.
 
         Returns:
-            [m], float32 [n]. `max_distance` where the distance is not known, since it is at least that far; NaN outside
-            of a dense box, and for points that are not finite.
+            [m], float32 (n,): `max_distance`, a lower bound, if unknown; NaN outside a dense box or not finite.
 
         Raises:
-            TypeError: Not numbers.
-            ValueError: Another shape.
-            DeviceError: The points are on another device.
-
-        Notes:
-            Exact between voxel centres; that of a point differs by up to half a voxel's diagonal, interpolated by less.
-            Measured in float64 at any coordinates. 29 B of memory a point.
+            TypeError, ValueError: If the points are not numeric or have another shape.
+            DeviceError: If the points are on another device.
         """
         places, form = self._places("points", points)
         return form.hand_out(queries.find_distances_at(places, self._grid, interpolate=bool(interpolate)).distances)
 
     @told_arguments
     def is_known(self, points: Any) -> NDArray[np.bool_]:
-        """Whether the distances at points are known, rather than at least `max_distance`; bool [n].
+        """True where the distance is known, not only at least `max_distance`; bool (n,).
 
         Args:
-            points: As of `distances`.
-
-        Raises:
-            TypeError, ValueError, DeviceError: As of `distances`.
+            points: As of `distances`, including errors.
         """
         places, form = self._places("points", points)
         known = queries.find_distances_at(places, self._grid, interpolate=False).known
@@ -102,17 +93,13 @@ class FieldQueries:
 
     @told_arguments
     def gradients(self, points: Any) -> NDArray[np.float32]:
-        """The slopes of the interpolated distances at points: away from what is near, about 1 long.
+        """Gradients of the interpolated distances by central differences over one voxel.
 
         Args:
-            points: As of `distances`.
+            points: As of `distances`, including errors.
 
         Returns:
-            Change along x, y and z [1], float32 [n, 3]: interpolated, half a voxel further less half a voxel before,
-            over a voxel's size. NaN where one of the voxels that this takes is not known.
-
-        Raises:
-            TypeError, ValueError, DeviceError: As of `distances`.
+            Change along x, y and z, float32 (n, 3), of length about 1, away from obstacles; NaN if unknown.
 
         Example:
             >>> import pointloom as loom
@@ -125,19 +112,12 @@ class FieldQueries:
 
     @told_arguments
     def nearest_obstacles(self, points: Any) -> NearestObstacles:
-        """The occupied voxels that are nearest to the voxels of points.
+        """Occupied voxels nearest to the voxels of points, ties to the first along x, then y, then z.
+
+        Nearest to the voxel's center; another one may be nearer to the point itself by up to a voxel diagonal.
 
         Args:
-            points: As of `distances`.
-
-        Returns:
-            NearestObstacles. Of equally near ones the first along x, then y, then z.
-
-        Raises:
-            TypeError, ValueError, DeviceError: As of `distances`.
-
-        Notes:
-            Nearest to the voxel's centre: to the point itself another one may be nearer, by up to a voxel's diagonal.
+            points: As of `distances`, including errors.
 
         Example:
             >>> import pointloom as loom
@@ -152,25 +132,18 @@ class FieldQueries:
 
     @told_arguments
     def collides(self, centers: Any, radii: ArrayLike) -> NDArray[np.bool_]:
-        """Whether spheres may touch what is occupied.
+        """Test whether spheres may touch occupied voxels.
 
         Args:
             centers: As of `distances`.
-            radii: [m], one for all or one each, 0 or above.
+            radii: [m], one or one per sphere, >= 0.
 
         Returns:
-            Bool [n]. False is certain: whatever lies anywhere in an occupied voxel, the sphere does not reach it. True
-            means that it is nearer than two diagonals of a voxel (3.5 `voxel_size`) to the centre of an occupied one,
-            or that nothing is known: outside of a dense box, and for centers that are not finite.
+            bool (n,). False is certain. True means nearer than two voxel diagonals (3.5 `voxel_size`) to the center of
+            an occupied voxel, or unknown: outside a dense box, or a center that is not finite.
 
         Raises:
-            TypeError, ValueError, DeviceError: As of `distances`.
-            ValueError: Radii that are not 0 or above, or larger than `max_distance` less a voxel's diagonal: of these
-                nothing could be said.
-
-        Notes:
-            What is surely free around a centre is the distance of its voxel, less the way from the centre to the
-            voxel's centre, less half a voxel's diagonal for where in the occupied voxel the obstacle is.
+            TypeError, ValueError, DeviceError: As `distances`; also if radii are negative or too large.
         """
         places, form = self._places("centers", centers)
         sizes = np.atleast_1d(self._radii("radii", radii))
@@ -181,22 +154,18 @@ class FieldQueries:
 
     @told_arguments
     def collides_bodies(self, spheres: ArrayLike, poses: ArrayLike) -> BodyCollisions:
-        """Whether a body made of spheres may touch what is occupied, at many poses.
+        """Test whether a body of spheres may touch occupied voxels at many poses.
 
         Args:
-            spheres: Centers in the body's frame and radii [m], rows of (x, y, z, radius), shape [k, 4].
-            poses: T_world_body, rigid motions, shape [m, 4, 4].
+            spheres: Centers in the body frame and radii [m], rows (x, y, z, radius), shape (k, 4).
+            poses: T_world_body, rigid motions, shape (m, 4, 4).
 
         Returns:
-            (collides, clearance), bool [m] and float64 [m]; certain where it says that the body is free, see
-            `collides`.
+            (collides, clearance), bool (m,) and float64 (m,); no collision is certain, see `collides`. 136 B per pose.
 
         Raises:
-            TypeError: Not numbers.
-            ValueError: Other shapes, no sphere, a pose that is no rigid motion, or radii as of `collides`.
-
-        Notes:
-            One thread a pose. 136 B of memory a pose.
+            TypeError, ValueError: If an argument is not numeric, or if a shape is wrong, there is no sphere, a pose is
+                not rigid, or radii are invalid as in `collides`.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -219,7 +188,7 @@ class FieldQueries:
         return BodyCollisions(~(clearance > 0), clearance)
 
     def _radii(self, name: str, radii: Any) -> NDArray[np.float64]:
-        """Radii of which something can be said."""
+        """Validate radii against `max_distance`."""
         if is_on_gpu(radii):
             radii = download(take_numbers(name, radii))
         sizes = check_finite(name, check_numeric(name, radii).astype(np.float64))
@@ -234,7 +203,7 @@ class FieldQueries:
         return sizes
 
     def _places(self, name: str, points: Any) -> tuple[Positions, Form]:
-        """Positions in float64 on the field's device, and the form of the answer."""
+        """Positions in float64 on the field's device, and the form of the result."""
         if isinstance(points, PointCloud):
             check_same_device(name, points.device, self.device)
             places = add_origin(points._device_array("points"), points.origin)
@@ -248,12 +217,6 @@ class FieldQueries:
 
 
 def check_poses(name: str, poses: Any) -> NDArray[np.float64]:
-    """Rigid motions, float64 [m, 4, 4].
-
-    Raises:
-        TypeError: Not numbers.
-        ValueError: Another shape, or one that is no rigid motion; the message says which.
-    """
     motions = check_numeric(name, poses).astype(np.float64)
     if motions.ndim != 3 or motions.shape[1:] != (4, 4):
         raise ValueError(f"{name}: expected shape [m, 4, 4], got {list(motions.shape)}")

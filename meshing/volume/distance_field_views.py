@@ -1,4 +1,4 @@
-"""What a DistanceField holds, as dense arrays and layers."""
+"""Dense arrays and slices of a DistanceField."""
 
 from __future__ import annotations
 
@@ -22,16 +22,14 @@ VALUES = ("distances", "squared", "nearest", "known")
 
 @dataclass(frozen=True, eq=False)
 class FieldSlice:
-    """The distances in one layer of voxels of a DistanceField.
+    """Distances in one layer of voxels of a DistanceField.
 
     Attributes:
-        distances: [m], float32 [h, w]: rows along the later of the two other axes, columns along the earlier, both
-            ascending, so that row 0 is the bottom of a map. `max_distance` where they are not known, NaN outside of a
-            dense box.
-        is_known: Whether they are known, bool [h, w].
-        axis: "x", "y" or "z": what the layer is perpendicular to.
-        position: Of the voxels' centres along it [m].
-        extent: The lowest and the highest corner of the layer along the two other axes [m], float64 [2, 2].
+        distances: [m], float32 (h, w): rows along the later of the other axes, columns along the earlier, ascending;
+            `max_distance` if unknown, NaN outside a dense box.
+        is_known: Known distances, bool (h, w).
+        axis, position: Normal axis "x", "y" or "z", and position of the voxel centers along it [m].
+        extent: Lowest and highest corner along the other axes [m], float64 (2, 2).
         max_distance: As of the field.
     """
 
@@ -44,7 +42,7 @@ class FieldSlice:
 
     @property
     def axes(self) -> tuple[str, str]:
-        """The names of the axes of columns and of rows."""
+        """Names of the axes of columns and rows."""
         first, second = (name for name in AXES if name != self.axis)
         return first, second
 
@@ -66,17 +64,17 @@ class FieldViews:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """The lowest and the highest corner of what is held [m], float64 [2, 3]: of the array, else of the blocks."""
+        """Lowest and highest corner of the array or the blocks [m], float64 (2, 3)."""
         return self.origin + np.array(self._voxel_bounds()) * self.voxel_size
 
     def _voxel_bounds(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The first voxel that is held, and the one behind the last."""
+        """First stored voxel, and the one after the last."""
         if self.shape is not None:
             return np.zeros(3, np.int64), np.array(self.shape, np.int64)
         return voxels_of_blocks(download(self._blocks.keys))  # sync
 
     def _box(self, bounds: Any, layer: tuple[int, int] | None = None) -> Box:
-        """The voxels in bounds [m]; those of a layer: (the number of its axis, its place along it)."""
+        """Voxels in bounds [m]; those of a layer: (axis index, position along it)."""
         if bounds is None:
             low, high = self._voxel_bounds()
         else:
@@ -91,20 +89,15 @@ class FieldViews:
         return Box((x, y, z), (size[0], size[1], size[2]))
 
     def to_array(self, bounds: ArrayLike | None = None, *, values: str = "distances") -> NDArray[Any]:
-        """The field as a dense array of NumPy.
+        """Field as a dense NumPy array of shape (x, y, z).
 
         Args:
-            bounds: The lowest and the highest corner [m], shape [2, 3]: voxels that reach inside are taken; None takes
-                `bounds`.
-            values: "distances" [m], float32, `max_distance` where they are not known; "squared" [voxels^2], int32,
-                2^31 - 1 there; "nearest", int32, the rows of `occupied_voxels`, -1 there; or "known", bool.
-
-        Returns:
-            Shape [x, y, z].
+            bounds: Lowest and highest corner [m], shape (2, 3); overlapping voxels are included. If None: `bounds`.
+            values: "distances" [m], float32, `max_distance` if unknown; "squared" [voxels^2], int32, 2^31 - 1 if
+                unknown; "nearest", int32 rows of `occupied_voxels`, -1 if unknown; or "known", bool.
 
         Raises:
-            ValueError: Bounds that are none, or no such values.
-            MemoryError: There is no room for so many voxels.
+            ValueError, MemoryError: If the bounds or `values` are invalid, or if the array does not fit into memory.
 
         Example:
             >>> import pointloom as loom
@@ -127,18 +120,15 @@ class FieldViews:
         return np.array(found).reshape(box.size)
 
     def slice(self, axis: str, position: float, *, bounds: ArrayLike | None = None) -> FieldSlice:
-        """The distances in one layer of voxels.
+        """Distances in one layer of voxels, for `draw_slice`.
 
         Args:
-            axis: "x", "y" or "z": what the layer is perpendicular to.
-            position: Where along it [m].
-            bounds: The lowest and the highest corner [m], shape [2, 3]; None takes `bounds`.
-
-        Returns:
-            A FieldSlice; `draw_slice` makes a picture of it.
+            axis: Normal axis: "x", "y" or "z".
+            position: Position along it [m].
+            bounds: Lowest and highest corner [m], shape (2, 3). If None: `bounds`.
 
         Raises:
-            ValueError: No such axis, or a position or bounds that are none.
+            ValueError: If the axis, position or bounds are invalid.
 
         Example:
             >>> import pointloom as loom
@@ -167,11 +157,6 @@ class FieldViews:
 
 
 def check_axis(axis: Any) -> int:
-    """Which of the axes it is.
-
-    Raises:
-        ValueError: None.
-    """
     if not isinstance(axis, str) or axis not in AXES:
         raise ValueError(f"axis: expected x, y or z, got {shown(axis)}")
     return AXES.index(axis)

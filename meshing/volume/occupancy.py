@@ -1,4 +1,4 @@
-"""OccupancyGrid: range scans in, what is occupied, free and unknown out."""
+"""OccupancyGrid: occupied, free and unknown voxels from range scans."""
 
 from __future__ import annotations
 
@@ -27,34 +27,26 @@ from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of
 from .occupancy_questions import OccupancyQuestions
 from .voxel_boxes import check_voxel_size, places_of
 
-FARTHEST = 3.0e38  # [m] of a scan without max_range
+FARTHEST = 3.0e38  # [m] default of max_range
 
 
 class OccupancyGrid(OccupancyQuestions, ToldNames):
-    """Which voxels are occupied, free and unknown: log odds from range scans in blocks that appear where rays pass.
+    """Occupancy of voxels as log odds from range scans, in blocks allocated along rays.
 
-    A voxel with an end point gets a hit, one that rays pass and that has no end point a miss, each once a scan; log
-    odds are summed and clamped. That is OctoMap's `insertPointCloud`, and the log odds of every voxel are those of its
-    leaves, to the last bit. Voxels lie at whole multiples of `voxel_size` from `origin`. A voxel is occupied from a
-    probability of 0.5.
-
-    A scan whose insertion was interrupted (Ctrl-C, no memory) is in the grid or is not; `scan_count` tells.
+    Per scan, a voxel with an end point gets a hit, and one that rays pass without an end point a miss; log odds are
+    summed and clamped, bitwise equal to OctoMap's `insertPointCloud`. Voxels are at multiples of `voxel_size` from
+    `origin` and occupied from probability 0.5. Scans are inserted atomically; see `scan_count`. 4 B per voxel of the
+    allocated blocks. Bitwise identical on every device. Hornung et al., "OctoMap: an efficient probabilistic 3D mapping
+    framework based on octrees", Autonomous Robots 2013.
 
     Args:
         voxel_size: Edge of a voxel [m].
-        hit: The probability that a voxel with an end point is occupied.
-        miss: The probability that one that a ray passes is.
-        min: The probability below which none falls.
-        max: The one above which none rises.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        hit, miss: Occupancy probability of a voxel with an end point, and of one that a ray passes.
+        min, max: Limits of the probability.
+        device: "cpu" (default), "cuda:0" or "auto".
 
     Raises:
-        ValueError: A size that is not positive, or probabilities that are none: 0.5 < hit < 1, 0 < miss < 0.5,
-            0 < min < 0.5 < max < 1.
-
-    Notes:
-        4 B a voxel of the blocks that rays pass. The same bits from run to run and on every device. Hornung et al.,
-        "OctoMap: an efficient probabilistic 3D mapping framework based on octrees", Autonomous Robots 34, 2013.
+        ValueError: If the size is not positive, or not 0.5 < hit < 1, 0 < miss < 0.5, 0 < min < 0.5 < max < 1.
 
     Example:
         >>> import pointloom as loom
@@ -100,47 +92,40 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the grid's coordinates start [m]: zero, or whole meters near the first scan if that is beyond 128 m."""
+        """Origin of the grid's coordinates [m]: zero, or whole meters near the first scan if that is beyond 128 m."""
         return np.zeros(3) if self._origin is None else self._origin.copy()
 
     @property
     def block_count(self) -> int:
-        """Blocks of 8^3 voxels."""
+        """Number of blocks of 8^3 voxels."""
         return self._blocks.count
 
     @property
     def scan_count(self) -> int:
-        """Scans folded in; those that had no point do not count."""
+        """Number of inserted scans with points."""
         return self._blocks.scan_count + self._scans_before
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
+        """Device memory of voxels, keys and hash table [B]."""
         return self._blocks.memory_bytes
 
     @told_arguments
     def insert_scan(
         self, points: PointCloud | ArrayLike, origin: ArrayLike | None = None, *, max_range: float | None = None
     ) -> int:
-        """Fold in one scan.
+        """Insert a scan; returns the number of touched blocks, 0 without finite points.
+
+        Rays are traversed as OctoMap's `computeRayKeys`, in float32 about the grid's origin.
 
         Args:
-            points: Where rays ended: a cloud on the grid's device, or shape [n, 3] [m]. Points with NaN do not count.
-            origin: Where the sensor was [m], shape [3], or where each ray began, shape [n, 3].
-            max_range: Rays that are longer [m] are free up to there and have no end point; None takes all as they are.
-
-        Returns:
-            The number of blocks touched; 0 where no point was finite.
+            points: End points of rays: a cloud on the grid's device, or shape (n, 3) [m]. Points with NaN are ignored.
+            origin: Sensor position [m], shape (3,), or start of each ray, shape (n, 3).
+            max_range: Longer rays [m] are free up to this range and have no end point. If None: no limit.
 
         Raises:
-            ValueError: No origin, infinite points, shapes that disagree, or a scan that fills a box of more than 2^26
-                blocks or reaches more than 2^22 voxels from the grid's origin, before any memory is taken for it. The
-                grid stays as it was.
-
-        Notes:
-            Rays are walked as OctoMap's `computeRayKeys` does, in float32 about the grid's origin: where a ray meets an
-            edge or a corner of voxels it goes on along z before y and along y before x. 5 B of memory a voxel of the
-            blocks touched while it is folded in.
+            ValueError: If there is no origin, points are infinite, shapes disagree, or the scan spans more than 2^26
+                blocks or 2^22 voxels from the origin. The grid stays unchanged.
 
         Example:
             >>> import pointloom as loom
@@ -184,22 +169,20 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
             self._origin = before
         return count
 
-    # ------------------------------------------------------------------------------------------ files, copies
-
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the grid to an .npz file, whole or not at all.
+        """Write the grid to an .npz file atomically.
 
         Raises:
-            FileError: The place cannot be written, or the file exists and may not be replaced.
+            FileError: If the file cannot be written, or exists and `overwrite` is False.
         """
         write_grid(path, self._downloaded(), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> OccupancyGrid:
-        """Read a grid that `save` wrote.
+        """Read a grid written by `save`.
 
         Raises:
-            FileError: The file is missing, damaged, or no occupancy grid.
+            FileError: If the file is missing, damaged or of another kind.
         """
         arrays, where = read_grid(path), resolve_device(device)
         with values_of_file(path):
@@ -228,7 +211,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
 
     @returns_new
     def copy(self) -> OccupancyGrid:
-        """Another grid with the same voxels: scans that are inserted into one do not reach the other."""
+        """Independent copy with the same voxels."""
         grid = OccupancyGrid(self.voxel_size, *self._model, device=self.device)
         grid._scans_before, grid._origin, grid._blocks = self.scan_count, self._origin, self._blocks.clone()
         return grid
@@ -240,16 +223,10 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         return self.copy()
 
     def __getstate__(self) -> dict[str, Any]:
-        """The grid as NumPy arrays and the name of its device, for pickle."""
         return {"arrays": self._downloaded(), "device": str(self.device)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The grid on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError: The state is damaged.
-            DeviceError: It was on a GPU, and here is none.
-        """
+        """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("occupancy grid"):
             where = device_like("occupancy grid", state["device"])
             made = self._from_downloaded(check_grid_arrays(state["arrays"]), where)

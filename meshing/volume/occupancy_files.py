@@ -1,7 +1,7 @@
-"""Files of occupancy grids: NPZ archives whose arrays are checked against each other before one is used.
+"""Files of occupancy grids: NPZ archives, validated before use.
 
-Members: format, voxel_size, probabilities float64 [4] (hit, miss, min, max), origin, scan_count, keys int64 [m] and
-odds float32 [512 m], log odds, 1e9 where no ray was.
+Members: format, voxel_size, probabilities float64 [4] (hit, miss, min, max), origin, scan_count, keys int64 [m], odds
+float32 [512 m], log odds, 1e9 where unknown.
 """
 
 from __future__ import annotations
@@ -22,12 +22,10 @@ FORMAT = b"pointloom occupancy grid 1"
 
 
 def log_odds_of(probability: float) -> float:
-    """log(p / (1 - p)), rounded to float32."""
     return float(np.float32(math.log(probability / (1.0 - probability))))
 
 
 def find_fault_of_model(hit: float, miss: float, low: float, high: float) -> str:
-    """What no sensor model is, or nothing."""
     if not 0.5 < hit < 1:
         return f"hit: {hit:g} is no probability above 0.5 and below 1, which an end point is to raise"
     if not 0 < miss < 0.5:
@@ -38,21 +36,14 @@ def find_fault_of_model(hit: float, miss: float, low: float, high: float) -> str
 
 
 def write_grid(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
-    """Write the arrays of a grid, whole or not at all."""
     write_archive(path, FORMAT, arrays, overwrite=overwrite)
 
 
 def read_grid(path: str | os.PathLike[str]) -> Arrays:
-    """The arrays of a saved grid, checked against each other."""
     return read_archive(path, FORMAT, "occupancy grid", "OccupancyGrid.save", _expected, _find_fault)
 
 
 def check_grid_arrays(arrays: Any) -> Arrays:
-    """The arrays of a pickled grid, checked against each other.
-
-    Raises:
-        ValueError: They are damaged.
-    """
     return check_arrays(arrays, _expected, _find_fault)
 
 
@@ -69,7 +60,6 @@ def _expected(arrays: Arrays) -> Expected:
 
 
 def _find_fault(arrays: Arrays) -> str:
-    """What no saved grid holds, or nothing."""
     hit, miss, low, high = arrays["probabilities"].tolist()
     scans, keys, odds = int(arrays["scan_count"]), arrays["keys"], arrays["odds"]
     blocks = len(keys)

@@ -1,4 +1,4 @@
-"""What an OccupancyGrid is asked, and what it becomes."""
+"""Queries and conversions of an OccupancyGrid."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from ...pcd.cloud import PointCloud
 from ..mesh.voxel_grid import VoxelGrid
 from .voxel_boxes import Corners, places_of, voxels_in_bounds, voxels_of_blocks
 
-THRESHOLD = 0.0  # log odds of 0.5, from where a voxel is occupied
+THRESHOLD = 0.0  # log odds of probability 0.5
 
 
 @dataclass(frozen=True, eq=False)
 class RayHits:
-    """What rays met first that is not known to be free.
+    """First voxel on each ray that is not known to be free.
 
     Attributes:
-        states: int8 [n]: 1 an occupied voxel, -1 an unknown one, 0 nothing up to the ray's end.
-        distances: From the ray's origin to where it enters that voxel [m], float64 [n]; infinite where it met nothing.
-        voxels: int32 [n, 3], as `OccupancyGrid.voxel_indices`; zeros where it met nothing.
+        states: int8 (n,): 1 occupied, -1 unknown, 0 none up to the ray's end.
+        distances: From the ray's origin to the voxel [m], float64 (n,); infinite if none.
+        voxels: int32 (n, 3), as `OccupancyGrid.voxel_indices`; zeros if none.
     """
 
     states: NDArray[np.int8]
@@ -41,7 +41,7 @@ class RayHits:
 
 
 class OccupancyQuestions:
-    """Questions at points and along rays; dense arrays, clouds and voxels."""
+    """Queries at points and along rays; dense arrays, clouds and voxels."""
 
     device: Any
     voxel_size: float
@@ -49,21 +49,21 @@ class OccupancyQuestions:
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the grid's coordinates start [m]."""
+        """Origin of the grid's coordinates [m]."""
         raise NotImplementedError
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """The lowest and the highest corner of the blocks [m], float64 [2, 3]; both the origin where there are none."""
+        """Lowest and highest corner of the blocks [m], float64 (2, 3); both the origin if empty."""
         low, high = self._voxel_bounds()
         return self.origin + np.array([low, high]) * self.voxel_size
 
     @told_arguments
     def states(self, points: PointCloud | ArrayLike) -> NDArray[np.int8]:
-        """What is known of the voxels of points [m], shape [n, 3]: 1 occupied, 0 free, -1 unknown; int8 [n].
+        """State of the voxels of points [m], shape (n, 3): 1 occupied, 0 free, -1 unknown; int8 (n,).
 
         Raises:
-            ValueError: Another shape.
+            ValueError: If the shape is wrong.
         """
         value = self._odds_of(points)
         found = np.where(value >= THRESHOLD, 1, 0)
@@ -72,46 +72,43 @@ class OccupancyQuestions:
 
     @told_arguments
     def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
-        """Whether the voxels of points [m], shape [n, 3], are occupied; unknown ones are not.
+        """True where the voxels of points [m], shape (n, 3), are occupied.
 
         Raises:
-            ValueError: Another shape.
+            ValueError: If the shape is wrong.
         """
         return self.states(points) == 1
 
     @told_arguments
     def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
-        """The probabilities that the voxels of points [m], shape [n, 3], are occupied; NaN where unknown.
+        """Occupancy probabilities of the voxels of points [m], shape (n, 3); NaN if unknown.
 
         Raises:
-            ValueError: Another shape.
+            ValueError: If the shape is wrong.
         """
         return _probability(self._odds_of(points))
 
     @told_arguments
     def log_odds(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
-        """The log odds of the voxels of points [m], shape [n, 3]: what is summed; NaN where unknown.
+        """Log odds of the voxels of points [m], shape (n, 3); NaN if unknown.
 
         Raises:
-            ValueError: Another shape.
+            ValueError: If the shape is wrong.
         """
         value = self._odds_of(points)
         return np.where(value > KNOWN_BELOW, np.float32(np.nan), value)
 
     @told_arguments
     def cast_rays(self, origins: ArrayLike, directions: ArrayLike, max_range: float) -> RayHits:
-        """What each of many rays meets first that is not known to be free.
+        """Find the first voxel on each ray that is not known to be free.
 
         Args:
-            origins: Where they begin [m], shape [n, 3] or one for all, [3].
-            directions: Shape [n, 3], of any length but zero.
-            max_range: Where they end [m].
-
-        Returns:
-            RayHits: states, distances and voxels.
+            origins: Start points [m], shape (n, 3) or (3,).
+            directions: Shape (n, 3), any nonzero length.
+            max_range: Length of the rays [m].
 
         Raises:
-            ValueError: Other shapes, directions of length 0, or rays beyond what the grid reaches.
+            ValueError: If a shape is wrong, a direction is zero, or a ray leaves the supported range.
 
         Example:
             >>> import pointloom as loom
@@ -137,23 +134,22 @@ class OccupancyQuestions:
         return RayHits(states.astype(np.int8), far, np.array(voxels, np.int32).reshape(-1, 3))
 
     def voxel_indices(self) -> NDArray[np.int32]:
-        """The occupied voxels, int32 [k, 3], ascending by x, then y, then z: voxel i reaches from `origin + i *
-        voxel_size` to one voxel more."""
+        """Occupied voxels, int32 (k, 3), sorted by x, y, z; voxel i starts at `origin + i * voxel_size`."""
         found = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
         return found[np.lexsort(found.T[::-1])]
 
     def _device_voxels(self) -> Cells:
-        """The same on the device, vec3i, block by block in the order in which these came: for code that reads them."""
+        """Occupied voxels on the device, vec3i, in block order."""
         return odds.list_occupied(self._blocks, THRESHOLD)
 
     @returns_new
     def to_point_cloud(self) -> PointCloud:
-        """The centres of the occupied voxels, block by block in the order in which blocks came."""
+        """Centers of the occupied voxels, in block order."""
         voxels = self._device_voxels()
         return PointCloud._from_device_arrays({"points": odds.place_voxels(voxels, self._blocks.lattice)}, self.origin)
 
     def to_voxel_grid(self) -> VoxelGrid:
-        """The occupied voxels as a VoxelGrid."""
+        """Occupied voxels as a VoxelGrid."""
         voxels = self.voxel_indices()
         low = voxels.min(axis=0, initial=0) if not len(voxels) else voxels.min(axis=0)
         x, y, z = (voxels - low).max(axis=0, initial=-1) + 1
@@ -162,15 +158,14 @@ class OccupancyQuestions:
 
     @told_arguments
     def to_array(self, bounds: ArrayLike | None = None) -> NDArray[np.float32]:
-        """Probabilities as a dense array, float32 [x, y, z]; NaN where unknown.
+        """Probabilities as a dense array, float32 (x, y, z); NaN if unknown.
 
         Args:
-            bounds: The lowest and the highest corner [m], shape [2, 3]: voxels that reach inside are taken; None takes
-                `bounds`. A layer of voxels is a picture: `grid.to_array(bounds)[:, :, 0]`.
+            bounds: Lowest and highest corner [m], shape (2, 3); overlapping voxels are included. If None: `bounds`.
 
         Raises:
-            ValueError: Bounds that are none, or with more than 2^31 voxels.
-            MemoryError: There is no room for so many.
+            ValueError: If the bounds are invalid or contain more than 2^31 voxels.
+            MemoryError: If the array does not fit into memory.
 
         Example:
             >>> import pointloom as loom
@@ -212,6 +207,5 @@ class OccupancyQuestions:
 
 
 def _probability(log_odds: NDArray[np.float32]) -> NDArray[np.float64]:
-    """1 - 1 / (1 + e^odds), NaN where unknown."""
     value = np.where(log_odds > KNOWN_BELOW, np.nan, log_odds.astype(np.float64))
     return 1.0 / (1.0 + np.exp(-value))

@@ -1,8 +1,6 @@
-"""The folder of a volume that is paged to disk: pages, and the list of those that were saved.
+"""Folder of a paged volume: immutable pages, and the list of the saved ones.
 
-A page is an NPZ archive of the blocks of one cube of blocks, named by a running number; it is never written to again.
-`volume.npz` lists the pages that a volume consisted of when it was last saved. It is replaced whole, and only then are
-pages removed that it does not list: whatever ends a process, the folder holds what was saved last.
+A page is an NPZ archive of one cube's blocks; `volume.npz`, replaced atomically, lists the pages of the last save.
 """
 
 from __future__ import annotations
@@ -34,20 +32,14 @@ Keys = NDArray[np.int64]
 
 
 class Page(NamedTuple):
-    """A page on disk: the number of its file, and the keys of its blocks."""
+    """A page on disk: number of its file, and keys of its blocks."""
 
     number: int
     keys: Keys
 
 
 class Saved(NamedTuple):
-    """What a list says.
-
-    Attributes:
-        told: The arrays of the volume itself: sizes, origin, frame_count, has_color.
-        side: Blocks along a cube.
-        pages: By cube.
-    """
+    """Content of a list: arrays of the volume, blocks along a cube, pages by cube."""
 
     told: Arrays
     side: int
@@ -55,22 +47,13 @@ class Saved(NamedTuple):
 
 
 def cubes_of(keys: Keys, side: int) -> Keys:
-    """The cube of each block, as a key like a block's."""
+    """Cube of each block, as a key."""
     x, y, z = np.floor_divide(block_box(keys), side).T
     return box_keys(x, y, z)
 
 
 class PageFolder:
-    """The pages of a volume on disk; one process works in it at a time.
-
-    Args:
-        path: The folder; made where it is missing.
-        overwrite: Whether a volume that lies there is removed.
-        is_new: Whether there must be none.
-
-    Raises:
-        FileError: It holds something else, or a volume that may not be replaced; or another process works in it.
-    """
+    """Pages of a volume on disk, for one process; FileError if the folder contains other data or is in use."""
 
     def __init__(self, path: FilePath, *, is_new: bool, overwrite: bool = False):
         self.path = path_of(path)
@@ -97,21 +80,18 @@ class PageFolder:
                 raise FileError(self.path, "holds a volume already", remedy=remedy)
 
     def close(self) -> None:
-        """Let other processes work in the folder."""
         self._release()
 
     def _files(self) -> list[Path]:
         return [file for file in self.path.glob("[0-9]*.npz") if file.stem.isdigit()]
 
     def _unfinished(self) -> list[Path]:
-        """What processes were writing when they were killed."""
         return [*self.path.glob(".*.npz.*.part")]
 
     def _place(self, number: int) -> Path:
         return self.path / f"{number:08d}.npz"
 
     def write(self, arrays: Mapping[str, NDArray[Any]]) -> Page:
-        """Write a page of blocks, whole or not at all."""
         number = self._last + 1
         with atomic_write(self._place(number), overwrite=False) as file:
             np.savez(file, format=np.frombuffer(PAGE_FORMAT, np.uint8), **arrays)  # type: ignore[arg-type]
@@ -119,11 +99,7 @@ class PageFolder:
         return Page(number, np.array(arrays["keys"]))
 
     def read(self, page: Page, *, has_colors: bool) -> Arrays:
-        """The arrays of a page.
-
-        Raises:
-            FileError: It is missing, damaged, or of another volume.
-        """
+        """Arrays of a page; FileError if missing, damaged or of another volume."""
         path = self._place(page.number)
         expected = partial(_page_arrays, has_colors)
         arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", expected, _fault_of_page)
@@ -133,7 +109,7 @@ class PageFolder:
         return arrays
 
     def save(self, told: Arrays, side: int, pages: Mapping[int, Page]) -> None:
-        """Write the list of the pages that a volume is, and remove all others."""
+        """Write the list of pages, then remove all others."""
         listed = sorted(pages.items())
         none = np.zeros(0, np.int64)
         arrays = {
@@ -152,11 +128,7 @@ class PageFolder:
             file.unlink(missing_ok=True)
 
     def saved(self) -> Saved:
-        """What was saved last.
-
-        Raises:
-            FileError: The list is damaged.
-        """
+        """Last saved state; FileError if the list is damaged."""
         arrays = read_archive(
             self.path / LIST, FORMAT, "list of pages", "PagedTSDFVolume.save", _listed, _fault_of_list
         )
@@ -200,7 +172,6 @@ def _listed(arrays: Arrays) -> Expected:
 
 
 def _fault_of_list(arrays: Arrays) -> str:
-    """What no list says, or nothing."""
     voxel_size, truncation = arrays["sizes"].tolist()
     keys, counts, side = arrays["keys"], arrays["counts"], int(arrays["side"])
     if fault := find_fault_of_sizes(voxel_size, truncation):

@@ -1,4 +1,4 @@
-"""The blocks of a paged volume that are on the device, and which cubes of blocks come and go."""
+"""Device-resident blocks of a paged volume, and the exchange of cubes with the disk."""
 
 from __future__ import annotations
 
@@ -16,22 +16,14 @@ from ...kernels.volumes.voxel_blocks import VoxelBlocks
 from .page_files import Keys, Page, PageFolder, Saved, cubes_of
 from .tsdf import TSDFVolume, _Frames
 
-SPARE = 4  # of `max_blocks` a quarter is left free where cubes have to go, so that not each frame moves some
+SPARE = 4  # a quarter of `max_blocks` is freed at once, so that not each frame pages
 
 
 @dataclass
 class _Held:
-    """Which blocks are on the device; replaced as one, so that whatever interrupts it leaves the volume whole.
-
-    Attributes:
-        blocks: Those on the device.
-        ranks: The first of them have these numbers in the order in which blocks came into the volume; those behind
-            count on from `total`.
-        total: Blocks that the volume had then.
-        away: Cubes that are on disk alone.
-        clean: Cubes on the device whose page says the same.
-        index: The blocks of `away`, without voxels, once it was asked for.
-    """
+    """State of the resident blocks, replaced as a unit so that interruptions are safe. The first blocks have the
+    numbers `ranks` in insertion order, later ones count from `total`, the volume's blocks then. `away` are cubes only
+    on disk, `clean` those unchanged since their page, `index` the blocks of `away`."""
 
     blocks: VoxelBlocks
     ranks: Keys
@@ -42,17 +34,8 @@ class _Held:
 
 
 class PagedBlocks(TSDFVolume):
-    """A TSDFVolume of which up to `max_blocks` are on the device, and cubes of them that are not needed on disk.
-
-    A cube is on the device whole or not at all. What a frame touches is brought before it is folded in; cubes that
-    were touched longest ago go, into a page of their own where they changed.
-
-    Args:
-        folder: Of the pages.
-        side: Blocks along a cube.
-        max_blocks: On the device.
-        sizes: Further arguments of TSDFVolume.
-    """
+    """A TSDFVolume with up to `max_blocks` on the device and unneeded cubes on disk. Cubes are loaded completely before
+    a frame is integrated; the least recently used leave, into a new page if changed."""
 
     _held: _Held
 
@@ -63,7 +46,7 @@ class PagedBlocks(TSDFVolume):
         super().__init__(**sizes)
 
     def adopt(self, saved: Saved) -> None:
-        """Take over what was saved; all of it is on disk."""
+        """Load a saved state; all of it is on disk."""
         count = int(saved.told["frame_count"])
         self._frames = _Frames(count, saved.told["origin"] if count else None, bool(saved.told["has_color"][1]))
         total = sum(len(page.keys) for page in saved.pages.values())
@@ -79,16 +62,13 @@ class PagedBlocks(TSDFVolume):
 
     @property
     def total(self) -> int:
-        """Blocks of the whole volume."""
         return self._held.blocks.count + sum(len(page.keys) for page in self._held.away.values())
 
     @property
     def cubes(self) -> list[int]:
-        """All cubes with blocks, ascending."""
         return sorted({*self._held.away, *np.unique(self._cubes_here()).tolist()})
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """What is on the device, a row a block."""
         held = self._held
         count = held.blocks.count
         new = held.total + np.arange(count - len(held.ranks))
@@ -104,36 +84,28 @@ class PagedBlocks(TSDFVolume):
         return found
 
     def all_arrays(self) -> dict[str, NDArray[Any]]:
-        """All blocks, in the order in which they came into the volume."""
+        """All blocks in insertion order."""
         parts = [self.arrays(), *map(self.page, self._held.away)]
         together = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
         return _rows(together, np.argsort(together["ranks"]))
 
     def bring_box(self, low: NDArray[Any], high: NDArray[Any]) -> None:
-        """Have all blocks between two on the device.
-
-        Raises:
-            ValueError: More than `max_blocks`.
-            FileError: A page cannot be read or written.
-        """
+        """Load all blocks in a box; ValueError if there are more than `max_blocks`."""
         keys = np.concatenate([self._keys_here(), *(page.keys for page in self._held.away.values())])
         blocks = block_box(keys)
         inside = ((blocks >= low) & (blocks <= high)).all(axis=1)
         self.bring(keys[inside], changing=False, what="the view", remedy="give more, or a smaller depth_max")
 
     def page(self, cube: int) -> dict[str, NDArray[Any]]:
-        """The blocks of a cube that is on disk alone."""
         return self._read(self._held.away[cube])
 
     def _read(self, page: Page) -> dict[str, NDArray[Any]]:
         return self.folder.read(page, has_colors=self.has_color and self._frames.colored)
 
     def is_away(self, cube: int) -> bool:
-        """Whether a cube is on disk alone."""
         return cube in self._held.away
 
     def save_pages(self) -> None:
-        """Write what changed, then the list of all pages."""
         arrays, held = self.arrays(), self._held
         cubes = cubes_of(arrays["keys"], self.side)
         for cube in np.unique(cubes).tolist():
@@ -148,12 +120,7 @@ class PagedBlocks(TSDFVolume):
         self.folder.save(told, self.side, held.away | held.clean)
 
     def bring(self, keys: Keys, *, changing: bool, what: str, remedy: str) -> None:
-        """Have the cubes of some blocks on the device, and with `changing` room for those blocks that are new.
-
-        Raises:
-            ValueError: More than `max_blocks`.
-            FileError: A page cannot be read or written; the volume stays as it was.
-        """
+        """Load the cubes of blocks and, if `changing`, reserve room for new ones; ValueError above `max_blocks`."""
         held, here = self._held, self._keys_here()
         wanted = np.unique(cubes_of(keys, self.side))
         coming = [cube for cube in wanted.tolist() if cube in held.away]
@@ -178,7 +145,7 @@ class PagedBlocks(TSDFVolume):
                 room.make_room(self.max_blocks)
 
     def _leaving(self, wanted: Keys, needed: int) -> list[int]:
-        """The cubes that go: those used longest ago, where all have no room beside what is needed."""
+        """Least recently used cubes that must leave."""
         cubes, counts = np.unique(self._cubes_here(), return_counts=True)
         others = {c: n for c, n in zip(cubes.tolist(), counts.tolist(), strict=True) if c not in set(wanted.tolist())}
         left, leaving = sum(others.values()), []
@@ -192,7 +159,7 @@ class PagedBlocks(TSDFVolume):
         return leaving
 
     def _exchange(self, coming: list[int], leaving: list[int]) -> None:
-        """Put the blocks on the device together anew."""
+        """Rebuild the device blocks with other cubes."""
         arrays, held = self.arrays(), self._held
         cubes, away, clean = cubes_of(arrays["keys"], self.side), dict(held.away), dict(held.clean)
         total = held.total + len(cubes) - len(held.ranks)
@@ -235,7 +202,7 @@ class PagedBlocks(TSDFVolume):
 
 
 def blocks_of(arrays: dict[str, NDArray[Any]], like: VoxelBlocks, room: int = 0) -> VoxelBlocks:
-    """Blocks on the device, of arrays with a row a block, with room for so many."""
+    """Device blocks from arrays with one row per block, with spare room."""
     blocks = VoxelBlocks(like.voxel_size, like.truncation, like.has_color, like.device)
     blocks.make_room(room)
     blocks.fill({name: _flat(name, values) for name, values in arrays.items() if name != "ranks"})

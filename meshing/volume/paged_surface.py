@@ -1,7 +1,6 @@
-"""The surface of a paged volume, cube by cube, with the bits and in the order that one volume in memory gives it.
+"""Surface of a paged volume, cube by cube, bitwise as from one volume in memory.
 
-What a cube's surface needs are its blocks and one layer around them. A vertex belongs to an edge of the grid and a
-triangle to a cell: by the number of their block and their place in it they are put into one order.
+Needs one layer of blocks around a cube. Vertices and triangles are sorted by block and position in the block.
 """
 
 from __future__ import annotations
@@ -25,15 +24,7 @@ _AROUND = np.array([[x, y, z] for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (
 
 
 class CubeSurface(NamedTuple):
-    """What of the surface lies in a cube.
-
-    Attributes:
-        vertices: float32 [n, 3] [m], about the volume's origin.
-        colors, normals: float32 [n, 3], or None.
-        edges: The number of each vertex' edge, which orders it among those of the volume, int64 [n].
-        triangles: int32 [t, 3].
-        owners: The number of the block of each triangle's cell, int64 [t].
-    """
+    """Surface in a cube; `edges` (n,) and `owners` (t,) are the sort keys of vertices and triangles, int64."""
 
     vertices: NDArray[np.float32]
     colors: NDArray[np.float32] | None
@@ -44,13 +35,7 @@ class CubeSurface(NamedTuple):
 
 
 class CubeReader:
-    """The surface of each cube of a volume, which is not changed meanwhile.
-
-    Args:
-        volume: The volume.
-        threshold: Voxels seen by more frames than this count.
-        as_points: Whether edges make points with normals, rather than cells triangles.
-    """
+    """Surface of each cube of an unchanged volume; `as_points` gives points with normals instead of triangles."""
 
     def __init__(self, volume: PagedBlocks, threshold: float, *, as_points: bool):
         self._volume, self._threshold, self._as_points = volume, threshold, as_points
@@ -89,7 +74,7 @@ class CubeReader:
         return CubeSurface(vertices, told[0], told[1], edges, triangles, owners)
 
     def _around(self, cube: int, low: Rows, high: Rows) -> dict[str, NDArray[Any]]:
-        """The blocks of a cube and the layer around it, in the order in which they came into the volume."""
+        """Blocks of a cube and the layer around it, in insertion order."""
         first = low - 1 if self._as_points else low
         parts = []
         for beside in _AROUND if self._as_points else _AROUND[(_AROUND >= 0).all(axis=1)]:
@@ -117,7 +102,7 @@ class CubeReader:
 
 
 def joined(surfaces: Iterator[CubeSurface]) -> CubeSurface:
-    """The surface of the volume: each vertex once, all in the order of one volume in memory."""
+    """Merge the surfaces, each vertex once, in the order of one volume in memory."""
     parts = list(surfaces)
     if not parts:
         none = np.zeros((0, 3), np.float32)

@@ -1,4 +1,4 @@
-"""PagedTSDFVolume: a TSDFVolume larger than memory, whose blocks come from disk and go there."""
+"""PagedTSDFVolume: a TSDFVolume larger than memory, paged to disk."""
 
 from __future__ import annotations
 
@@ -33,30 +33,23 @@ from .tsdf_views import RayCast, check_view
 
 
 class PagedTSDFVolume(ToldNames):
-    """A TSDFVolume larger than memory: cubes of blocks that frames do not touch lie on disk.
+    """A TSDFVolume larger than memory: cubes of blocks that frames do not touch are stored on disk.
 
-    Takes what a TSDFVolume takes and gives the same bits: `extract_triangle_mesh` makes the same mesh, in the same
-    order. Up to `max_blocks` are on the device. Before a frame is folded in, the cubes of all blocks that it touches
-    are brought; those that were touched longest ago go, each into a file that is not written to again.
-
-    What was integrated since the last `save` is lost with the process. Whatever ends it, `load` finds the volume as
-    `save` left it. A frame that is refused or interrupted is in the volume whole or not at all.
+    Results are bitwise identical to a TSDFVolume's. Up to `max_blocks` are on the device. Before a frame is integrated,
+    the cubes it touches are loaded and the least recently used ones written, each to an immutable file. Data since the
+    last `save` is lost if the process ends; `load` restores the saved state. Frames are integrated atomically. Uses 8 B
+    of host memory per block of the complete volume. Blocks are limited to 2^20 from the origin.
 
     Args:
-        folder: Where pages lie; made where it is missing. One process works in it at a time.
+        folder: Folder of the pages, created if missing. Only one process may use it at a time.
         voxel_size, truncation, color, device: As of TSDFVolume.
-        max_blocks: Blocks of 8^3 voxels on the device at most: 6 KB each with colour, 3 KB without. While cubes come
-            and go they are there twice.
+        max_blocks: Maximum blocks of 8^3 voxels on the device: 6 KB each with color, 3 KB without; twice while paging.
         page_blocks: Blocks along a cube.
-        overwrite: Whether a volume that lies in the folder is removed.
+        overwrite: Remove an existing volume in the folder.
 
     Raises:
-        ValueError: Sizes that are not positive, a truncation below one voxel, counts below 1 or too large.
-        FileError: The folder holds something else, a volume that may not be replaced, or another process works in it.
-
-    Notes:
-        Host memory holds 8 B a block of the whole volume. No block beyond 2^20 from the origin. On a GPU frames are
-        folded in from the host, which waits for the device twice a frame.
+        ValueError: If a size or count is out of range, or the truncation is below one voxel.
+        FileError: If the folder contains other data or a volume that may not be replaced, or is in use.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -88,7 +81,7 @@ class PagedTSDFVolume(ToldNames):
     ):
         folder = path_of(folder, "folder")
         most, side = _check_counts(max_blocks, page_blocks)
-        TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=color, device=device)  # checks these
+        TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=color, device=device)  # validates the arguments
         pages = PageFolder(folder, is_new=True, overwrite=overwrite)
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
         self._volume = PagedBlocks(pages, side, most, **sizes)
@@ -96,12 +89,11 @@ class PagedTSDFVolume(ToldNames):
 
     @classmethod
     def load(cls, folder: FilePath, *, max_blocks: int = 100_000, device: Any = None) -> PagedTSDFVolume:
-        """Go on with a volume as it was last saved; what was left of frames after that is removed by the next `save`.
+        """Load a volume as last saved; unsaved leftovers are removed by the next `save`.
 
         Raises:
-            FileError: There is none, it is damaged, or another process works in it. A damaged page is told of when it
-                is needed.
-            ValueError: A count below 1.
+            FileError: If there is none, it is damaged, or in use. Damaged pages are reported when needed.
+            ValueError: If a count is below 1.
         """
         most, _ = _check_counts(max_blocks, 1)
         pages = PageFolder(folder, is_new=False)
@@ -123,7 +115,7 @@ class PagedTSDFVolume(ToldNames):
         self.close()
 
     def close(self) -> None:
-        """Let other processes work in the folder; what was not saved is lost."""
+        """Release the folder for other processes; unsaved data is lost."""
         self._volume.folder.close()
 
     def __repr__(self) -> str:
@@ -136,12 +128,12 @@ class PagedTSDFVolume(ToldNames):
 
     @property
     def folder(self) -> Path:
-        """Where pages lie."""
+        """Folder of the pages."""
         return self._volume.folder.path
 
     @property
     def device(self) -> Any:
-        """Where blocks are that are not on disk."""
+        """Device of the resident blocks."""
         return self._volume.device
 
     @property
@@ -151,37 +143,37 @@ class PagedTSDFVolume(ToldNames):
 
     @property
     def truncation(self) -> float:
-        """Distance at which signed distances are cut [m]."""
+        """Truncation distance [m]."""
         return self._volume.truncation
 
     @property
     def max_blocks(self) -> int:
-        """Blocks on the device at most."""
+        """Maximum number of blocks on the device."""
         return self._volume.max_blocks
 
     @property
     def block_count(self) -> int:
-        """Blocks of 8^3 voxels, wherever they are."""
+        """Number of blocks of 8^3 voxels, on device and disk."""
         return self._volume.total
 
     @property
     def resident_block_count(self) -> int:
-        """Blocks on the device."""
+        """Number of blocks on the device."""
         return self._volume.block_count
 
     @property
     def frame_count(self) -> int:
-        """Frames folded in."""
+        """Number of integrated frames."""
         return self._volume.frame_count
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the volume's coordinates start [m], as of TSDFVolume."""
+        """Origin of the volume's coordinates [m], as of TSDFVolume."""
         return self._volume.origin
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
+        """Device memory of voxels, keys and hash table [B]."""
         return self._volume.memory_bytes
 
     def integrate(
@@ -193,12 +185,11 @@ class PagedTSDFVolume(ToldNames):
         depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
-        """Fold in one frame, as `TSDFVolume.integrate`.
+        """Integrate a frame, as `TSDFVolume.integrate`.
 
         Raises:
-            ValueError: As there; or the cubes that the frame touches have more than `max_blocks`.
-            TypeError: As there.
-            FileError: A page cannot be read or written. The volume stays as it was.
+            ValueError, TypeError: As `TSDFVolume.integrate`; also if the touched cubes have more than `max_blocks`.
+            FileError: If a page cannot be read or written. The volume stays unchanged.
         """
         return self._volume.integrate(depth, intrinsic, extrinsic, color, depth_scale, depth_max)
 
@@ -211,48 +202,45 @@ class PagedTSDFVolume(ToldNames):
         min_range: float = 0.0,
         max_range: float | None = None,
     ) -> int:
-        """Fold in one scan, as `TSDFVolume.integrate_points`; with `carve` all cubes are brought that rays pass.
+        """Integrate a scan, as `TSDFVolume.integrate_points`; with `carve` all cubes along the rays are loaded.
 
         Raises:
-            ValueError, TypeError, DeviceError: As there; or these cubes have more than `max_blocks`.
-            FileError: A page cannot be read or written. The volume stays as it was.
+            ValueError, TypeError, DeviceError: As there; also if the cubes have more than `max_blocks`.
+            FileError: If a page cannot be read or written. The volume stays unchanged.
         """
         ranges: dict[str, Any] = {"carve": carve, "min_range": min_range, "max_range": max_range}
         return self._volume.integrate_points(points, origin, **ranges)
 
     def save(self) -> None:
-        """Write to the folder what is on the device alone, and then in one step that the volume is what it is now.
+        """Write unsaved blocks to the folder and commit the state atomically.
 
         Raises:
-            FileError: A file cannot be written; the folder holds what was saved before.
+            FileError: If a file cannot be written; the folder keeps the last saved state.
         """
         self._volume.save_pages()
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
-        """The mesh of `TSDFVolume.extract_triangle_mesh`, the same bits in the same order, found cube by cube.
+        """As `TSDFVolume.extract_triangle_mesh`, bitwise identical, computed cube by cube.
 
         Raises:
-            ValueError: A threshold that is negative or not finite.
-            FileError: A page is damaged.
+            ValueError, FileError: If the threshold is negative or not finite, or if a page is damaged.
         """
         return self._mesh_of(joined(self._surfaces(weight_threshold, as_points=False)))
 
     def extract_parts(self, weight_threshold: float = 3.0) -> Iterator[TriangleMesh]:
-        """The same mesh in parts, a cube at a time: each triangle once, the same bits in vertices that parts share.
+        """The mesh in parts, one cube at a time: each triangle once, shared vertices bitwise equal.
 
         Raises:
-            ValueError: A threshold that is negative or not finite.
-            FileError: A page is damaged.
+            ValueError, FileError: If the threshold is negative or not finite, or if a page is damaged.
         """
         surfaces = self._surfaces(weight_threshold, as_points=False)
         return (self._mesh_of(surface) for surface in surfaces if len(surface.triangles))
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
-        """The cloud of `TSDFVolume.extract_point_cloud`, the same bits in the same order, found cube by cube.
+        """As `TSDFVolume.extract_point_cloud`, bitwise identical, computed cube by cube.
 
         Raises:
-            ValueError: A threshold that is negative or not finite.
-            FileError: A page is damaged.
+            ValueError, FileError: If the threshold is negative or not finite, or if a page is damaged.
         """
         surface = joined(self._surfaces(weight_threshold, as_points=True))
         assert surface.normals is not None
@@ -270,15 +258,15 @@ class PagedTSDFVolume(ToldNames):
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> RayCast:
-        """What a camera would see, as `TSDFVolume.ray_cast`; the cubes before it are brought.
+        """As `TSDFVolume.ray_cast`; loads the cubes in view.
 
         Raises:
-            ValueError, TypeError: As there; or these cubes have more than `max_blocks`.
-            FileError: A page cannot be read or written.
+            ValueError, TypeError: As there; also if the cubes have more than `max_blocks`.
+            FileError: If a page cannot be read or written.
         """
         volume = self._volume
         _, far, _ = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond which no block has a key
+        far = min(far, 4 * BIAS * SIDE * volume.voxel_size)  # beyond it blocks have no key
         T = inv(check_rigid("extrinsic", extrinsic))
         T[:3, 3] -= volume.origin
         low, size, _ = frame_box(far, intrinsic, T, volume.truncation, volume.voxel_size)
@@ -287,11 +275,10 @@ class PagedTSDFVolume(ToldNames):
         return volume.ray_cast(intrinsic, extrinsic, **limits)
 
     def to_volume(self) -> TSDFVolume:
-        """A TSDFVolume of all blocks, in memory.
+        """Load all blocks into a TSDFVolume in memory.
 
         Raises:
-            FileError: A page is damaged.
-            ValueError: More blocks than 32 bits can index.
+            FileError, ValueError: If a page is damaged, or if there are too many blocks for 32-bit indices.
         """
         volume = self._volume
         arrays = volume.all_arrays()

@@ -1,4 +1,4 @@
-"""How well points lie on a volume's surface if they were shifted: for who asks where else they would fit."""
+"""Fit of shifted points to a volume's surface."""
 
 from __future__ import annotations
 
@@ -22,16 +22,9 @@ def score_shifts(
     least: float,
     is_coarse: bool = False,
 ) -> NDArray[np.float32]:
-    """The mean closeness of the points to the surface after each shift, 0 (a truncation off, or unseen) to 1.
-
-    Args:
-        volume: The TSDFVolume.
-        points: [n, 3] [m], spread evenly however many of the first are taken.
-        shifts: [m, 3] [m].
-        weight_threshold: Voxels seen by no more frames than this are as if absent.
-        least: Shifts whose first points score less are not looked at further; what they have then is told.
-        is_coarse: Whether a point counts 1 wherever a block of 8^3 voxels is, for steps of a block's size.
-    """
+    """Mean closeness of points (n, 3) to the surface after each shift (m, 3) [m], 0 (a truncation off, or unseen) to 1.
+    Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `least` stop early.
+    With `is_coarse` a point scores 1 in any existing block."""
     blocks = volume._blocks
     placed: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
     moves: Any = upload((shifts / volume.voxel_size).astype(np.float32), vec3, blocks.device)

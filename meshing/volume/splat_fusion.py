@@ -1,4 +1,4 @@
-"""The surface that Gaussian splats show, fused from their depths as cameras see them."""
+"""Surface of Gaussian splats by fusion of rendered depth."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from ...pcd.splats import GaussianSplats
 from ..mesh.mesh import TriangleMesh
 from .tsdf import TSDFVolume
 
-AROUND = 60  # views of what is seen from outside
+AROUND = 60  # default views of an object
 TRUNCATION = 3.0  # voxels
-MOST_VOXELS = 1 << 20  # side by side
-PIXELS = 3.0  # of their pictures that a voxel spans
-LEAST_SIDE, MOST_SIDE = 64, 1200  # [px] of these pictures
-REACH = 2.5  # radii that they are away
-BEYOND = 0.02  # share of splats that lie farther out than the radius: floating fog
+MOST_VOXELS = 1 << 20  # along an axis
+PIXELS = 3.0  # image pixels per voxel
+LEAST_SIDE, MOST_SIDE = 64, 1200  # [px] of the rendered images
+REACH = 2.5  # camera distance in radii
+BEYOND = 0.02  # fraction of splats outside the radius: floating fog
 
 
 def fuse_splats(
@@ -38,31 +38,25 @@ def fuse_splats(
     weight_threshold: float = 2.0,
     progress: ReportProgress | None = None,
 ) -> TriangleMesh:
-    """The surface of splats as a coloured mesh.
-
-    Each camera gives the depth behind which half of its light is left (`GaussianSplats.rasterize`, `median_depth`), and
-    a TSDFVolume fuses these.
+    """Extract the surface of splats as a colored mesh by TSDF fusion of median depths (`GaussianSplats.rasterize`).
 
     Args:
-        splats: The splats; fog is best left out before, by `splats.clean`.
-        intrinsic: The camera; None for that of the views all round.
-        extrinsics: T_camera_world of each view, as of the pictures that the splats were trained with; None for 60 views
-            from all round what they show: of a thing, not of a room.
+        splats: The splats; remove fog first with `splats.clean`.
+        intrinsic: The camera. If None: that of the default views.
+        extrinsics: T_camera_world of each view, such as those of the training images. If None: 60 views around an
+            object.
         voxel_size: Edge of a voxel [m].
-        truncation: As of TSDFVolume; None for 3 voxels: depths of splats have no noise, and less truncation bends
-            curved surfaces less.
-        depth_max: Farthest depth used [m].
-        weight_threshold: A cell makes triangles where all 8 voxels were seen by more views than this.
-        progress: Called with "fuse splats" and how many views of how many are done.
+        truncation: As of TSDFVolume, default 3 voxels: splat depths have no noise.
+        depth_max: Maximum depth used [m].
+        weight_threshold: A cell needs more views than this at all 8 voxels.
+        progress: Called with "fuse splats", the finished and all views.
 
     Returns:
-        Vertices [m] with colours, as `TSDFVolume.extract_triangle_mesh`; on the splats' device, the same bits from run
-        to run.
+        The mesh, as `TSDFVolume.extract_triangle_mesh`, on the splats' device. Bitwise reproducible.
 
     Raises:
-        ValueError: No splats, a camera without views or views without a camera, a pose that is no rigid motion, a size
-            that is not above 0; no view sees any surface.
-        TypeError: No GaussianSplats, or no camera.
+        ValueError, TypeError: If there are no splats, camera and views do not fit, a pose is not rigid, a size is not
+            positive, or no view sees a surface, or if `splats` or the camera has another type.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -116,7 +110,7 @@ def fuse_splats(
 def views_around(
     centers: NDArray[np.float64], voxel_size: float
 ) -> tuple[PinholeCameraIntrinsic, list[NDArray[np.float64]]]:
-    """A camera and its poses on a ball around places, evenly spread, all looking at their middle."""
+    """A camera and poses evenly distributed on a sphere around the centers."""
     middle = np.median(centers, axis=0)
     radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))
     away = REACH * max(radius, 1e-9)

@@ -1,16 +1,16 @@
-"""How often a voxel has to be seen to count as surface."""
+"""Weight thresholds of surface voxels."""
 
 from __future__ import annotations
 
-# A voxel counts as surface when it was seen more often than this; with few frames most are seen once or twice.
-WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (from so many frames on, the threshold)
+# Frame counts above which a voxel is surface; with few frames most voxels are seen once or twice.
+WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (minimum number of frames, threshold)
 
 
 def least_weight(frame_count: int) -> float:
-    """A voxel of so many frames counts as surface where it was seen more often than this."""
+    """Default threshold: a voxel is surface if it was seen more often than this."""
     return least_weights(frame_count)[0]
 
 
 def least_weights(frame_count: int) -> list[float]:
-    """That, and those of fewer frames behind it, for a surface that it leaves nothing of."""
+    """Default threshold, then lower ones for surfaces that it leaves empty."""
     return [threshold for frames, threshold in WEIGHTS if frame_count >= frames]

@@ -1,4 +1,4 @@
-"""TSDFVolume: posed depth frames in, a surface out."""
+"""TSDFVolume: surface fusion from posed depth frames."""
 
 from __future__ import annotations
 
@@ -40,40 +40,32 @@ from .tsdf_scans import ScanIntegration
 from .tsdf_views import RayCast, RenderedMaps, cast_view, check_view, render_colors, render_maps
 from .voxel_boxes import check_voxel_size
 
-OTHER_UNIT = 30.0  # times the farthest depth used: nothing of a place that is near lies beyond
+OTHER_UNIT = 30.0  # times the maximum depth: more distant content suggests another unit
 
 
 @dataclass(frozen=True)
 class _Frames:
-    """What is known of the frames so far."""
-
     count: int = 0
     origin: NDArray[np.float64] | None = None
-    colored: bool = False  # whether they had colour
+    colored: bool = False  # True if the frames had color
 
 
 class TSDFVolume(ScanIntegration, ToldNames):
-    """A surface fused from posed depth frames or LiDAR scans: truncated signed distances in blocks that appear there.
+    """Surface fusion from posed depth frames or LiDAR scans: truncated signed distances in hashed blocks.
 
-    Blocks of 8^3 voxels are found through a hash table and grow on demand: there is no block count to guess and
-    nothing overflows but memory. A voxel keeps the running mean of min(1, (d - z) / truncation), its weight (frames
-    that saw it, at most 65535), and its mean colour: 12 B, 6 B without colour.
-
-    Differences from Open3D. Like VoxelBlockGrid and unlike the legacy volume, voxels lie at whole multiples of
-    `voxel_size`, distances are along z, and `weight_threshold` counts frames. Unlike both, the nearest pixel is
-    looked up (VoxelBlockGrid truncates, which shifts the surface by half a pixel), the truncation is in metres, blocks
-    are found by walking rays exactly, and float depth is metres where no `depth_scale` is given.
-
-    A frame whose integration was interrupted (Ctrl-C, no memory) is in the volume or is not; `frame_count` tells.
+    Blocks of 8^3 voxels are allocated on demand. A voxel stores the running mean of min(1, (d - z) / truncation), its
+    weight (frames, at most 65535) and mean color: 12 B, 6 B without color. Voxels are at multiples of `voxel_size`,
+    distances along z. Unlike in Open3D the nearest pixel is used, the truncation is in meters, and float depth is in
+    meters by default. An interrupted integration is applied completely or not at all; see `frame_count`.
 
     Args:
         voxel_size: Edge of a voxel [m].
-        truncation: Distance at which signed distances are cut [m]; None for 4 voxels.
-        color: Whether colour is kept.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        truncation: Truncation distance [m]. If None: 4 voxels.
+        color: Keep colors.
+        device: "cpu" (default), "cuda:0" or "auto".
 
     Raises:
-        ValueError: Sizes that are not positive, or a truncation below one voxel.
+        ValueError: If a size is not positive, or the truncation is below one voxel.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -99,7 +91,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
         self._frames, self._library = _Frames(), NUMPY
-        self._next: tuple[int, _Frames] | None = None  # of the blocks' frames, and what holds once it is among them
+        self._next: tuple[int, _Frames] | None = None  # block frame count, and the state once the blocks reach it
         self._keep(VoxelBlocks(edge, limit, self.has_color, self.device))
 
     def __repr__(self) -> str:
@@ -113,28 +105,28 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @property
     def truncation(self) -> float:
-        """Distance at which signed distances are cut [m]."""
+        """Truncation distance [m]."""
         return self._blocks.truncation
 
     @property
     def block_count(self) -> int:
-        """Blocks of 8^3 voxels."""
+        """Number of blocks of 8^3 voxels."""
         return self._blocks.count
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the volume's coordinates start [m]: zero, or near the first camera if that is beyond 128 m."""
+        """Origin of the volume's coordinates [m]: zero, or near the first camera if that is beyond 128 m."""
         origin = self._settled.origin
         return np.zeros(3) if origin is None else origin.copy()
 
     @property
     def frame_count(self) -> int:
-        """Frames folded in."""
+        """Number of integrated frames."""
         return self._settled.count
 
     @property
     def memory_bytes(self) -> int:
-        """Bytes of device memory held by voxels, keys and the hash table."""
+        """Device memory of voxels, keys and hash table [B]."""
         return self._blocks.memory_bytes
 
     @told_arguments
@@ -147,25 +139,24 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_scale: float | None = None,
         depth_max: float | None = None,
     ) -> int:
-        """Fold in one frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
+        """Integrate a frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
 
         Args:
-            depth: Shape [h, w]; integers of 16 bits and more, or floats. 0, NaN and infinite mean no
-                measurement. Or an RGBDImage on the volume's device, whose colours are taken where the volume keeps any.
+            depth: Shape (h, w); integers of 16 bits and more, or floats; 0, NaN and infinite are invalid. Or an
+                RGBDImage.
             intrinsic: The camera, of the image's size.
-            extrinsic: T_camera_world, shape [4, 4].
-            color: uint8 [h, w, 3] of the same size; needed when the volume keeps colour, for every frame or for none.
-            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-            depth_max: Farthest depth used [m]; None for 3, and for all that an RGBDImage was left with.
+            extrinsic: T_camera_world, shape (4, 4).
+            color: uint8 (h, w, 3); required for every frame or none if the volume keeps color.
+            depth_scale: Depth units per meter. If None: 1000 for integers, 1 for floats.
+            depth_max: Maximum depth used [m]. If None: 3, or the limit of the RGBDImage.
 
         Returns:
-            The number of blocks touched; 0 where the frame holds no depth. On a GPU it is still being counted then, and
-            waited for where it is first looked at.
+            The number of touched blocks; 0 without depth. On a GPU the value is awaited on first use.
 
         Raises:
-            ValueError: Wrong shapes, sizes that disagree, a pose that is no rigid motion, colour for a volume without
-                or for some frames only, or a frame beyond what 2^20 blocks reach. The volume stays as it was.
-            TypeError: Wrong element types.
+            ValueError: If shapes or sizes disagree, the pose is not rigid, color is missing or unexpected, or the frame
+                is beyond 2^20 blocks. The volume stays unchanged.
+            TypeError: If an element type is wrong.
         """
         T_camera_world = check_rigid("extrinsic", extrinsic)
         if isinstance(depth, RGBDImage):
@@ -196,16 +187,8 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_scale: float = 1.0,
         depth_max: float = np.inf,
     ) -> int:
-        """`integrate` for a frame that is on the volume's device: tracking uploads it once for both.
-
-        Args:
-            depth: float32 or uint16 [h * w], in units of 1 / `depth_scale`.
-            intrinsic: The camera, of the frame's size.
-            T_world_camera: A rigid motion, not checked, float64 [4, 4].
-            pixels: uint8 [h * w, 3], or None; must be as before where the volume keeps colour, see `_check_color`.
-            depth_scale: Integer units a metre.
-            depth_max: Farthest depth used [m].
-        """
+        """`integrate` for a frame on the device. The pose is not checked. `depth` is float32 or uint16 (h * w,) in
+        units of 1 / `depth_scale`; `pixels` is uint8 (h * w, 3) or None."""
         frames, T = self._settled, np.array(T_world_camera, np.float64)
         origin = frames.origin
         if origin is None:
@@ -218,7 +201,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return count
 
     def _pixels_of(self, image: RGBDImage, color: ArrayLike | None) -> Any:
-        """The colours of an image, on the device; None where the volume keeps none, or others are given."""
+        """Colors of an image on the device; None if the volume keeps none, or others are given."""
         check_same_device("depth", self.device, image.device)
         if not self.has_color or color is not None:
             return None
@@ -230,7 +213,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return image.color_array
 
     def _check_color(self, colored: bool) -> None:
-        """Refuse a frame with colour after one without, and the other way round."""
+        """Raise ValueError if only some frames have color."""
         if colored and not self.has_color:
             raise ValueError("color: the volume was made with color=False")
         frames = self._settled
@@ -239,7 +222,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
-        """Fold a frame into the blocks; the number of those that it touches, which a GPU may still be counting."""
+        """Integrate a frame into the blocks; returns the number of touched blocks, on a GPU still pending."""
         if self._device_frames is not None:
             counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
             if counts is not None:
@@ -255,21 +238,21 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return keys.size
 
     def _kept(self, keys: Any) -> Any:
-        """Those of the blocks that a frame touches, int64 keys, that are the volume's: all of them."""
+        """Touched blocks, int64 keys, that belong to the volume: here all."""
         return keys
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
-        """The surface as a mesh, by marching cubes, with vertices shared between cells and blocks.
+        """Extract the surface as a mesh by marching cubes, with shared vertices.
 
         Args:
-            weight_threshold: A cell makes triangles where all 8 voxels were seen by more frames than this.
+            weight_threshold: A cell needs more frames than this at all 8 voxels.
 
         Returns:
-            Vertices [m] with colours where frames had them; empty where nothing was seen often enough. Triangles turn
-            counter-clockwise seen from outside. The same bits from run to run.
+            Vertices [m] with colors if frames had them; empty if nothing was seen often enough. Triangles are
+            counterclockwise from outside. Bitwise reproducible.
 
         Raises:
-            ValueError: A threshold that is negative or not finite.
+            ValueError: If the threshold is negative or not finite.
         """
         surface = self._surface(weight_threshold, need_cells=True)
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
@@ -278,16 +261,16 @@ class TSDFVolume(ScanIntegration, ToldNames):
         )
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
-        """The surface as points where it crosses the edges of the grid, with normals and colours.
+        """Extract surface points on grid edges, with normals and colors.
 
         Args:
-            weight_threshold: An edge makes a point where both voxels were seen by more frames than this.
+            weight_threshold: An edge needs more frames than this at both voxels.
 
         Returns:
-            Normals are gradients of the distance, towards the cameras' side. The same bits from run to run.
+            A cloud with normals from the distance gradient, toward the cameras. Bitwise reproducible.
 
         Raises:
-            ValueError: A threshold that is negative or not finite.
+            ValueError: If the threshold is negative or not finite.
         """
         surface = self._surface(weight_threshold, need_cells=False)
         points, shades, normals = surface.vertices(self.has_frame_colors, True)
@@ -305,19 +288,17 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> RayCast:
-        """What a camera would see of the surface, from the side that was seen: backs let rays pass.
+        """Render the surface from a camera; back faces are transparent.
 
         Args:
-            intrinsic: The camera; its size is the picture's.
-            extrinsic: T_camera_world, shape [4, 4].
-            depth_min: Where rays begin [m].
-            depth_max: Where they end [m].
-            weight_threshold: Voxels seen by no more frames than this are as if absent.
+            intrinsic: The camera; its size is that of the image.
+            extrinsic: T_camera_world, shape (4, 4).
+            depth_min, depth_max: Range of the rays [m].
+            weight_threshold: Ignore voxels with at most this many frames.
 
         Raises:
-            ValueError: Limits that are not 0 < depth_min < depth_max, or an extrinsic that is no rigid motion or puts
-                the camera beyond what 2^20 blocks reach.
-            TypeError: An intrinsic of another type.
+            ValueError: If not 0 < depth_min < depth_max, or the extrinsic is not rigid or beyond 2^20 blocks.
+            TypeError: If the intrinsic has another type.
         """
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(inv(check_rigid("extrinsic", extrinsic)))
@@ -334,10 +315,8 @@ class TSDFVolume(ScanIntegration, ToldNames):
         weight_threshold: float = 3.0,
         normals: bool = True,
     ) -> RenderedMaps:
-        """`ray_cast` for tracking: depth, brightness and perhaps normals in the camera's frame, left on the device.
-
-        Costs less than `ray_cast`: no points, no colours, no copies. The pose is not checked.
-        """
+        """`ray_cast` for tracking: depth, brightness and optionally normals in the camera frame, on the device. Faster
+        than `ray_cast`: no points, colors or copies. The pose is not checked."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(np.array(T_world_camera, np.float64))
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
@@ -352,21 +331,21 @@ class TSDFVolume(ScanIntegration, ToldNames):
         depth_max: float = 3.0,
         weight_threshold: float = 3.0,
     ) -> tuple[wp.array, wp.array]:
-        """As `_render_maps`: depth, float32 [h * w], 0 where nothing is seen, and colours, vec3 [h * w] in 0..1."""
+        """As `_render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
         T = self._place_of(np.array(T_world_camera, np.float64))
         return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
-        """Write the volume to an .npz file, whole or not at all.
+        """Write the volume to an .npz file atomically.
 
         Raises:
-            FileError: The place cannot be written, or the file exists and may not be replaced.
+            FileError: If the file cannot be written, or exists and `overwrite` is False.
         """
         write_volume_arrays(path, self._downloaded(), overwrite=overwrite)
 
     def _downloaded(self) -> dict[str, Any]:
-        """All that the volume is, as NumPy arrays: of a file, of pickle, of a copy."""
+        """Complete state as NumPy arrays, for files, pickle and copies."""
         used = self.block_count * BLOCK_VOXELS
         arrays = {
             "sizes": np.array([self.voxel_size, self.truncation]),
@@ -383,10 +362,10 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, device: Any = None) -> TSDFVolume:
-        """Read a volume that `save` wrote.
+        """Read a volume written by `save`.
 
         Raises:
-            FileError: The file is missing, damaged, or no volume.
+            FileError: If the file is missing, damaged or of another kind.
         """
         arrays, where = read_volume_arrays(path), resolve_device(device)
         with values_of_file(path):
@@ -404,7 +383,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @returns_new
     def copy(self) -> TSDFVolume:
-        """Another volume with the same voxels: frames that are integrated into one do not reach the other."""
+        """Independent copy with the same voxels."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
         volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
         volume._frames, volume._library = self._settled, self._library
@@ -418,22 +397,14 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return self.copy()
 
     def __getstate__(self) -> dict[str, Any]:
-        """The volume as NumPy arrays and the name of its device, for pickle."""
         return {"arrays": self._downloaded(), "device": str(self.device)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """The volume on the device that it was on; on the first GPU where there is another number of them.
-
-        Raises:
-            ValueError: The state is damaged.
-            DeviceError: It was on a GPU, and here is none.
-        """
+        """Restore on the saved device, or the first GPU if its index does not exist."""
         with unpickling("volume"):
             where = device_like("volume", state["device"])
             made = self._from_downloaded(check_volume_arrays(state["arrays"]), where)
         vars(self).update(vars(made))
-
-    # ------------------------------------------------------------------------------------------ internals
 
     def _keep(self, blocks: VoxelBlocks) -> None:
         self._blocks = blocks
@@ -442,13 +413,12 @@ class TSDFVolume(ScanIntegration, ToldNames):
     def _adopt(
         self, blocks: VoxelBlocks, frame_count: int, origin: NDArray[np.float64], colored: bool, library: str
     ) -> None:
-        """Take over blocks that were made elsewhere, whole."""
         self._frames, self._library = _Frames(frame_count, origin, colored), library
         self._keep(blocks)
 
     @property
     def _settled(self) -> _Frames:
-        """What holds now: a frame that was interrupted counts where the blocks have it."""
+        """Current state; an interrupted frame counts if the blocks contain it."""
         if self._next is not None:
             number, after = self._next
             if self._blocks.frame_count == number:
@@ -457,18 +427,18 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return self._frames
 
     def _place_of(self, T_world_camera: NDArray[Any]) -> NDArray[Any]:
-        """The pose in the volume's coordinates; changes its argument."""
+        """Convert a pose to the volume's coordinates, in place."""
         T_world_camera[:3, 3] -= self.origin
         return T_world_camera
 
     @property
     def array_library(self) -> str:
-        """The library whose arrays `ray_cast` and the surface return: that of the frames."""
+        """Library of the arrays that `ray_cast` and the surface return: that of the frames."""
         return self._library
 
     @property
     def has_frame_colors(self) -> bool:
-        """Whether there are colours that frames brought: the volume takes them, and its frames had some."""
+        """True if the volume keeps color and its frames had some."""
         return self.has_color and self._settled.colored
 
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:

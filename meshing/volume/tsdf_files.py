@@ -1,7 +1,7 @@
-"""Files of TSDF volumes: NPZ archives whose arrays are checked against each other before one is used.
+"""Files of TSDF volumes: NPZ archives, validated before use.
 
-Members: format, sizes (voxel size, truncation), origin, frame_count, has_color (room for colour, colours given), keys
-int64 [m], distances float32 [512 m], weights uint16 [512 m], and colors uint16 [512 m, 3] where frames had colour.
+Members: format, sizes (voxel size, truncation), origin, frame_count, has_color (room for color, colors given), keys
+int64 [m], distances float32 [512 m], weights uint16 [512 m], and colors uint16 [512 m, 3] if frames had color.
 """
 
 from __future__ import annotations
@@ -22,7 +22,6 @@ VOXEL_ARRAYS = ("keys", "distances", "weights", "colors")
 
 
 def find_fault_of_sizes(voxel_size: float, truncation: float) -> str:
-    """What no voxel size and truncation are, or nothing."""
     if fault := find_fault_of_voxel_size(voxel_size):
         return f"sizes: {fault}"
     if not voxel_size <= truncation <= LARGEST_TRUNCATION:
@@ -33,21 +32,14 @@ def find_fault_of_sizes(voxel_size: float, truncation: float) -> str:
 
 
 def write_volume_arrays(path: str | os.PathLike[str], arrays: Arrays, *, overwrite: bool) -> None:
-    """Write the arrays of a volume, whole or not at all."""
     write_archive(path, FORMAT, arrays, overwrite=overwrite)
 
 
 def read_volume_arrays(path: str | os.PathLike[str]) -> Arrays:
-    """The arrays of a saved volume, checked against each other."""
     return read_archive(path, FORMAT, "volume", "TSDFVolume.save", _expected, _find_fault)
 
 
 def check_volume_arrays(arrays: Any) -> Arrays:
-    """The arrays of a pickled volume, checked against each other.
-
-    Raises:
-        ValueError: They are damaged.
-    """
     return check_arrays(arrays, _expected, _find_fault)
 
 
@@ -69,7 +61,6 @@ def _expected(arrays: Arrays) -> Expected:
 
 
 def _find_fault(arrays: Arrays) -> str:
-    """What no saved volume holds, or nothing."""
     voxel_size, truncation = arrays["sizes"].tolist()
     has_color, colored = arrays["has_color"].tolist()
     frames, keys = int(arrays["frame_count"]), arrays["keys"]

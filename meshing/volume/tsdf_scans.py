@@ -1,4 +1,4 @@
-"""LiDAR scans into a TSDFVolume."""
+"""LiDAR integration into a TSDFVolume."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Positions = NDArray[np.float64]
 
 
 class ScanIntegration:
-    """What a TSDFVolume does with points that a scanner measured from known places."""
+    """Integration of points measured from known positions."""
 
     device: Any
     has_color: bool
@@ -51,40 +51,25 @@ class ScanIntegration:
         min_range: float = 0.0,
         max_range: float | None = None,
     ) -> int:
-        """Fold in one scan of a LiDAR, or any points with the places that they were measured from.
+        """Integrate a LiDAR scan, or points with their sensor positions; returns the number of touched blocks.
 
-        Along the ray to each point a voxel within the truncation takes its distance along the ray to the point. With
-        `carve` a voxel before that is told that it is free, where it lies in a block that there is: what has moved away
-        vanishes, and no block is made for empty space. Blocks appear around points alone.
+        Voxels within the truncation store their distance to the point along the ray. With `carve`, voxels before that
+        in existing blocks become free, which removes moved objects. A scan counts as one frame: a voxel takes the mean
+        of its rays with weight 1; extract with `weight_threshold=0` after one scan. Voxels should not be smaller than
+        the ray spacing. Bitwise reproducible, in any point order. 24 B per point, 12 B per voxel of touched blocks (44
+        B with color). Oleynikova et al., "Voxblox", IROS 2017; Vizzo et al., "VDBFusion", Sensors 2022.
 
         Args:
-            points: In the world's coordinates [m]: a cloud on the volume's device, whose colours are taken where the
-                volume keeps any, or shape [n, 3]. A scan in its sensor's frame is `cloud.transform(T_world_sensor)`.
-            origin: Where the scanner stood in the world [m], shape [3]: `T_world_sensor[:3, 3]`; or one row a point,
-                shape [n, 3], of a scanner that moved.
-            carve: Whether rays clear the blocks that they pass.
-            min_range: Points nearer to the scanner [m] count nowhere: the vehicle itself.
-            max_range: Points farther from it [m] are no surface; their rays still clear what they pass up to there.
-                None for all.
-
-        Returns:
-            The number of blocks touched.
+            points: World coordinates [m]: a cloud on the volume's device (with colors if kept), or shape (n, 3).
+            origin: Scanner position in the world [m], shape (3,), or one per point, (n, 3).
+            carve: Clear existing blocks along the rays.
+            min_range: Ignore nearer points [m], such as the vehicle.
+            max_range: Farther points [m] only carve up to this range; None for no limit.
 
         Raises:
-            ValueError: Wrong shapes, infinite points, points or scanners beyond what 2^20 blocks reach, no `origin`,
-                or ranges that are not 0 <= min_range < max_range; clouds with colour and such without in one volume.
-                The volume stays as it was.
-            TypeError: Wrong element types.
-            DeviceError: A cloud on another device.
-
-        Notes:
-            A scan is one frame: a voxel that many of its rays meet takes their mean, with weight 1, and
-            `extract_triangle_mesh(weight_threshold=0)` shows what one scan saw. Only voxels on rays are seen: voxels
-            should not be smaller than the distance of neighbouring rays, or the surface has holes there. NaN points are
-            left out, and so are points at the scanner. Positions, rays and values are float64 and sums whole numbers:
-            the same bits from run to run, in any order of the points and at any coordinates. While it runs it holds 24
-            B a point, 40 B more of up to a million at a time, and 12 B a voxel of the touched blocks, 44 B with colour.
-            Oleynikova et al., "Voxblox", IROS 2017; Vizzo et al., "VDBFusion", Sensors 2022, with the mean of a scan.
+            ValueError: If shapes or ranges are invalid, points are infinite or beyond 2^20 blocks, `origin` is missing,
+                or only some clouds have color. The volume stays unchanged.
+            TypeError, DeviceError: If an element type is wrong, or if the cloud is on another device.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -125,7 +110,7 @@ class ScanIntegration:
         return count
 
     def _fold_scan(self, rays: ScanRays, carve: bool) -> int:
-        """Fold a scan into the blocks; the number of those that it touches."""
+        """Integrate a scan into the blocks; returns the number of touched ones."""
         if not rays.points.size:
             return 0
         keys = self._kept(scan_blocks(rays, carve, self._blocks))
@@ -134,7 +119,7 @@ class ScanIntegration:
         return keys.size
 
     def _check_rays(self, rays: ScanRays) -> None:
-        """Refuse points that no volume holds, before anything is allocated for them."""
+        """Raise ValueError for points out of range, before any allocation."""
         count = rays.points.size
         faults = find_faults(rays)
         if faults.infinite < count:
@@ -151,7 +136,7 @@ class ScanIntegration:
 
 
 def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
-    """A cloud, or float64 [n, 3], and the library of its arrays."""
+    """Cloud or float64 (n, 3), and the library of its arrays."""
     if isinstance(points, PointCloud):
         check_same_device("points", device, points.device)
         return points, points.array_library
@@ -159,7 +144,7 @@ def _scan_of(points: Any, device: Any) -> tuple[Any, str]:
 
 
 def _scanners_of(origin: Any, count: int) -> Positions:
-    """Where the scanner stood, float64 [1, 3], or [n, 3] one a point."""
+    """Scanner positions, float64 (1, 3) or (n, 3)."""
     if origin is None:
         raise ValueError(
             "origin: expected where the scanner stood, got None; it is T_world_sensor[:3, 3] of the scan's pose, which "

@@ -1,4 +1,4 @@
-"""Pictures of a TSDFVolume as a camera would see them: for users on the host, for tracking on the device."""
+"""Rendering of a TSDFVolume, on the host for users and on the device for tracking."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from ...kernels.volumes.tsdf_raycast import cast_rays
 
 @dataclass(frozen=True)
 class RayCast:
-    """Pictures of a surface as a camera sees it, arrays of the library that the volume's frames came in.
+    """Rendered surface, in arrays of the frames' library.
 
     Attributes:
-        depth: float32 [h, w] along z [m]; 0 where no surface is seen.
-        points: float64 [h, w, 3], world coordinates [m]; NaN where no surface is seen.
-        normals: float32 [h, w, 3], towards the side that the cameras saw; NaN likewise, and at the rim of the surface.
-        colors: float32 [h, w, 3] in 0..1, or None where the frames had none.
+        depth: float32 (h, w) along z [m]; 0 without surface.
+        points: float64 (h, w, 3), world coordinates [m]; NaN without surface.
+        normals: float32 (h, w, 3), toward the observed side; NaN without surface and at its border.
+        colors: float32 (h, w, 3) in 0..1, or None.
     """
 
     depth: NDArray[np.float32]
@@ -38,16 +38,9 @@ class RayCast:
 
 @dataclass(frozen=True)
 class RenderedMaps:
-    """What a camera sees of a volume, by pixel, on the device: nothing of it was on the host.
-
-    Attributes:
-        depth: float32 [h * w] along z [m]; 0 where no surface is seen.
-        normals: vec3 [h * w], unit, in the camera's frame, towards the camera's side of the surface; NaN where no
-            surface is seen, and at its rim. None where they were not asked for.
-        intensity: float32 [h * w], brightness 0..1 of the mean colour, trilinear among the voxels around; 0 where no
-            surface is seen. None where the frames had no colour.
-        intrinsic: The camera.
-    """
+    """Rendered surface on the device. `depth` float32 (h * w,) along z [m], 0 without surface; `normals` vec3 (h * w,),
+    unit, camera frame, toward the camera, NaN without surface and at its border, or None; `intensity` float32 (h * w,)
+    0..1, trilinear, or None."""
 
     depth: wp.array
     normals: wp.array | None
@@ -56,12 +49,6 @@ class RenderedMaps:
 
 
 def check_view(intrinsic: Any, depth_min: float, depth_max: float, weight_threshold: float) -> tuple[float, ...]:
-    """The checked limits (near, far, threshold) of a view.
-
-    Raises:
-        ValueError: Limits that are not 0 < depth_min < depth_max, or a negative threshold.
-        TypeError: An intrinsic of another type.
-    """
     near, far = check_positive("depth_min", depth_min), check_positive("depth_max", depth_max)
     if near >= far:
         raise ValueError(f"depth_min: expected less than depth_max, got {depth_min} and {depth_max}")
@@ -80,7 +67,6 @@ def cast_view(
     colored: bool,
     library: str,
 ) -> RayCast:
-    """What a camera sees, in arrays of a library."""
     images = RayImages(camera.width * camera.height, seen.neighbors.device, points=True, colors=colored)
     cast_rays(seen, camera, T, limits[0], limits[1], images)
     shape = (camera.height, camera.width)
@@ -95,7 +81,7 @@ def cast_view(
 def render_colors(
     seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float]
 ) -> tuple[wp.array, wp.array]:
-    """Depth, float32 [h * w], and colours, vec3 [h * w], as a camera sees them, on the device."""
+    """Depth, float32 (h * w,), and colors, vec3 (h * w,), on the device."""
     images = RayImages(camera.width * camera.height, seen.neighbors.device, normals=False, colors=True)
     cast_rays(seen, camera, T, limits[0], limits[1], images)
     return images.depth, images.colors
@@ -104,7 +90,6 @@ def render_colors(
 def render_maps(
     seen: SeenBlocks, camera: PinholeCameraIntrinsic, T: Any, limits: tuple[float, float], colored: bool, normals: bool
 ) -> RenderedMaps:
-    """What a camera sees, for tracking."""
     shares = (RED, GREEN, BLUE) if colored else None
     count = camera.width * camera.height
     images = RayImages(count, seen.neighbors.device, normals=normals, shares=shares, in_camera=True)

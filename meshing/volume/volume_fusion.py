@@ -1,4 +1,4 @@
-"""Volumes fused into one, each moved by a pose."""
+"""Fusion of posed volumes into one."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class _Moved(NamedTuple):
 
     @property
     def place(self) -> tuple[Any, ...]:
-        """What orders volumes, whatever order they were given in: their poses and sizes."""
+        """Sort key independent of input order: poses and sizes."""
         volume = self.volume
         sizes = (volume.voxel_size, volume.truncation, volume.block_count, volume.frame_count)
         return (*self.pose[:3].ravel().tolist(), *volume.origin.tolist(), *sizes)
 
     @property
     def digest(self) -> bytes:
-        """What orders those that are alike in that: their voxels."""
+        """Second sort key: hash of the voxels."""
         arrays = self.volume._downloaded()
         order = np.argsort(arrays["keys"])
         digest = hashlib.sha256(arrays["keys"][order].tobytes())
@@ -53,37 +53,27 @@ def fuse_volumes(
     truncation: float | None = None,
     color: bool | None = None,
 ) -> TSDFVolume:
-    """One volume of several, each moved by a rigid pose: what their frames would have made of one.
+    """Fuse volumes with rigid poses into one.
 
-    Each voxel of the result is the mean of what the volumes hold at its place, weighted by the frames that saw it
-    there: trilinear between eight voxels, all of which have to have been seen. Where a voxel falls on another it takes
-    its bits over: a single volume that is moved by whole voxels is the same volume. The order in which volumes are
-    given does not matter.
+    A voxel is the mean of the volumes at its position, weighted by frames; trilinear where all eight voxels were seen,
+    exact where grids coincide. Independent of the order of volumes. Distances are not changed by motion, since all are
+    zero on the surface; observed regions shrink by up to a voxel. 12 B per voxel. Bitwise reproducible. Curless and
+    Levoy, "A volumetric method for building complex models from range images", SIGGRAPH 1996, section 3.3.
 
     Args:
-        volumes: At least one, all on one device. They stay as they are.
-        poses: T_world_volume of each, shape [n, 4, 4]; the identity for volumes that hold world coordinates.
-        voxel_size: Of the result [m]; None for the largest of theirs. Finer ones hold no more than the volumes do, and
-            coarser ones look at single voxels of them, without a mean over more.
-        truncation: Of the result [m], at most the smallest of theirs; None for that.
-        color: Whether the result keeps colour; None where all volumes with frames have it.
+        volumes: At least one, all on one device; not changed.
+        poses: T_world_volume of each, shape (n, 4, 4).
+        voxel_size: Of the result [m]. If None: the largest of the inputs.
+        truncation: Of the result [m], at most the smallest of the inputs, the default.
+        color: Keep color. If None: if all volumes with frames have it.
 
     Returns:
-        The volume. Its `frame_count` is the sum of theirs; weights stop at 65535. Its origin is zero or, if the
-        poses put volumes beyond 128 m, near the first in the order of their poses. More frames can be integrated.
+        The volume. Its `frame_count` is the sum; weights are limited to 65535. More frames can be integrated.
 
     Raises:
-        ValueError: No volumes, poses that are not as many or no rigid motions, sizes that are not positive, a
-            truncation below a voxel or above the smallest of the volumes', colour where a volume has none, volumes
-            without a common frame of 2^20 blocks each way, or more blocks than 32 bits can index.
-        TypeError: Not TSDFVolumes.
-        DeviceError: Volumes on different devices.
-
-    Notes:
-        Distances are along the cameras' z: no motion changes them, and all have their zero on the surface. A voxel
-        beside an unseen one gives nothing where a place lies between, so what was seen ends up to a voxel earlier.
-        Some 2 blocks are looked at, and held with the result, for each that the volumes have: 12 B a voxel. The same
-        bits from run to run, whatever the number of threads. Curless and Levoy, SIGGRAPH 1996, section 3.3.
+        ValueError: If there is no volume, poses are not rigid or disagree in number, a size, truncation or color is
+            invalid, or the result exceeds 2^20 blocks each way or 32-bit indices.
+        TypeError, DeviceError: If an item is not a TSDFVolume, or if the volumes are on different devices.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -116,7 +106,7 @@ def fuse_volumes(
     moved = _in_fixed_order([m for m in moved if m.volume.frame_count])
     origin = origin_of_sensor(matmul(moved[0].pose[:3, :3], moved[0].volume.origin) + moved[0].pose[:3, 3])
     if (moved[0].pose == np.eye(4)).all():
-        origin = moved[0].volume.origin  # its grid stays
+        origin = moved[0].volume.origin  # keeps its grid
     backs = [_way_back(m, origin, size) for m in moved]
     for m, back in zip(moved, backs, strict=True):
         if m.volume.block_count:
@@ -128,7 +118,6 @@ def fuse_volumes(
 
 
 def _check_volumes(volumes: Sequence[TSDFVolume], poses: ArrayLike) -> list[_Moved]:
-    """Volumes and their poses, once they are sound."""
     items = check_list("volumes", volumes, "TSDFVolumes")
     if not items:
         raise ValueError("volumes: expected at least one, got none")
@@ -143,7 +132,6 @@ def _check_volumes(volumes: Sequence[TSDFVolume], poses: ArrayLike) -> list[_Mov
 
 
 def _in_fixed_order(moved: list[_Moved]) -> list[_Moved]:
-    """The volumes by their poses and sizes, and by their voxels where these are the same."""
     places = [m.place for m in moved]
     alike = {place for place in places if places.count(place) > 1}
     keys = [(place, m.digest if place in alike else b"") for place, m in zip(places, moved, strict=True)]
@@ -151,10 +139,10 @@ def _in_fixed_order(moved: list[_Moved]) -> list[_Moved]:
 
 
 def _way_back(moved: _Moved, origin: Matrix, voxel_size: float) -> Matrix:
-    """The voxels of the result in those of a volume: exactly the identity where both grids are one."""
+    """Map voxels of the result to those of a volume; exactly the identity if both grids coincide."""
     volume, R, t = moved.volume, moved.pose[:3, :3], moved.pose[:3, 3]
     back = np.eye(4)
-    turn = inv(R)  # of a matrix that files rounded to a few digits the way back, not the transpose
+    turn = inv(R)  # exact inverse, since rotations from files may be rounded
     back[:3, :3] = turn * (voxel_size / volume.voxel_size)
     back[:3, 3] = (matmul(turn, origin - t) - volume.origin) / volume.voxel_size
     return back

@@ -1,4 +1,4 @@
-"""A part of a volume that is larger than memory: some of its blocks, integrated by themselves."""
+"""Independently integrated part of a volume larger than memory."""
 
 from __future__ import annotations
 
@@ -20,16 +20,8 @@ Blocks = NDArray[np.int64]
 
 
 class PartSurface(NamedTuple):
-    """The surface of a part, about the volume's origin.
-
-    Attributes:
-        vertices: float32 [n, 3] [m].
-        colors: float32 [n, 3], or None.
-        triangles: int32 [t, 3].
-        blocks: The block that the edge of each vertex belongs to, int64 keys [n].
-        places: The edge's place within the block, int32 [n]; with `blocks` it tells a vertex from all others of the
-            volume, in whichever part it is met.
-    """
+    """Surface of a part about the volume's origin. `blocks` (int64 keys) and `places` (int32) identify each vertex's
+    grid edge in the complete volume."""
 
     vertices: NDArray[np.float32]
     colors: NDArray[np.float32] | None
@@ -39,19 +31,9 @@ class PartSurface(NamedTuple):
 
 
 class VolumePart(TSDFVolume):
-    """The blocks of a TSDFVolume from a low one to below a high one, and a layer more at the upper sides.
-
-    Frames go into these alone, and leave there the bits that they leave in the whole volume: a block takes nothing from
-    another. The surface is that of the cells of the blocks without the layer, which holds these cells' upper corners;
-    so the surfaces of parts that lie side by side have each triangle once, and the same bits in vertices that they
-    share.
-
-    Args:
-        low: The lowest block, whole numbers [3].
-        high: The one beyond the highest.
-        origin: Of the whole volume [m].
-        sizes: Further arguments of TSDFVolume.
-    """
+    """Blocks of a TSDFVolume in [low, high), with one more layer at the upper sides. Blocks are bitwise those of the
+    complete volume. The surface is that of the cells without the layer, so adjacent parts have each triangle once and
+    equal shared vertices."""
 
     def __init__(self, low: Sequence[int], high: Sequence[int], *, origin: NDArray[np.float64], **sizes: Any):
         super().__init__(**sizes)
@@ -68,7 +50,7 @@ class VolumePart(TSDFVolume):
         return upload(np.ascontiguousarray(found[inside]), int64, self.device)
 
     def extract_part(self, weight_threshold: float) -> PartSurface:
-        """The surface of the part, by marching cubes; see `TSDFVolume.extract_triangle_mesh`."""
+        """Surface of the part by marching cubes; see `TSDFVolume.extract_triangle_mesh`."""
         surface = BlockSurface(SeenBlocks(self._blocks, weight_threshold), True, (self._low, self._high))
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
         blocks, places = surface.vertex_edges()
@@ -82,15 +64,7 @@ class VolumePart(TSDFVolume):
 
 
 class BlockFinder(TSDFVolume):
-    """Which blocks frames would touch in a volume; it takes none in.
-
-    Args:
-        origin: Of the volume [m].
-        sizes: Further arguments of TSDFVolume.
-
-    Attributes:
-        found: Those of the last frame given to `integrate`, int64 [m, 3].
-    """
+    """Records the blocks that `integrate` would touch in `found`, int64 (m, 3), without integrating."""
 
     def __init__(self, *, origin: NDArray[np.float64], **sizes: Any):
         super().__init__(**sizes)

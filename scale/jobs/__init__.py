@@ -1,1 +1,1 @@
-"""Jobs of other tasks than tiles: volumes by cubes, queues of sequences, hundreds of scans."""
+"""Jobs other than tiles: fusion by cubes, sequences, registration."""

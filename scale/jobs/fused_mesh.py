@@ -1,4 +1,4 @@
-"""The surfaces of a volume's cubes as one mesh: vertices that cubes share are one; a cube is in memory at a time."""
+"""Merge the surfaces of a volume's cubes into one mesh with shared vertices, one cube at a time."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LISTING = "parts.json"  # of a folder of parts
 
 
 class _Surface:
-    """The arrays of a cube's file, each read when it is asked for."""
+    """Arrays of a cube's file, read on demand."""
 
     def __init__(self, folder: Path, name: str):
         self._path = surface_path(folder, name)
@@ -49,7 +49,6 @@ class _Surface:
             raise self._error(error) from error
 
     def close(self) -> None:
-        """Close the file."""
         self._file.close()
 
     def _error(self, error: Exception) -> FileError:
@@ -58,7 +57,7 @@ class _Surface:
 
 
 class _Sides(NamedTuple):
-    """The vertices of a cube that others may have: their edges, sorted, and their numbers in the whole mesh."""
+    """Shared vertices of a cube: sorted edges, and numbers in the complete mesh."""
 
     blocks: NDArray[np.int64]
     places: NDArray[np.int32]
@@ -66,14 +65,7 @@ class _Sides(NamedTuple):
 
 
 class _Numbered(NamedTuple):
-    """A cube's surface and where its vertices stand in the whole mesh.
-
-    Attributes:
-        name: The cube's.
-        arrays: Of its file.
-        numbers: Of each vertex in the whole, int64.
-        is_new: Whether no cube before has it.
-    """
+    """A cube's surface, the global numbers of its vertices (int64), and those that are new."""
 
     name: str
     arrays: _Surface
@@ -82,24 +74,21 @@ class _Numbered(NamedTuple):
 
 
 def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: bool = True) -> Path:
-    """Join the surfaces of all cubes to one mesh, or write them as parts that fit each other.
+    """Merge the surfaces of all cubes into one mesh, or write them as matching parts.
+
+    float32 positions, or float64 beyond 10 km from zero. Memory: a cube's surface and its neighbors' shared vertices.
 
     Args:
-        folder: Of `plan_fusion`, all tasks done.
-        path: A .ply file; another name is made a folder of one PLY a cube, `x_y_z.ply`, and `parts.json`,
-            which lists them. Parts have the same bits where they meet. None takes `mesh.ply` in the job's folder.
-        overwrite: Whether what is there may be replaced.
+        folder: Folder of `plan_fusion`, all tasks done.
+        path: A .ply file; any other name becomes a folder with one `x_y_z.ply` per cube and `parts.json`, with bitwise
+            equal shared vertices. If None: `mesh.ply` in the job's folder.
+        overwrite: Allow replacing existing output.
 
     Returns:
-        The file or the folder; it appears whole or not at all.
+        Path of the file or folder, written atomically.
 
     Raises:
-        FileError: Tasks wait, failed or were set aside; a cube's file is damaged; the result cannot be written, is
-            empty, or has more vertices than one PLY can number.
-
-    Notes:
-        Positions are written as `write_triangle_mesh` writes them: float32, or float64 where the scene lies farther
-        than 10 km from zero. Memory: the surface of a cube, and the vertices on the sides of those beside it.
+        FileError: If tasks are not done, a cube's file is damaged, or the result cannot be written or is empty.
     """
     manifest, job = finished_job(folder, FusionJob)
     with manifest:
@@ -122,7 +111,7 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
 
 
 def _cubes_of(manifest: Manifest) -> list[tuple[str, Cube]]:
-    """The cubes that have triangles, by their places."""
+    """Cubes with triangles, by position."""
     found = [(task.name, tuple(task.told["cube"])) for task in done_in(manifest, 1) if task.found["triangles"]]
     return sorted(found, key=lambda entry: entry[1])
 
@@ -157,14 +146,13 @@ def _write_whole(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], over
 
 
 def _table(job: FusionJob, arrays: _Surface, rows: Any, triangles: NDArray[Any]) -> MeshTable:
-    """A cube's surface as files have it."""
     origin, vertices = job.origin, arrays["vertices"][rows]
     colors = arrays["colors"][rows] if "colors" in arrays else None
     return MeshTable(vertices + origin if origin.any() else vertices, triangles, vertex_colors=colors)
 
 
 def _numbered(folder: Path, cubes: list[tuple[str, Cube]]) -> Iterator[_Numbered]:
-    """The cubes with the numbers of their vertices: those that a cube before has keep the number that it gave them."""
+    """Cubes with global vertex numbers; shared vertices keep the number of the first cube."""
     begin, sides = 0, dict[Cube, _Sides]()
     for name, cube in cubes:
         sides = {other: found for other, found in sides.items() if other[0] >= cube[0] - 1}
@@ -187,7 +175,7 @@ def _around(cube: Cube) -> Iterator[Cube]:
 
 
 def _match(known: list[_Sides], blocks: NDArray[np.int64], places: NDArray[np.int32]) -> NDArray[np.int64]:
-    """The numbers that some vertices have already, -1 where they have none."""
+    """Existing numbers of vertices, -1 if new."""
     if not known:
         return np.full(len(blocks), -1, np.int64)
     before = _Sides(*(np.concatenate([getattr(side, name) for side in known]) for name in _Sides._fields))

@@ -1,8 +1,7 @@
-"""TSDF volumes larger than memory: posed frames fused by cubes of whole blocks, each by itself.
+"""Fuse posed frames by cubes of complete blocks into TSDF volumes larger than memory.
 
-Two stages. "frames" reads each frame once and lists the cubes that its depth touches. "cubes" folds into each cube, in
-their order, the frames that touched it, and extracts the triangles of its own cells; what it needs of the cubes above
-it, one layer of blocks, it integrates itself. A block takes nothing from another, so all bits are those of one volume.
+"frames" reads each frame once and lists the cubes it touches. "cubes" integrates each cube's frames in order, with one
+layer of blocks of the next cubes, and extracts its triangles. Results are bitwise those of one volume.
 """
 
 from __future__ import annotations
@@ -34,32 +33,27 @@ from ..manifest import NAME, hash_of
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
-BLOCKS = 32  # along a cube where no size is given: 256 voxels; were all of its blocks there, 400 MB with colour
-CHUNK = 32  # frames that one task looks at
-CUBES = "cubes"  # the folder of their surfaces
+BLOCKS = 32  # default blocks along a cube: 256 voxels; at most 400 MB with color
+CHUNK = 32  # frames per task
+CUBES = "cubes"  # folder of their surfaces
 _ASIDE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 
 Cube = tuple[int, int, int]
 
 
 class FusionJob(Job):
-    """A volume by cubes."""
-
     KIND = "fusion"
     STAGES = ("frames", "cubes")
 
     @cached_property
     def frames(self) -> RGBDDataset:
-        """The frames, as they were planned."""
         return _open(self.plan)
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Of the volume [m]."""
         return np.array(self.plan["origin"])
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        """As Job has it: names, poses and camera, and the sizes and times of files that were read."""
         reason, remedy = "have changed since the job was planned", "Plan it anew in another folder"
         if _digest(self.frames) != self.plan["digest"]:
             raise FileError(self.plan["frames"], f"its frames, their poses or their camera {reason}", remedy=remedy)
@@ -68,7 +62,7 @@ class FusionJob(Job):
                 raise FileError(self.plan["frames"], f"{task.name} {reason}", remedy=remedy)
 
     def _stamp(self, told: dict[str, Any]) -> str:
-        """Of the files of some frames: their sizes and times."""
+        """Sizes and times of the files of some frames."""
         return stamp_of(
             path
             for files in self.frames.frames[told["first"] : told["first"] + told["count"]]
@@ -77,11 +71,9 @@ class FusionJob(Job):
         )
 
     def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        """As Job has it."""
         return self._look(told) if stage == 0 else self._fuse(told)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
-        """The cubes in which there is anything, each with the frames that touch it."""
         meeting: dict[Cube, list[int]] = defaultdict(list)
         filled: set[Cube] = set()
         for task in done(0):
@@ -91,12 +83,11 @@ class FusionJob(Job):
         return [Task(_name(cube), {"cube": cube, "frames": _runs(meeting[cube])}) for cube in sorted(filled)]
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Frames that were left out."""
         found = [f"left out: {name}" for name in self.plan["left_out"]]
         return found + [f"left out: {reason}" for task in done(0) for reason in task.found["left_out"]]
 
     def _look(self, told: dict[str, Any]) -> dict[str, Any]:
-        """Which cubes some frames touch, and in which of these blocks lie that are not only of the layer."""
+        """Cubes that frames touch, and those with blocks beyond the extra layer."""
         finder, n = BlockFinder(origin=self.origin, device=self.device, **self._sizes), self.plan["blocks"]
         stamp = self._stamp(told)
         meeting, filled, left_out = defaultdict[str, list[int]](list), set[str](), []
@@ -111,7 +102,7 @@ class FusionJob(Job):
             lowest = finder.found % n == 0
             own = np.unique(cubes, axis=0)
             filled |= {_name(cube) for cube in own.tolist()}
-            # a block at a lower side is in the layer of the cube below it, one at a corner of seven
+            # a block at a lower side is in the layer of the next lower cube, one at a corner in that of seven
             beside = [cubes[(lowest | (aside == 0)).all(axis=1)] - aside for aside in _ASIDE]
             for cube in np.unique(np.concatenate(beside), axis=0).tolist():
                 meeting[_name(cube)].append(number)
@@ -119,7 +110,6 @@ class FusionJob(Job):
         return found | {"stamp": stamp}
 
     def _fuse(self, told: dict[str, Any]) -> dict[str, Any]:
-        """Integrate a cube and write its surface."""
         low = np.array(told["cube"]) * self.plan["blocks"]
         sizes = {"origin": self.origin, "device": self.device, **self._sizes}
         volume = VolumePart(low, low + self.plan["blocks"], **sizes)
@@ -171,37 +161,27 @@ def plan_fusion(
     every: int = 1,
     leave_out: bool = False,
 ) -> JobStatus:
-    """Plan the fusion of posed frames into a volume larger than memory, by cubes; `run_job` does it.
+    """Plan the fusion of posed frames into a volume larger than memory, by cubes; `run_job` runs it.
 
-    A folder that holds the same plan already keeps all that was done; one that holds another is refused.
+    A folder with the same plan keeps its finished work; one with another plan is rejected. `finish_fusion` gives the
+    triangles of `fuse` bitwise, for any cube size, ordered by cubes. Memory: a cube's blocks, 6 KB each.
 
     Args:
-        frames: A folder of posed RGB-D or depth frames, as `open_frames` takes it.
-        folder: Of the job; made where it is missing.
+        frames: A folder of posed RGB-D or depth frames, as `open_frames` accepts it.
+        folder: Folder of the job, created if missing.
         voxel_size: Edge of a voxel [m].
-        size: Edge of a cube [m], of which whole blocks of 8 voxels are taken; None for 32 blocks.
-        truncation: Distance from the surface [m] up to which depth is trusted; None takes 4 voxels.
-        depth_max: Farther depth is left out [m].
-        weight_threshold: Voxels seen more often than this count; None takes 3 from 30 frames on, 1 from 10, else 0.
+        size: Edge of a cube [m], rounded to blocks of 8 voxels. If None: 32 blocks.
+        truncation: Truncation distance [m]. If None: 4 voxels.
+        depth_max: Maximum depth used [m].
+        weight_threshold: Minimum exclusive frame count of a voxel. If None: 3 from 30 frames on, 1 from 10, else 0.
         layout: As of `open_frames`, like the next three.
-        intrinsic: The camera, if it is another than the folder says.
-        depth_scale: Stored depth of one metre, if it is another than the folder says.
-        every: Take every k-th frame.
-        leave_out: Leave out frames that lack a picture or a pose, or that cannot be read, and name them in
-            `job_status`; else they are errors.
-
-    Returns:
-        A JobStatus.
+        intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folder's files.
+        every: Use every k-th frame.
+        leave_out: Skip incomplete or unreadable frames and list them in `job_status`; else they are errors.
 
     Raises:
-        FileError: The folder cannot be read, frames lack a pose, or the job's folder holds something else.
-        ValueError: A length that is not positive, or cubes smaller than a block.
-
-    Notes:
-        `finish_fusion` makes the mesh that `fuse` with the same arguments makes: the same triangles with the same bits
-        in their vertices and colours, whatever the cubes' size; only their order is by cubes. Frames that cannot be
-        read count for the `weight_threshold` that None takes. Memory: the blocks of a cube, 6 KB each with colour, and
-        some frames. What lies on the sides of cubes is integrated by each: of cubes of 32 blocks a tenth.
+        FileError: If the folder cannot be read, frames lack a pose, or the job's folder contains something else.
+        ValueError: If a length is not positive, or a cube is smaller than a block.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -233,7 +213,7 @@ def plan_fusion(
         raise FileError(frames, "holds no frames that can be fused")
     threshold = least_weight(len(found)) if weight_threshold is None else weight_threshold
     pose = np.array(found.frames[0].T_world_camera, np.float64)
-    first = inv(inv(pose))[None, :3, 3]  # as `integrate` has it
+    first = inv(inv(pose))[None, :3, 3]  # as in `integrate`
     told |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
     told |= {"color": found.frames[0].color is not None, "digest": _digest(found), "left_out": found.left_out}
     starts = range(0, len(found), CHUNK)
@@ -243,7 +223,6 @@ def plan_fusion(
 
 
 def _open(plan: dict[str, Any]) -> RGBDDataset:
-    """The frames of a plan, all of them with poses."""
     camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
     options = {name: plan[name] for name in ("layout", "every", "depth_scale")}
     found = open_frames(plan["frames"], intrinsic=camera, skip_missing=plan["leave_out"], **options)
@@ -257,7 +236,6 @@ def _open(plan: dict[str, Any]) -> RGBDDataset:
 
 
 def _digest(frames: RGBDDataset) -> str:
-    """Of names, poses and the camera."""
     told = hashlib.sha256(np.array([files.T_world_camera for files in frames.frames]).tobytes())
     for files in frames.frames:
         told.update(f"{files.depth}\0{files.color}\0".encode())
@@ -274,7 +252,7 @@ def _cube(name: str) -> Cube:
 
 
 def _runs(numbers: list[int]) -> list[list[int]]:
-    """Ascending numbers as [first, how many]."""
+    """Ascending numbers as [first, count] runs."""
     runs: list[list[int]] = []
     for number in sorted(numbers):
         if runs and number == sum(runs[-1]):
@@ -285,12 +263,11 @@ def _runs(numbers: list[int]) -> list[list[int]]:
 
 
 def surface_path(folder: Path, name: str) -> Path:
-    """The file of a cube's surface."""
     return folder / CUBES / f"{plain_name(folder / NAME, name)}.npz"
 
 
 def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high: NDArray[np.int64]) -> None:
-    """Write a cube's surface, and which of its vertices other cubes may have too: those on its sides."""
+    """Write a cube's surface, with its vertices on the cube's sides, which other cubes share."""
     beyond = block_box(surface.blocks)
     row, place = np.divmod(surface.places, 3 * SIDE)
     axis, z = np.divmod(place, SIDE)

@@ -1,7 +1,7 @@
-"""A job of tasks in stages over the manifest: what a kind of job is made of, its table, and how far it is.
+"""Base of jobs: tasks in stages over the manifest, their table and status.
 
-A task is a row: its stage, its name, what it is told and what it found, both in JSON. It is a function of the plan and
-of files, so it may be done anywhere and again. The tasks of a stage are made when all of the stage before are done.
+A task is a row: stage, name, input and result in JSON. It depends only on the plan and files, so it can be repeated
+anywhere. A stage's tasks are created when the previous stage is done.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ from ..manifest import NAME, OVER, Manifest, a_new_manifest, damage_as_file_erro
 from ..plan import check_same_plan
 from ..schema import TASKS
 
-_STAGE = "stage"  # of meta: the one whose tasks are done now
+_STAGE = "stage"  # of meta: the current stage
 
 
 class Task(NamedTuple):
-    """What a task is told: its name, by which it is known to people, and values in JSON's types."""
+    """Name of a task, and its input in JSON's types."""
 
     name: str
     told: dict[str, Any]
 
 
 class Done(NamedTuple):
-    """A task that is done: its name, what it was told, and what it found."""
+    """A finished task: name, input and result."""
 
     name: str
     told: dict[str, Any]
@@ -44,17 +44,7 @@ class Done(NamedTuple):
 
 
 class Job(ABC):
-    """A kind of job, opened for one process.
-
-    Args:
-        plan: What it is made of, in JSON's types; nothing else decides the result.
-        folder: Of the job.
-
-    Attributes:
-        KIND: Its name in plans.
-        STAGES: What progress calls the tasks of each.
-        device: Where to compute.
-    """
+    """A kind of job (KIND, STAGES), opened for one process; `plan` in JSON's types alone determines the result."""
 
     KIND: ClassVar[str]
     STAGES: ClassVar[tuple[str, ...]]
@@ -64,38 +54,32 @@ class Job(ABC):
 
     @abstractmethod
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        """Hold that the files are those it was planned with, and those that tasks that are done have read.
-
-        Raises:
-            FileError: Which is not.
-        """
+        """Raise FileError if planned files, or those read by finished tasks, changed."""
 
     @abstractmethod
     def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        """Do a task; what it found, in JSON's types. What it writes appears whole, and is the same when done again."""
+        """Run a task and return its result in JSON's types. Output files are written atomically and reproducibly."""
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
-        """The tasks of the stage after one that is done; `done(stage)` gives the tasks of any before."""
+        """Tasks of the next stage; `done(stage)` lists finished tasks."""
         raise NotImplementedError
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """What is to be told of the tasks that are done, beside how many there are."""
         return []
 
 
 @dataclass(frozen=True)
 class JobStatus:
-    """How far a job is.
+    """Progress of a job.
 
     Attributes:
-        folder: The job's.
-        job: What it does: "fusion", "sequences" or "registration".
-        stage: What the tasks that are worked on now are called.
-        waiting, running, done, failed, aside: Tasks in each state, of the stages so far. Failed ones ended in an error
-            that would come again; at those set aside workers died.
-        is_finished: Whether all stages are done.
-        troubles: The task and the error, of those that failed or were set aside.
-        notes: What was left out, and why.
+        folder, job: Its folder, and "fusion", "sequences" or "registration".
+        stage: Name of the current stage's tasks.
+        waiting, running, done, failed, aside: Number of tasks in each state, in the stages so far. Failed tasks raised
+            an error; quarantined ones (aside) killed their workers.
+        is_finished: True if all stages are done.
+        troubles: (task, error) of failed and quarantined tasks.
+        notes: What was skipped, and why.
     """
 
     folder: str
@@ -111,7 +95,6 @@ class JobStatus:
     notes: tuple[str, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON types."""
         return plain(asdict(self))
 
     def __str__(self) -> str:
@@ -124,11 +107,7 @@ class JobStatus:
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
-    """Write a new job with the tasks of its first stage; a folder that holds the same keeps what was done.
-
-    Raises:
-        FileError: The folder holds something else, and what of a plan differs.
-    """
+    """Write a new job with its first tasks; keeps finished work of the same plan, FileError for another one."""
     folder, plan = path_of(folder, "folder"), {"job": kind.KIND} | plan
     if not (folder / NAME).exists():
         make_folder(folder)
@@ -141,11 +120,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
 
 
 def stamp_of(paths: Iterable[Path]) -> str:
-    """What tells some files from others of the same names: their sizes and times.
-
-    Raises:
-        FileError: One is gone.
-    """
+    """Sizes and times of files; FileError if one is missing."""
     told = hashlib.sha256()
     for path in paths:
         try:
@@ -157,7 +132,7 @@ def stamp_of(paths: Iterable[Path]) -> str:
 
 
 def open_manifest(folder: FilePath) -> Manifest:
-    """The manifest of a job, once it is sure that it is of this version."""
+    """Manifest of a job, checked to be of this version."""
     manifest = Manifest(path_of(folder, "folder"), is_job=True)
     if manifest.version != __version__:
         manifest.base.close()
@@ -167,14 +142,13 @@ def open_manifest(folder: FilePath) -> Manifest:
 
 
 def stage_of(manifest: Manifest) -> int:
-    """The stage whose tasks are done now."""
     rows = manifest.rows("SELECT value FROM meta WHERE key = ?", _STAGE)
     with damage_as_file_errors(manifest.folder / NAME):
         return int(rows[0]["value"])
 
 
 def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
-    """The tasks of a stage that are done, in their order; a thousand at a time."""
+    """Finished tasks of a stage in order, fetched by thousands."""
     last = -1
     while True:
         query = "SELECT * FROM tasks WHERE stage = ? AND state = 'done' AND id > ? ORDER BY id LIMIT 1000"
@@ -189,7 +163,7 @@ def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
 
 
 def advance(manifest: Manifest, job: Job, stage: int) -> None:
-    """Begin the stage after one that is done, unless another process has."""
+    """Start the next stage, unless another process did."""
     with damage_as_file_errors(manifest.folder / NAME):
         tasks = job.follow(stage, lambda earlier: done_in(manifest, earlier))
     with manifest.change() as base:
@@ -204,7 +178,6 @@ def _insert(base: sqlite3.Connection, stage: int, tasks: Sequence[Task]) -> None
 
 
 def status_of(manifest: Manifest, job: Job) -> JobStatus:
-    """How far the job of an open manifest is."""
     counts, stage = manifest.counts("tasks"), stage_of(manifest)
     if stage not in range(len(job.STAGES)):
         raise FileError(manifest.folder / NAME, f"the manifest is damaged: there is no stage {stage}")
@@ -224,6 +197,5 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
 
 
 def over_in(manifest: Manifest, stage: int) -> int:
-    """How many tasks of a stage are over."""
     (row,) = manifest.rows(f"SELECT count(*) AS n FROM tasks WHERE stage = ? AND state IN {OVER}", stage)
     return row["n"]

@@ -1,4 +1,4 @@
-"""What a job of registration found: the pose graph over all its pairs, and what became of each pair."""
+"""Result of a registration job: the pose graph and each tried pair."""
 
 from __future__ import annotations
 
@@ -18,14 +18,13 @@ from .scans import STAGE_WORDS, RegistrationJob, placed
 
 
 class TriedPair(NamedTuple):
-    """What became of two scans that were tried.
+    """A pair of scans that was tried.
 
     Attributes:
-        source, target: Their indices.
-        by: Why they were: "known", "order", "place", "look", or "loop" where the poses told.
+        source, target: Indices of the scans.
+        by: Reason: "known", "order", "place", "look", or "loop" (predicted by poses).
         score: As of `FragmentPair`; NaN for loops.
-        verdict: "kept" in the pose graph; "dropped" where the rest contradicts it; "apart" where it joins scans of
-            another group than the largest; else why it is rejected.
+        verdict: "kept" in the pose graph; "dropped" if contradictory; "apart" if in a smaller group; else the reason.
     """
 
     source: int
@@ -37,13 +36,7 @@ class TriedPair(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PlacedScans(FragmentsResult):
-    """Where the scans of a job lie: a `FragmentsResult` that tells of each pair.
-
-    Attributes:
-        scans: The files.
-        points: How many points they have.
-        tried: What became of each pair that was tried, in the order of the tasks.
-    """
+    """Poses of the scans of a job: a `FragmentsResult` with the files `scans`, their `points` and `tried` pairs."""
 
     scans: list[str]
     points: int
@@ -51,32 +44,28 @@ class PlacedScans(FragmentsResult):
 
     @property
     def not_placed(self) -> list[str]:
-        """The files of the scans that hang with none of the largest group."""
+        """Files of the scans outside the largest group."""
         return [path for path, is_placed in zip(self.scans, self.placed, strict=True) if not is_placed]
 
     def to_dict(self, names: Any = None) -> dict[str, Any]:
-        """As of FragmentsResult, with the pairs that were tried; scans are called by their files unless named."""
+        """As of FragmentsResult, with the tried pairs; scans are named by their files by default."""
         called = self.scans if names is None else names
         tried = [pair._asdict() | {"source": called[pair.source], "target": called[pair.target]} for pair in self.tried]
         return super().to_dict(called) | {"tried": plain(tried)}
 
 
 def finish_registration(folder: FilePath) -> PlacedScans:
-    """Where the scans of a job lie in the frame of one of them.
+    """Compute the poses of a job's scans in a common frame from the manifest alone.
 
     Args:
-        folder: Of `plan_registration`, all tasks done.
+        folder: Folder of `plan_registration`, all tasks done.
 
     Returns:
-        As of `register_fragments`, the same bits of the same pairs; scans are numbered as they were planned.
-        `found.not_placed` names those that float free, `found.tried` tells of each pair; `found.trajectory` can be
-        written.
+        As `register_fragments`, bitwise equal for the same pairs, with scans in planned order. `found.not_placed` lists
+        unconnected scans, `found.tried` each pair; `found.trajectory` can be written.
 
     Raises:
-        FileError: Tasks wait, failed or were set aside.
-
-    Notes:
-        The same bits each time, however many processes did the tasks. Nothing is read but the manifest.
+        FileError: If tasks are not done.
     """
     manifest, job = finished_job(folder, RegistrationJob)
     with manifest:

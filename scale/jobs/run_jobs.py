@@ -1,4 +1,4 @@
-"""Working off the tasks of a job, in this process or by several; the manifest and the runners are those of tiles."""
+"""Run the tasks of a job in this process or a worker pool, with the manifest and runners of tiles."""
 
 from __future__ import annotations
 
@@ -38,24 +38,20 @@ from .job import (
 )
 from .scans import RegistrationJob
 
-SEQUENCES = "sequences"  # the folder of what is made of them
+SEQUENCES = "sequences"  # folder of the results
 
 
 class SequencesJob(Job):
-    """A queue of sequences."""
-
     KIND = "sequences"
     STAGES = ("sequences",)
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        """As Job has it: the files of sequences that are done."""
         for task in done(0):
             if _stamp(Path(task.told["frames"])) != task.found["stamp"]:
                 reason = "has changed since it was reconstructed"
                 raise FileError(task.told["frames"], reason, remedy="Plan the sequences anew in another folder")
 
     def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        """Reconstruct a sequence, going on where an earlier run of it ended."""
         plan, frames = self.plan, Path(told["frames"])
         stamp = _stamp(frames)
         camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
@@ -71,7 +67,7 @@ class SequencesJob(Job):
         return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Sequences whose result is unreliable, and what was left out."""
+        """Unreliable sequences and skipped frames."""
         said = []
         for task in done(0):
             said += [f"{task.name}: {warning}" for warning in task.found["warnings"]]
@@ -92,33 +88,27 @@ def plan_sequences(
     refine: bool = True,
     slac: bool = False,
 ) -> JobStatus:
-    """Plan the reconstruction of many sequences of RGB-D frames, each by itself; `run_job` works the queue off.
+    """Plan the reconstruction of many RGB-D sequences, each independent; `run_job` processes the queue.
 
-    A folder that holds the same plan already keeps all that was done; one that holds another is refused.
+    A folder with the same plan keeps its finished work; one with another plan is rejected. The result of "kitchen" is
+    in `folder/sequences/kitchen`, as `run_system` writes it. Memory per worker is that of `run_system`.
 
     Args:
-        frames: Folders of frames, each as `open_frames` takes it.
-        folder: Of the job; made where it is missing.
-        config: As of `reconstruction.run_system`, of all of them.
+        frames: Folders of frames, each as `open_frames` accepts it.
+        folder: Folder of the job, created if missing.
+        config: As of `reconstruction.run_system`, for all sequences.
         layout: As of `open_frames`, like the next three.
-        intrinsic: The camera, if it is another than the folders say.
-        depth_scale: Stored depth of one metre, if it is another than the folders say.
-        every: Take every k-th frame.
-        leave_out: Leave out frames that lack a picture, and name them in `job_status`; else they are errors.
-        refine: As of `run_system`, like the next one.
-        slac: Likewise.
+        intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
+        every: Use every k-th frame.
+        leave_out: Skip incomplete frames and list them in `job_status`; else they are errors.
+        refine, slac: As of `run_system`.
 
     Returns:
-        A JobStatus; its tasks are called as the folders are, "kitchen", and "kitchen_2" for another of that name.
+        A JobStatus; tasks are named after the folders, with "_2" for repeated names.
 
     Raises:
-        FileError: One of them is no folder, or the job's folder holds something else.
-        ValueError: No folders, or one of them twice.
-
-    Notes:
-        What is made of "kitchen" lies in `folder/sequences/kitchen`, as `run_system` leaves it. A sequence that cannot
-        be read fails alone and is named; one that a worker died at goes on at the fragment that it was at. Memory: that
-        of `run_system`, for each worker.
+        FileError: If a sequence is not a folder, or the job's folder contains something else.
+        ValueError: If there are no folders, or one is duplicated.
 
     Example:
         >>> import pointloom as loom
@@ -150,7 +140,6 @@ def plan_sequences(
 
 
 def _names(paths: Sequence[Path]) -> list[str]:
-    """Names for folders, each once."""
     names: list[str] = []
     for path in paths:
         stem = re.sub(r"[^\w.-]", "_", path.name) or "sequence"
@@ -184,30 +173,26 @@ def run_job(
     device: str = "cpu",
     progress: ReportProgress = say_nothing,
 ) -> JobStatus:
-    """Work the tasks of a job off; what earlier runs have done stays.
+    """Run the tasks of a job; finished ones stay.
 
-    Several runs may work on one folder at once: each task is one run's. A worker that dies is replaced and its task is
-    done again; after three deaths at one task it is set aside. A task that raises an error has failed, and the others
-    of its stage go on; the next stage begins when all are done.
+    Several runs may share a folder; each task belongs to one run. A task is repeated if its worker dies and is
+    quarantined after three deaths. If a task fails, the others of its stage continue; the next stage starts when all
+    are done. Interrupted tasks wait again without penalty.
 
     Args:
-        folder: Of `plan_fusion`, `plan_sequences` or `plan_registration`.
-        workers: Processes of this machine, as of `run_tiles`; 0 works in this one.
-        part: (17, 400): only the 17th of 400 shares of the tasks, for array jobs of a cluster whose machines share the
-            folder. A share ends where it needs what others have to do: run it again.
-        device: "cpu", or "cuda": each worker has a GPU to itself, which no other run of this machine takes meanwhile;
-            "cuda:1" is that one.
-        progress: Called with the stage, how many of its tasks are over, and how many there are.
+        folder: Folder of `plan_fusion`, `plan_sequences` or `plan_registration`.
+        workers: Number of local processes, as of `run_tiles`; 0 uses this process.
+        part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
+            needs others.
+        device: "cpu" or "cuda": each worker gets its own GPU exclusively; or one such as "cuda:1".
+        progress: Called with the stage, its finished tasks and its task count.
 
     Returns:
-        A JobStatus; look at `failed` and `aside`.
+        A JobStatus; check `failed` and `aside`.
 
     Raises:
-        FileError: There is no plan, it is of other files or of another version, or workers cannot be started.
-        DeviceError: There is no such device, or fewer GPUs are free than workers want.
-
-    Notes:
-        Where the call is interrupted, the tasks that were worked on wait again; that is not held against them.
+        FileError: If there is no plan, its files or version changed, or workers cannot be started.
+        DeviceError: If the device does not exist, or fewer GPUs are free than needed.
     """
     count, share = check_count("workers", workers, minimum=0), check_part(part)
     report = check_progress(progress)
@@ -225,10 +210,10 @@ def run_job(
 
 
 def job_status(folder: FilePath) -> JobStatus:
-    """How far a job is.
+    """Progress of a job.
 
     Raises:
-        FileError: The folder holds no job.
+        FileError: If the folder contains no job.
     """
     manifest, job = open_job(folder)
     with manifest:
@@ -236,10 +221,10 @@ def job_status(folder: FilePath) -> JobStatus:
 
 
 def retry_job(folder: FilePath) -> JobStatus:
-    """Have the tasks that failed or were set aside wait again; `run_job` then does them.
+    """Reset failed and quarantined tasks to waiting; then call `run_job`.
 
     Raises:
-        FileError: The folder holds no job.
+        FileError: If the folder contains no job.
     """
     manifest, job = open_job(folder)
     with manifest:
@@ -251,11 +236,7 @@ def retry_job(folder: FilePath) -> JobStatus:
 
 
 def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest, Any]:
-    """The manifest of a folder and its job.
-
-    Raises:
-        FileError: There is none, or one of another kind or version.
-    """
+    """Open a manifest and its job; FileError if missing or of another kind or version."""
     manifest = open_manifest(folder)
     found = KINDS.get(str(manifest.plan["job"]))
     if found is None or kind not in (None, found):
@@ -271,11 +252,7 @@ def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest,
 
 
 def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
-    """As `open_job`, once all its tasks are done.
-
-    Raises:
-        FileError: Tasks wait, failed or were set aside.
-    """
+    """As `open_job`; FileError unless all tasks are done."""
     manifest, job = open_job(folder, kind)
     told = status_of(manifest, job)
     if not told.is_finished:
@@ -285,20 +262,13 @@ def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
 
 
 class _Taskbook:
-    """What one run claims and settles in the manifest of a job.
-
-    Args:
-        manifest: Of the job.
-        job: The job.
-        part: (which, of how many): its share of the tasks.
-        owner: The run's name.
-    """
+    """Claims and results of one run in a job's manifest; `part` is (index, count)."""
 
     def __init__(self, manifest: Manifest, job: Job, part: tuple[int, int], owner: str):
         self._manifest, self._job, self._part, self._owner = manifest, job, part, owner
 
     def take(self) -> _Task | bool:
-        """Claim the next task, and begin the stage after one that is done; as `processes.Book`."""
+        """Claim the next task, or start the stage after a finished one; as `processes.Book`."""
         which, of = self._part
         while True:
             stage = stage_of(self._manifest)
@@ -310,27 +280,23 @@ class _Taskbook:
                 return True
             if counts["waiting"]:
                 if of > 1:
-                    return False  # of other shares
+                    return False  # of other parts
             elif counts["failed"] + counts["aside"] or stage == len(self._job.STAGES) - 1:
                 return False
             else:
                 advance(self._manifest, self._job, stage)
 
     def do(self, task: _Task, device: str) -> str:
-        """Do a task in this process; what it found, as JSON."""
         self._job.device = device
         return _do(self._job, task)
 
     def settle(self, task: _Task, found: str) -> None:
-        """Write down what a task found."""
         self._manifest.settle("tasks", task.number, self._owner, state="done", found=found, error=None)
 
     def fail(self, task: _Task, error: Exception) -> None:
-        """Write down the error of a task."""
         self._manifest.settle("tasks", task.number, self._owner, state="failed", error=said_of(error))
 
     def set_aside(self, task: _Task, reason: str) -> None:
-        """Write down that workers died at a task."""
         self._manifest.settle("tasks", task.number, self._owner, state="aside", error=reason)
 
 
@@ -339,7 +305,7 @@ def _do(job: Job, task: _Task) -> str:
 
 
 def _do_alone(folder: str, task: _Task, device: str) -> str:
-    """Do a task in a worker process, which claims nothing."""
+    """Run a task in a worker process, without claims."""
     job = _job_of(folder, (Path(folder) / NAME).stat().st_ino)
     job.device = device
     return _do(job, task)
@@ -353,7 +319,6 @@ def _job_of(folder: str, inode: int) -> Job:
 
 
 def _tell(manifest: Manifest, job: Job, report: ReportProgress) -> None:
-    """Tell how many tasks of the stages so far are over."""
     if report is say_nothing:
         return
     stage = stage_of(manifest)

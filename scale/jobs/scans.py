@@ -1,9 +1,8 @@
-"""Hundreds of scans of one scene in one frame: pairs as tasks, then the pose graph of `register_fragments`.
+"""Register hundreds of scans: pairs as tasks, then the pose graph of `register_fragments`.
 
-Stages. "scans": each is read and thinned once; its surface is kept on disk, and nothing else is read afterwards.
-"pairs": those that are likely to overlap, by known places or by their order. "pairs alike": scans that no pair joins to
-the largest group, with those that look most like them. "graph": the pairs' poses tell which others lie on each other.
-"loops": these. A pair's task is that of `register_fragments`, so it has the same bits, and a worker that dies loses it.
+Stages: "scans" thins each scan once and stores its surface; "pairs" registers likely overlaps, by known positions or
+order; "pairs alike" tries scans outside the largest group with similar ones; "graph" predicts more pairs from the
+poses; "loops" registers these. Results are bitwise those of `register_fragments`.
 """
 
 from __future__ import annotations
@@ -45,16 +44,14 @@ from ...registration.pose_graphs.fragment_graph import (
 from ...registration.pose_graphs.multiway import SURE, check_known, pairs_to_try, try_pair
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
-SURFACES = "surfaces"  # the folder of thinned scans
-KEPT = 2  # scans that a process keeps described: one pair; the next one mostly shares one of them
-NEAR = 12  # scans that one is tried with by its place
-STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # why the pairs of a stage are tried
-ALIKE = 8  # scans that one is tried with by its look
+SURFACES = "surfaces"  # folder of thinned scans
+KEPT = 2  # described scans cached per process: one pair; consecutive pairs often share a scan
+NEAR = 12  # default neighbors by position
+STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
+ALIKE = 8  # default neighbors by similarity
 
 
 class RegistrationJob(Job):
-    """Many scans in one frame."""
-
     KIND = "registration"
     STAGES = ("scans", "pairs", "pairs alike", "graph", "loops")
 
@@ -64,14 +61,12 @@ class RegistrationJob(Job):
         self._described = lru_cache(KEPT)(self._describe)
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        """As Job has it: the files of scans that were read."""
         for task in done(0):
             path = self.plan["scans"][task.told["scan"]]
             if stamp_of([Path(path)]) != task.found["stamp"]:
                 raise FileError(path, "has changed since it was read", remedy="Plan the scans anew in another folder")
 
     def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        """As Job has it."""
         if stage == 0:
             return self._look(told["scan"])
         if stage == 3:
@@ -87,7 +82,6 @@ class RegistrationJob(Job):
         return self._refined(pair) if pair.score > SURE else _doubted(pair, doubt)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
-        """As Job has it; see the stages above."""
         plan, scans = self.plan, list(done(0))
         if stage == 0:
             known = [_task(pair_of(told), is_known=True) for told in plan["known"]]
@@ -102,7 +96,6 @@ class RegistrationJob(Job):
         return [_task(pair_of(told), is_known=False) for told in graph.found["candidates"]]
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        """Scans that show no surface, and units that go ill together."""
         scans = list(done(0))
         names = [self.plan["scans"][task.told["scan"]] for task in scans]
         units = sorted({task.found["unit"] for task in scans if task.found["unit"]})
@@ -123,7 +116,7 @@ class RegistrationJob(Job):
         return nearest_of(meeting_boxes(boxes), boxes, NEAR if plan["neighbors"] is None else plan["neighbors"])
 
     def _alike(self, scans: Sequence[Done], tried: Sequence[Done]) -> list[tuple[int, int]]:
-        """Pairs of scans that are not of the largest group yet, with those that look most like them."""
+        """Pairs of scans outside the largest group with the most similar scans in it."""
         if not self.plan["alike"]:
             return []
         believed = [(task.told["source"], task.told["target"]) for task in tried if task.found["pair"]]
@@ -147,7 +140,6 @@ class RegistrationJob(Job):
         return {k: self._described(k).cloud for k in (pair.source, pair.target)}
 
     def _look(self, scan: int) -> dict[str, Any]:
-        """Describe a scan, and keep its surface on disk."""
         stamp = stamp_of([Path(self.plan["scans"][scan])])
         cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
         described = describe(cloud, self.size)
@@ -174,7 +166,6 @@ class RegistrationJob(Job):
         return self.folder / SURFACES / f"{scan}.npz"
 
     def _surface(self, scan: int) -> PointCloud:
-        """A scan's thinned surface, as `describe` gave it."""
         path, where = self._surface_path(scan), resolve_device(self.device)
         try:
             with path.open("rb") as file, np.load(file) as found:
@@ -185,12 +176,11 @@ class RegistrationJob(Job):
             raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
-        """Record of an accepted pair, refined by ICP."""
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
         return {"pair": _told(pair), "information": information.tolist()}
 
     def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
-        """The pairs that lie on each other where the poses are right, and were not found yet."""
+        """Pairs that overlap according to the poses and were not found yet."""
         found, pairs, _ = _place_told(told, self.size, self.plan["free"])
         boxes = [box_under(self._surface(k), found.poses[k]) for k in found.members.tolist()]
         return {"candidates": [_told(pair) for pair in candidates_to_close(boxes, found.poses, found.members, pairs)]}
@@ -210,38 +200,28 @@ def plan_registration(
     free: Sequence[str] | None = None,
     seed: int = 0,
 ) -> JobStatus:
-    """Plan the registration of many scans of one scene from no starting poses; `run_job` does it, a pair a task.
+    """Plan the registration of many scans without initial poses; `run_job` runs it, one task per pair.
 
-    A folder that holds the same plan already keeps all that was done; one that holds another is refused.
+    A folder with the same plan keeps its finished work; one with another plan is rejected. `finish_registration` gives
+    bitwise the result of `register_fragments` for the same pairs. 24 B of disk per voxel of each scan.
 
     Args:
-        scans: Files of point clouds, each in its own frame; in the order they were taken if there is one.
-        folder: Of the job; made where it is missing.
+        scans: Point cloud files, each in its own frame, in capture order if there is one.
+        folder: Folder of the job, created if missing.
         voxel_size: Edge of a voxel [m], as of `register_fragments`.
-        places: Of each scan where it was taken, roughly: a pose T_world_scan [4, 4], a position [3] where nothing is
-            known of its turn, or None. Then the pairs are tried whose boxes meet; poses are found from no guess.
-        place_error: How far they may be off [m].
-        neighbors: How many of the scans that follow it each is tried with; None tries every pair of up to 40 scans, and
-            the next 5 of more. With places how many of those whose boxes meet its own, the nearest; None tries 12.
-        pairs: The pairs to try, by indices, in place of either.
-        known: As of `register_fragments`.
-        alike: How many scans that look most like it one is tried with that these pairs do not join to the largest
-            group; 0 for none.
-        free: As of `register_fragments`.
+        places: Approximate pose T_world_scan (4, 4) or position (3,) of each scan, or None. Only pairs with overlapping
+            boxes are tried then; registration itself uses no initial guess.
+        place_error: Error of the places [m].
+        neighbors: Number of following scans tried with each. If None: all for up to 40 scans, else 5. With places:
+            number of nearest overlapping boxes, default 12.
+        pairs: Index pairs to try instead.
+        known, free: As of `register_fragments`.
+        alike: Number of similar scans tried with each scan outside the largest group; 0 for none.
         seed: As of `register_globally`.
 
-    Returns:
-        A JobStatus.
-
     Raises:
-        FileError: A scan that is not there, or the job's folder holds something else.
-        ValueError: As of `register_fragments`; places that are not as many as scans; pairs beside places or neighbors.
-
-    Notes:
-        `finish_registration` gives what `register_fragments` gives of the same pairs, bit for bit. Of n scans with
-        places at most 12 n pairs are tried by them, and then `alike` for each scan that hangs with few. Memory of a
-        process: one scan as its file has it while it is thinned, then two thinned ones and what describes them,
-        however many there are. Disk: 24 bytes a voxel of each scan.
+        FileError: If a scan is missing, or the job's folder contains something else.
+        ValueError: As of `register_fragments`; also if places and scans disagree, or pairs are combined with others.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -285,7 +265,7 @@ def plan_registration(
 def placed(
     done: Callable[[int], Iterator[Done]], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair]]:
-    """The graph over all that the tasks of a job that is done have found, and the accepted pairs."""
+    """Pose graph of a finished job, and the accepted pairs."""
     (graph,) = done(3)
     found, pairs, information = _place_told(graph.told, size, free)
     closing = [task.found for task in done(4) if task.found["pair"]]
@@ -299,7 +279,7 @@ def placed(
 def _place_told(
     told: dict[str, Any], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
-    """The graph over the pairs that a task was told of, these pairs, and their information."""
+    """Pose graph of a task's pairs, these pairs, and their information."""
     extents = [Extent(np.array(row[:3]), row[3]) for row in told["extents"]]
     pairs = [pair_of(row["pair"]) for row in told["pairs"]]
     information = [np.array(row["information"]) for row in told["pairs"]]
@@ -307,7 +287,6 @@ def _place_told(
 
 
 def pair_of(told: dict[str, Any]) -> FragmentPair:
-    """A pair of what JSON says of it."""
     score = np.nan if told["score"] is None else told["score"]
     T = np.array(told["transformation"], np.float64).reshape(4, 4)
     return FragmentPair(told["source"], told["target"], T, told["fitness"], score)
@@ -320,7 +299,6 @@ def _told(pair: FragmentPair) -> dict[str, Any]:
 
 
 def _doubted(pair: FragmentPair, doubt: str) -> dict[str, Any]:
-    """Record of a rejected pair."""
     return {"pair": None, "score": _told(pair)["score"], "doubt": doubt}
 
 
@@ -333,7 +311,7 @@ def _to_try(i: int, j: int) -> Task:
 
 
 def _believed(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
-    """What was found of accepted pairs: those that were known first, then by their scans."""
+    """Results of accepted pairs: known ones first, then by scans."""
     found = [task for stage in (1, 2) for task in done(stage) if task.found["pair"]]
     known = [task for task in found if task.told["is_known"]]
     rest = [task for task in found if not task.told["is_known"]]
@@ -359,7 +337,7 @@ Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 
 def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
-    """A scan's surface as one row: the means and deviations of its points' features; zeros of none."""
+    """Descriptor of a scan: means and standard deviations of its points' features; zeros if empty."""
     finite = features[np.isfinite(features).all(axis=1)].astype(np.float64)
     if not len(finite):
         return np.zeros(2 * features.shape[1])
@@ -367,7 +345,7 @@ def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
 
 
 def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64], count: int) -> list[int]:
-    """The scans among others that look most like one, the most alike first; each column counts by its spread."""
+    """Most similar scans first; columns are scaled by their spread."""
     spread = looks.std(axis=0)
     scaled = looks / np.where(spread > 0, spread, 1.0)
     distances = np.linalg.norm(scaled[others] - scaled[scan], axis=1)
@@ -375,8 +353,7 @@ def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64],
 
 
 def place_box(low: NDArray[Any], high: NDArray[Any], place: NDArray[np.float64], error: float) -> Box:
-    """Where a scan reaches at most: its box from low to high in its own frame, at a pose [4, 4] or, turned anyhow, at a
-    position [3], which err by so much."""
+    """Bounds of a scan's box at a pose (4, 4) or, for any rotation, at a position (3,), enlarged by `error`."""
     if place.shape == (3,):
         radius = float(norm(np.maximum(np.abs(low), np.abs(high)))) + error
         return place - radius, place + radius
@@ -386,7 +363,7 @@ def place_box(low: NDArray[Any], high: NDArray[Any], place: NDArray[np.float64],
 
 
 def meeting_boxes(boxes: Sequence[Box | None]) -> list[tuple[int, int]]:
-    """Pairs of boxes that meet, (earlier, later), ascending."""
+    """Pairs of overlapping boxes, (earlier, later), ascending."""
     there = [k for k, box in enumerate(boxes) if box is not None]
     low = np.array([box[0] for box in boxes if box is not None]).reshape(-1, 3)
     high = np.array([box[1] for box in boxes if box is not None]).reshape(-1, 3)
@@ -398,7 +375,7 @@ def meeting_boxes(boxes: Sequence[Box | None]) -> list[tuple[int, int]]:
 
 
 def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], count: int) -> list[tuple[int, int]]:
-    """Those pairs, ascending, that are among the nearest of either of their boxes, by the boxes' middles."""
+    """Pairs that are among the `count` nearest of either box, by centers."""
     middles = {k: (box[0] + box[1]) / 2 for k, box in enumerate(boxes) if box is not None}
     beside: dict[int, list[tuple[float, tuple[int, int]]]] = {k: [] for k in middles}
     for i, j in pairs:
@@ -409,6 +386,6 @@ def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], co
 
 
 def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int32]:
-    """Which scans hang together by pairs: the group of each, numbered in the order of the groups' first scans."""
+    """Connected component of each scan, numbered by first scan."""
     ends = np.array([*pairs], np.int64).reshape(-1, 2)
     return connected_parts(ends[:, 0], ends[:, 1], count)

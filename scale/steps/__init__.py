@@ -1,1 +1,1 @@
-"""The steps of a job of tiles, a file a kind."""
+"""Steps of a job of tiles."""

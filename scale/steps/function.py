@@ -1,7 +1,6 @@
 """User-defined functions as steps.
 
-A file never names code. A function is passed in Python as an object, or an installed package registered it as an entry
-point, and the step has its name. A steps file and a manifest hold names alone, and a name that is neither raises.
+Files never contain code: functions are passed in Python or registered as entry points; steps and manifests store names.
 """
 
 from __future__ import annotations
@@ -19,25 +18,23 @@ from ..exact_sums import ExactSums
 from .step import Part, Step
 
 GROUP = "pointloom.steps"  # of entry points
-ROW = "pointloom_row"  # the attribute by which a step that drops points tells which are left
+ROW = "pointloom_row"  # attribute that marks remaining rows after a step that drops points
 _TOP_LEVEL = "a function at the top of a module that workers can import"
 
 UserFunction = Callable[..., Any]
 
 
 class Function(Step):
-    """A user's function with its radius: it takes a cloud and returns one with the same rows or fewer.
-
-    It must be a pure function of the points within its radius. It may change attributes and drop points, but not move
-    or add any. `call` is the function itself, or the name of an entry point in the group `pointloom.steps`.
-    """
+    """A user's function with its radius, from a cloud to one with the same rows or fewer. It must depend only on points
+    within the radius, and must not move or add points. `call` is the function or the name of an entry point in the
+    group `pointloom.steps`."""
 
     name, required = "function", ("call", "reach")
     defaults: ClassVar[dict[str, Any]] = {"arguments": {}}
     function: UserFunction | None = None
 
     def check(self) -> None:
-        """Check the parameters; the name of a function that was passed replaces it in them."""
+        """Validate parameters; the name of a passed function replaces it in them."""
         self.reach = check_positive("reach", self.params["reach"], allow_zero=True)
         call, arguments = self.params["call"], self.params["arguments"]
         if not isinstance(arguments, dict) or not all(isinstance(name, str) for name in arguments):
@@ -53,11 +50,7 @@ class Function(Step):
         return ":" in self.params["call"]
 
     def resolve(self, passed: dict[str, UserFunction]) -> None:
-        """Set the function: one of those passed in Python, by `module:function`, or a registered entry point.
-
-        Raises:
-            ValueError: The name is neither of a passed function nor of an entry point.
-        """
+        """Set the function by name, `module:function`, from those passed in Python or the entry points."""
         call = self.params["call"]
         if self.function is None:
             self.function = passed.get(call) if self.is_passed else _registered(call)
@@ -66,7 +59,6 @@ class Function(Step):
             raise ValueError(f"steps: call: {shown(call)}: a file cannot name a Python function. {remedy}")
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """Apply the function to a part."""
         self.resolve({})
         assert self.function is not None
         given = part.cloud.copy()
@@ -84,18 +76,7 @@ class Function(Step):
 
 
 def resolve_functions(steps: Iterable[Step], passed: Iterable[UserFunction | str] = ()) -> list[UserFunction]:
-    """Set the function of each `function` step.
-
-    Args:
-        steps: The parsed steps.
-        passed: Functions that the caller passed in Python. Worker processes pass their names, `module:function`.
-
-    Returns:
-        The functions that were passed in Python and are used.
-
-    Raises:
-        ValueError: A step names a function that was neither passed nor registered.
-    """
+    """Set the function of each `function` step; returns the used ones that were passed in Python."""
     functions = [_imported(one) if isinstance(one, str) else one for one in passed]
     by_name = {name_of(function): function for function in functions}
     chosen = [step for step in steps if isinstance(step, Function)]
@@ -105,11 +86,7 @@ def resolve_functions(steps: Iterable[Step], passed: Iterable[UserFunction | str
 
 
 def name_of(function: Any) -> str:
-    """The name by which a worker imports a function, `module:function`.
-
-    Raises:
-        ValueError: A worker cannot import it.
-    """
+    """Import name of a function, `module:function`; ValueError if a worker cannot import it."""
     name = f"{getattr(function, '__module__', '')}:{getattr(function, '__qualname__', '')}"
     if name.count(":") != 1 or "<" in name or name.startswith("__main__:"):
         raise ValueError(f"steps: call: expected {_TOP_LEVEL}, got {shown(function)}")
@@ -119,11 +96,7 @@ def name_of(function: Any) -> str:
 
 
 def _imported(name: str) -> UserFunction:
-    """Import a function by `module:function`. The name must come from the caller, never from a file.
-
-    Raises:
-        ValueError: It cannot be imported.
-    """
+    """Import a function by `module:function`. The name must come from the caller, never from a file."""
     module, _, path = name.partition(":")
     try:
         found: Any = importlib.import_module(module)
@@ -135,7 +108,6 @@ def _imported(name: str) -> UserFunction:
 
 
 def _registered(name: str) -> UserFunction:
-    """The function of an entry point."""
     known = entry_points(group=GROUP)
     found = {point.value: point for point in known if point.name == name}
     if not found:

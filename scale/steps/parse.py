@@ -1,9 +1,6 @@
-"""The steps that there are by name, and those of a list or a TOML file.
+"""Steps by name, and parsers of step lists and TOML files.
 
-Clusters that reach through any number of tiles, by labels on their borders.
-
-Each tile finds the clusters of all that it sees; the numbers of all of them are joined (label_join.py), and what a tile
-then lacks is only which cluster each point at a border takes.
+Clusters across tiles are joined by labels at tile borders (label_join.py).
 """
 
 from __future__ import annotations
@@ -49,23 +46,21 @@ from .step import Part, Sight, Step
 
 
 class Thin(Step):
-    """Of each cell of a grid that is fixed in space the point nearest to its middle stays."""
+    """Keep the point nearest to the center of each cell of a fixed grid."""
 
     name, required, searches = "thin", ("spacing",), False
     defaults: ClassVar[dict[str, Any]] = {"corner": (0.0, 0.0, 0.0)}
 
     def check(self) -> None:
-        """Set the reach by the parameters: whole cells are wanted."""
+        """Set the halo to complete cells."""
         self.reach = check_positive("spacing", self.params["spacing"])
         self.params["corner"] = check_finite("corner", check_shape("corner", self.params["corner"], (3,))).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         return thinned(part, self.reach, self.params["corner"])
 
 
 def thinned(part: Part, spacing: float, corner: Any) -> Part:
-    """A part with one point a cell."""
     cloud = part.cloud.copy()
     cloud[ROW] = np.arange(len(cloud))
     cloud = cloud.thin(spacing, corner)
@@ -78,29 +73,25 @@ NAME = "cluster"  # of the attribute
 
 
 class Clusters(Step):
-    """Labels of clusters as the attribute `cluster`, int32, int64 beyond 2^31 clusters; -1 for noise.
-
-    A tile must know the cores within its reach, and they have theirs beyond: the halo is twice as wide.
-    """
+    """Cluster labels as the attribute `cluster`, int32, int64 beyond 2^31 clusters; -1 for noise. The halo is twice the
+    radius, because cores within the radius have neighbors beyond it."""
 
     joins, hops = True, 2
-    least = 1  # points within reach that make a core
+    least = 1  # minimum points of a core
     bounds = (1, 2**63 - 1)
     by_size = False
 
     def gather(self, part: Part, sight: Sight) -> dict[str, NDArray[Any]]:
-        """The tile's clusters: those that are whole, and on the others' edges which points are theirs."""
+        """Clusters of a tile: complete ones, and border points of the others."""
         if part.keys is None:
             raise ValueError(f"steps: {self.name}: there are too many voxels to number them; take larger ones")
         _, labels, count = self._cores(part)
         return leave(download(labels), count, part, sight, self.bounds, self.by_size)
 
     def join(self, left: Any, folder: Path) -> int:
-        """Number the clusters of the whole."""
         return join_labels(left, folder, self.bounds, self.by_size)
 
     def run(self, part: Part, plan: Any, numbers: Any) -> Part:
-        """The step on a part."""
         total, names = numbers
         kind = np.int32 if total <= MOST_INT32 else np.int64
         names = np.empty(0, kind) if names is None else names
@@ -128,24 +119,18 @@ class Clusters(Step):
 
 
 class ClusterDbscan(Clusters):
-    """The labels of `cluster_dbscan`."""
-
     name, required = "cluster_dbscan", ("eps", "min_points")
 
     def check(self) -> None:
-        """Set the reach by the parameters."""
         self.reach = check_positive("eps", self.params["eps"])
         self.least = check_count("min_points", self.params["min_points"], **ANY)
 
 
 class ClusterEuclidean(Clusters):
-    """The labels of `cluster_euclidean`: connected parts, the largest first."""
-
     name, required, by_size = "cluster_euclidean", ("tolerance",), True
     defaults: ClassVar[dict[str, Any]] = {"min_cluster_size": 1, "max_cluster_size": None}
 
     def check(self) -> None:
-        """Set the reach and the sizes by the parameters."""
         self.reach = check_positive("tolerance", self.params["tolerance"])
         low = check_count("min_cluster_size", self.params["min_cluster_size"], **ANY)
         most = self.params["max_cluster_size"]
@@ -156,10 +141,9 @@ class ClusterEuclidean(Clusters):
 
 
 class Compared(Step):
-    """A step that compares with another epoch, the files of its parameter `other`."""
+    """Step that compares with another epoch, the files of its parameter `other`."""
 
     def check(self) -> None:
-        """Set the epoch by the parameters."""
         other = self.params["other"]
         listed = [other] if isinstance(other, str | Path) else other
         if not isinstance(listed, list | tuple) or not listed or not all(isinstance(p, str | Path) for p in listed):
@@ -168,17 +152,15 @@ class Compared(Step):
 
 
 class Distance(Compared):
-    """The distance of each point to the nearest of another epoch, as the attribute `distance`; NaN beyond a limit."""
+    """Distance of each point to the nearest of another epoch, as `distance`; NaN beyond a limit."""
 
     name, required, searches = "distance", ("other", "max_distance"), False
 
     def check(self) -> None:
-        """Set the reach and the epoch by the parameters."""
         super().check()
         self.reach = check_positive("max_distance", self.params["max_distance"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         assert part.other is not None
         cloud = part.cloud.copy()
         distances = np.asarray(part.cloud.compute_point_cloud_distance(part.other))
@@ -187,11 +169,8 @@ class Distance(Compared):
 
 
 class Change(Compared):
-    """M3C2 to another epoch: distance, level of detection, whether that is a change, and points of both epochs.
-
-    With `core_spacing` it is measured at the points alone that `thin` would leave, and the others go; normals and means
-    are of all points.
-    """
+    """M3C2 to another epoch: distance, level of detection, significance, and point counts. With `core_spacing` only the
+    points that `thin` keeps are measured and kept; normals and means use all points."""
 
     name, required = "m3c2", ("other", "cylinder_radius", "max_distance")
     defaults: ClassVar[dict[str, Any]] = {
@@ -200,7 +179,6 @@ class Change(Compared):
     }  # fmt: skip
 
     def check(self) -> None:
-        """Set reach and epoch by the parameters."""
         super().check()
         params = self.params
         radius, length = (check_positive(name, params[name]) for name in ("cylinder_radius", "max_distance"))
@@ -215,7 +193,6 @@ class Change(Compared):
             self.reach = max(self.reach, check_positive("core_spacing", params["core_spacing"]))
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         assert part.other is not None
         params = self.params
         cores = part
@@ -233,11 +210,11 @@ class Change(Compared):
         return dataclasses.replace(cores, cloud=cloud)
 
 
-OTHER = 1  # the class of points that are not ground, and were nothing else before
+OTHER = 1  # LAS class of former ground points
 
 
 class ClassifyGround(Step):
-    """Ground points get class 2; others that had it, or none, get class 1."""
+    """Set class 2 for ground points; others with class 2 or none get class 1."""
 
     name, searches = "classify_ground", False
     defaults: ClassVar[dict[str, Any]] = {
@@ -246,15 +223,13 @@ class ClassifyGround(Step):
     }  # fmt: skip
 
     def check(self) -> None:
-        """Set the reach by the parameters."""
         for name in ("slope", "elevation_threshold", "scaling"):
             check_positive(name, self.params[name], allow_zero=True)
         self.params["corner"] = _corner_of(self.params["corner"])
         self.reach = ground_reach(self.params["cell_size"], self.params["max_window"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
-        with without_warnings(UnitWarning):  # a plan has all lengths in the unit of the files
+        with without_warnings(UnitWarning):  # all lengths of a plan are in the files' unit
             ground = np.asarray(classify_ground(part.cloud, **self.params))
         cloud = part.cloud.copy()
         before = np.asarray(cloud["classification"]) if "classification" in cloud else np.zeros(len(cloud), np.uint8)
@@ -264,7 +239,7 @@ class ClassifyGround(Step):
 
 
 class HeightAboveGround(Step):
-    """The height of each point above the ground near it, as the attribute `height_above_ground`."""
+    """Height above nearby ground as the attribute `height_above_ground`."""
 
     name, searches = "height_above_ground", False
     defaults: ClassVar[dict[str, Any]] = {
@@ -272,7 +247,6 @@ class HeightAboveGround(Step):
     }  # fmt: skip
 
     def check(self) -> None:
-        """Set the reach by the parameters."""
         self.reach = check_positive("reach", self.params["reach"])
         check_count("neighbors", self.params["neighbors"])
         check_positive("cell", self.params["cell"])
@@ -280,7 +254,6 @@ class HeightAboveGround(Step):
         self.params["classes"] = [*(check_classes(self.params["classes"]) or GROUND)]
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         cloud = part.cloud.copy()
         try:
             cloud[self.name] = np.asarray(height_above_ground(part.cloud, **self.params))
@@ -294,38 +267,31 @@ def _corner_of(corner: Any) -> list[float]:
 
 
 class RadiusOutlier(Step):
-    """Points with few neighbours go."""
-
     name, required = "remove_radius_outlier", ("nb_points", "radius")
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         check_count("nb_points", self.params["nb_points"])
         self.reach = check_positive("radius", self.params["radius"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         mask = mask_crowded(part.cloud.search_tree(), self.reach, self.params["nb_points"] + 1)
         return part.select(download(mask) != 0)
 
 
 class StatisticalOutlier(Step):
-    """Points whose neighbours are farther away than is usual in all tiles go."""
+    """Remove points with unusually distant neighbors, by statistics of all tiles."""
 
     name, required, needs_numbers = "remove_statistical_outlier", ("nb_neighbors", "std_ratio"), True
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         self.neighbors = check_count("nb_neighbors", self.params["nb_neighbors"])
         check_positive("std_ratio", self.params["std_ratio"])
 
     def measure(self, part: Part) -> NDArray[np.float64]:
-        """Mean distances of the nearest."""
         assert self.neighbors is not None
         return download(average_distances(part.cloud.search_tree(), self.neighbors))
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         assert numbers is not None
         mean, deviation = numbers.mean_and_deviation()
         limit = (mean + self.params["std_ratio"] * deviation) * ROUNDING if numbers.count else 0.0
@@ -333,13 +299,12 @@ class StatisticalOutlier(Step):
 
 
 class VoxelDownSample(Step):
-    """Means of voxels of a grid that the plan fixes; a voxel is of the tile that its middle is in."""
+    """Voxel means on the plan's grid; a voxel belongs to the tile that contains its center."""
 
     name, required = "voxel_down_sample", ("voxel_size",)
     defaults: ClassVar[dict[str, Any]] = {"corner": None}
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         self.size = check_positive("voxel_size", self.params["voxel_size"])
         self.reach = self.size / 2
         if self.params["corner"] is not None:
@@ -347,15 +312,14 @@ class VoxelDownSample(Step):
             self.params["corner"] = corner.tolist()
 
     def spread_after(self, spread: float) -> float:
-        """Means lie in their voxel, whose middle is their home."""
+        """Means are in their voxel, whose center decides the tile."""
         return self.size / 2
 
     def halo_before(self, after: float, spread: float, reach: float) -> float:
-        """Whole voxels are wanted."""
+        """Extend the halo to complete voxels."""
         return after + reach + spread
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
         trace = part.cloud.voxel_down_sample_and_trace(self.size, min_bound=corner)
         offsets, order = np.asarray(trace.offsets), np.asarray(trace.indices)
@@ -368,9 +332,9 @@ class VoxelDownSample(Step):
     def _keys(
         self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
     ) -> NDArray[np.int64] | None:
-        """Numbers of voxels, x slowest as in the cloud; None where 64 bits are too few."""
+        """Voxel numbers, x slowest; None if 64 bits are too few."""
         ends = (np.array([plan.told["low"], plan.told["high"]]) - corner) / self.size
-        beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for what is rounded and what has moved
+        beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for rounding and moved points
         low, high = np.floor(ends[0]) - beyond, np.floor(ends[1]) + beyond
         shape = [int(n) for n in high - low + 1]
         if math.prod(shape) >= 2**63:
@@ -380,7 +344,7 @@ class VoxelDownSample(Step):
 
 
 class Crop(Step):
-    """Points in a box or in polygons stay, a box's faces included; or with `invert` all others."""
+    """Keep points in a box (faces included) or polygons; with `invert` all others."""
 
     name = "crop"
     defaults: ClassVar[dict[str, Any]] = {
@@ -388,7 +352,6 @@ class Crop(Step):
     }  # fmt: skip
 
     def check(self) -> None:
-        """Set the box or the polygons by the parameters."""
         ends = ("min_bound", "max_bound")
         given = [name for name in (*ends, "polygon") if self.params[name] is not None]
         if given not in ([*ends], ["polygon"]):
@@ -404,13 +367,11 @@ class Crop(Step):
         self.box = AxisAlignedBoundingBox(self.params["min_bound"], self.params["max_bound"])
 
     def settle(self, sources: list[dict[str, Any]]) -> None:
-        """Bring polygons to the survey's coordinates."""
         if self.params["polygon"] is not None:
             self.area = in_survey("steps: crop: polygon", self.area, self.params["polygon_crs"], sources)
             self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         points, origin = part.cloud._device_array("points"), part.cloud.origin
         if self.params["polygon"] is None:
             keep = download(self.box.mask_points(points, origin)) != 0
@@ -423,13 +384,12 @@ NAMES = ("eigenvalues", *SHAPES)
 
 
 class Features(Step):
-    """Linearity, planarity and the others of `compute_eigen_features`, those that are named or all."""
+    """Selected or all features of `compute_eigen_features`."""
 
     name = "features"
     defaults: ClassVar[dict[str, Any]] = {"radius": None, "max_nn": 30, "names": SHAPES}
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
         if math.isfinite(radius):
             self.reach = radius
@@ -445,7 +405,6 @@ class Features(Step):
         self.params["names"] = [*dict.fromkeys(names)]
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         found = compute_eigen_features(part.cloud, radius=self.params["radius"], max_nn=self.params["max_nn"])
         cloud = part.cloud.copy()
         for name in self.params["names"]:
@@ -454,34 +413,31 @@ class Features(Step):
 
 
 class SmoothMls(Step):
-    """Each point moves onto the plane through its neighbours within a radius; it stays at home in its tile."""
+    """`smooth_mls` within a radius; points stay assigned to their tile."""
 
     name, required = "smooth_mls", ("radius",)
     defaults: ClassVar[dict[str, Any]] = {"max_nn": 30}
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         self.reach = check_positive("radius", self.params["radius"])
         check_search(self.reach, self.params["max_nn"])
 
     def spread_after(self, spread: float) -> float:
-        """A plane through neighbours is no farther away than they are."""
+        """A plane through neighbors is not farther away than they are."""
         return spread + self.reach
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         cloud = part.cloud.smooth_mls(radius=self.reach, max_nn=self.params["max_nn"])
         return dataclasses.replace(part, cloud=cloud, exact=None, spread=self.spread_after(part.spread))
 
 
 class EstimateNormals(Step):
-    """Normals of the neighbours within a radius, of the nearest, or both; turned to a direction or left."""
+    """`estimate_normals` by radius or count; optionally oriented to a direction."""
 
     name = "estimate_normals"
     defaults: ClassVar[dict[str, Any]] = {"radius": None, "max_nn": 30, "orient": (0.0, 0.0, 1.0)}
 
     def check(self) -> None:
-        """Set reach and neighbours by the parameters."""
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
         if math.isfinite(radius):
             self.reach = radius
@@ -494,7 +450,6 @@ class EstimateNormals(Step):
         self.params["orient"] = None if orient is None else check_direction("orient", orient).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part."""
         cloud = part.cloud.estimate_normals(radius=self.params["radius"], max_nn=self.params["max_nn"])
         if self.params["orient"] is not None:
             cloud = cloud.orient_normals_to_align_with_direction(self.params["orient"])
@@ -520,19 +475,14 @@ KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change, Reproje
 
 
 def parse_steps(steps: Any) -> list[Step]:
-    """The steps of a list of dictionaries, or of a TOML file of [[step]] tables; "step" names each.
-
-    Raises:
-        FileError: The file cannot be read, or the steps in it are wrong.
-        ValueError: No such step, one that needs the whole cloud, or a parameter that it does not have or take.
-    """
+    """Parse a list of dictionaries or a TOML file of [[step]] tables; FileError or ValueError if a step is invalid."""
     with naming_file(steps):
         return _parse(read_toml(Path(steps)) if isinstance(steps, str | Path) else steps)
 
 
 @contextmanager
 def naming_file(steps: Any) -> Iterator[None]:
-    """Turn errors about steps into a `FileError` if the steps came from a file."""
+    """Convert errors about steps to a `FileError` if the steps came from a file."""
     with values_of_file(steps) if isinstance(steps, str | Path) else nullcontext():
         yield
 
@@ -560,7 +510,7 @@ def _parse(steps: Any) -> list[Step]:
 
 
 def _check_json(name: str, params: dict[str, Any]) -> None:
-    """Check that a manifest can hold parameters."""
+    """Raise ValueError if JSON cannot represent the parameters."""
     try:
         json.dumps(params, allow_nan=False)
     except (ValueError, TypeError, RecursionError) as error:
@@ -568,7 +518,7 @@ def _check_json(name: str, params: dict[str, Any]) -> None:
 
 
 def _check_order(steps: list[Step]) -> None:
-    """Hold that no step whose halo may grow stands behind one that was joined with the halo that was planned."""
+    """Raise ValueError if a step with a variable halo follows one that was joined with the planned halo."""
     for before, step in pairwise(steps):
         if isinstance(before, Reproject):
             reason = "reproject is the last step: tiles and halos are lengths of the files' own system"
@@ -582,7 +532,6 @@ def _check_order(steps: list[Step]) -> None:
 
 
 def read_toml(path: Path) -> list[Any]:
-    """The [[step]] tables of a file."""
     import tomllib
 
     try:

@@ -1,4 +1,4 @@
-"""Rasters beside the tiles."""
+"""Rasters of tiles as a step."""
 
 from __future__ import annotations
 
@@ -12,10 +12,7 @@ from .step import Part, Step
 
 
 class Rasterize(Step):
-    """Points pass; a raster of the tile's cells is written beside it, and `finish_tiles` makes one of all.
-
-    A cell is of the tile that its centre is in.
-    """
+    """Write a raster of the tile's cells, merged by `finish_tiles`; points pass unchanged."""
 
     name, required, searches, writes = "rasterize", ("cell",), False, True
     defaults: ClassVar[dict[str, Any]] = {
@@ -24,7 +21,6 @@ class Rasterize(Step):
     }  # fmt: skip
 
     def check(self) -> None:
-        """Set the reach by the parameters."""
         params = self.params
         self.cell, self.kind = check_positive("cell", params["cell"]), params["kind"]
         if self.kind not in KINDS:
@@ -49,5 +45,4 @@ class Rasterize(Step):
         self.reach = max(around, self.cell / 2) + self.margin
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The points, as they came."""
         return part

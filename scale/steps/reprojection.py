@@ -1,4 +1,4 @@
-"""Points in another coordinate system, as the last step."""
+"""Reprojection to another coordinate system, as the last step."""
 
 from __future__ import annotations
 
@@ -22,17 +22,13 @@ SAME = 1e-9  # of a unit's length
 
 
 class Reproject(Step):
-    """Points in another projected coordinate system, by pyproj; heights stay unless both systems tell of them.
-
-    PROJ works on the CPU, whatever the device. It is the last step of a chain: tiles and halos are lengths of the
-    source's system.
-    """
+    """Reproject points by pyproj on the CPU; heights stay unless both systems have a vertical part. Must be the last
+    step: tiles and halos are in the source's units."""
 
     name, required, searches = "reproject", ("to_crs",), False
     defaults: ClassVar[dict[str, Any]] = {"from_crs": None, "scales": None, "offsets": None, "wkt": None}
 
     def check(self) -> None:
-        """Check that systems are named."""
         for name in ("to_crs", "from_crs"):
             value = self.params[name]
             if not (isinstance(value, str) and value) and not (name == "from_crs" and value is None):
@@ -42,7 +38,7 @@ class Reproject(Step):
         self._way: Any = None
 
     def settle(self, sources: list[dict[str, Any]]) -> None:
-        """Find the source's system, and the steps in which the target's coordinates are stored."""
+        """Find the source's system and the target's coordinate scale."""
         path = Path(sources[0]["path"])
         pyproj: Any = import_for(path, "pyproj", "geo")
         target = system_named("steps: reproject: to_crs", self.params["to_crs"])
@@ -59,9 +55,9 @@ class Reproject(Step):
                 raise ValueError(f"steps: reproject: {name}: {reason}; take a projected system")
         filled = [one for one in sources if one["points"]]
         if not filled:
-            return  # which is said elsewhere
+            return  # reported elsewhere
         units = [one.axis_info[0].unit_conversion_factor for one in (source, target)]
-        if source.is_compound and not target.is_compound:  # heights stay as they are, and so does what they count from
+        if source.is_compound and not target.is_compound:  # heights and their datum stay
             heights = source.sub_crs_list[1]
             told = pyproj.crs.CompoundCRS(f"{target.name} + {heights.name}", [target, heights])
         else:
@@ -80,16 +76,12 @@ class Reproject(Step):
         self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """The step on a part; points keep their homes in the source's coordinates."""
+        """Apply the step; points keep their homes in the source's coordinates."""
         exact = part.cloud.points if part.exact is None else part.exact
         return dataclasses.replace(part, exact=self._moved(np.asarray(exact, np.float64)))
 
     def _moved(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points in the target's coordinates.
-
-        Raises:
-            ValueError: Some have no place there.
-        """
+        """Points in the target's coordinates; ValueError if some cannot be converted."""
         if self._way is None:
             pyproj: Any = import_for("steps", "pyproj", "geo")
             systems = [pyproj.CRS.from_user_input(self.params[name]) for name in ("from_crs", "to_crs")]
@@ -110,5 +102,5 @@ class Reproject(Step):
 
 
 def _plane_of(system: Any) -> Any:
-    """A coordinate system without that of its heights."""
+    """Horizontal part of a coordinate system."""
     return system.sub_crs_list[0] if system.is_compound else system

@@ -1,10 +1,8 @@
-"""The steps of a job: what each does to a part of a cloud, and how far around a tile it must see to do that rightly.
+"""Steps of a job: operation on a part of a cloud, and the halo it needs around a tile.
 
-A step is of one of three classes. One of finite reach needs what lies within its reach. One of the k nearest is run
-with a guess and certified: each point whose result is used must have k points nearer than what is missing. One with
-numbers of the whole first measures all tiles, and is then done with exact sums over them. One whose answer reaches
-through any number of tiles has each leave what its neighbours must know, has all of that joined once, and is then done
-with what the join gives each. What needs the whole at once is refused.
+Kinds of steps: finite radius; k nearest, run with an estimated radius and verified (each result point must have k
+points nearer than missing data); global sums, measured over all tiles first; joined, where tiles leave border data that
+is joined once. Steps that need the complete cloud are rejected.
 """
 
 from __future__ import annotations
@@ -23,17 +21,15 @@ from ...pcd.cloud import PointCloud
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """What a tile and its halo hold between two steps.
+    """A tile with its halo between two steps.
 
     Attributes:
         cloud: The points about the plan's origin.
-        exact: Their positions as the files have them, float64 [n, 3]; None once a step has moved them.
-        homes: Where each point counts as lying, x and y, float64 [n, 2]: its position in the file, or its voxel's
-            middle. Each home is in one tile, whatever the tiles' size.
-        spread: How far a point may lie from its home along x or y.
-        other: The other epoch, for a step that compares.
-        keys: int64 [n], all different, in the order that the points have in the whole: of the files and of the rows in
-            them, or of voxels; None where they cannot be told.
+        exact: File positions, float64 (n, 3); None once a step moved points.
+        homes: x and y that assign each point to a tile, float64 (n, 2): its file position, or its voxel's center.
+        spread: Maximum distance of a point from its home along x or y.
+        other: The other epoch, for a comparing step.
+        keys: int64 (n,), unique, in the global order of files and rows, or of voxels; None if unknown.
     """
 
     cloud: PointCloud
@@ -44,17 +40,16 @@ class Part:
     keys: NDArray[np.int64] | None = None
 
     def select(self, keep: NDArray[np.bool_]) -> Part:
-        """The points of a mask."""
         if keep.all():
             return self
         return self.take(np.flatnonzero(keep), self.cloud.select_by_mask(keep))
 
     def beside(self, other: PointCloud | None) -> Part:
-        """The same with another epoch at hand, or without."""
+        """Same part with or without another epoch."""
         return dataclasses.replace(self, other=other)
 
     def take(self, rows: NDArray[Any], cloud: PointCloud) -> Part:
-        """Some rows, whose cloud is there already."""
+        """Select rows whose cloud is already computed."""
         exact = None if self.exact is None else self.exact[rows]
         keys = None if self.keys is None else self.keys[rows]
         return dataclasses.replace(self, cloud=cloud, exact=exact, homes=self.homes[rows], keys=keys)
@@ -62,14 +57,8 @@ class Part:
 
 @dataclass(frozen=True, eq=False)
 class Sight:
-    """What of a part a tile that leaves something for a join may rely on.
-
-    Attributes:
-        owners: The tile that each point is at home in, int64 [n].
-        own: Which points are at home in this tile, bool [n].
-        shared: Which of these other tiles see, too.
-        seen: Around which points all is there within the step's reach.
-    """
+    """What a tile that leaves border data may rely on. `owners`: home tile of each point, int64 (n,). `own`: points of
+    this tile. `shared`: own points that other tiles also see. `seen`: points with a complete neighborhood."""
 
     owners: NDArray[np.int64]
     own: NDArray[np.bool_]
@@ -78,19 +67,17 @@ class Sight:
 
 
 class Step:
-    """One step, its parameters checked.
+    """A step with validated parameters.
 
     Attributes:
-        name: As users write it.
-        params: In JSON's types, defaults filled in.
-        reach: How far a result depends on other points; of the k nearest the guess, which the plan makes.
+        name, params: Name as written by users; parameters in JSON's types with defaults.
+        reach: Dependence radius of a result; for the k nearest an estimate made by the plan.
         neighbors: k, of a step of the k nearest.
-        needs_numbers: Whether it needs numbers of the whole.
-        joins: Whether it needs what all tiles leave, joined.
-        hops: How many reaches away a result of a tile may depend on.
-        searches: Whether it searches for neighbours, in the cloud's tree.
-        writes: Whether it writes something beside the tile, of tiles without points too.
-        epoch: Paths of the files of another epoch that it compares with; empty where it does not.
+        needs_numbers, joins: True if the step needs global sums, or joined border data.
+        hops: Number of radii that a result may depend on.
+        searches: True if it searches neighbors in the cloud's tree.
+        writes: True if it writes other files, also for empty tiles.
+        epoch: Files of the compared epoch; empty if none.
     """
 
     name = ""
@@ -117,31 +104,31 @@ class Step:
         self.check()
 
     def check(self) -> None:
-        """Check the parameters and set what follows from them."""
+        """Validate parameters and derive others."""
 
     def settle(self, sources: list[dict[str, Any]]) -> None:
-        """Bring parameters to the survey that is planned for, whose files are described."""
+        """Adapt parameters to the described files of the survey."""
 
     def spread_after(self, spread: float) -> float:
-        """How far points may lie from their homes after the step."""
+        """Maximum distance of points from their homes after the step."""
         return spread
 
     def halo_before(self, after: float, spread: float, reach: float) -> float:
-        """The halo that it must be given so that all is right in a halo `after` it."""
+        """Halo that the step needs so that a halo of `after` is correct."""
         return after + self.hops * (reach + 2 * spread)
 
     def run(self, part: Part, plan: Any, numbers: Any) -> Part:
-        """The step on a part, with the sums that it needs or what a join gives the tile."""
+        """Apply the step to a part, with global sums or the tile's join result."""
         raise NotImplementedError
 
     def measure(self, part: Part) -> NDArray[np.float64]:
-        """The values whose sums over the whole are needed."""
+        """Values whose global sums are needed."""
         raise NotImplementedError
 
     def gather(self, part: Part, sight: Sight) -> dict[str, NDArray[Any]]:
-        """What a tile leaves for the join."""
+        """Border data of a tile for the join."""
         raise NotImplementedError
 
     def join(self, left: Any, folder: Path) -> int:
-        """Join what all tiles left; into the folder goes what each gets. How many things there are in the whole."""
+        """Join the data of all tiles, write each tile's result, return the global count."""
         raise NotImplementedError

@@ -1,8 +1,6 @@
-"""pointloom: point clouds, scans and RGB-D frames to clouds and meshes, on one kernel source for CUDA and CPU cores.
+"""pointloom: point clouds, scans and RGB-D frames to clouds and meshes, with one kernel source for CUDA and CPU.
 
-Operations return what they make and change nothing in place: `cloud = cloud.estimate_normals()`.
-
-`import pointloom as loom` starts no runtime: each public name is loaded when it is first used.
+Operations return new objects: `cloud = cloud.estimate_normals()`. Public names are loaded on first use.
 """
 
 from .public_names import attach

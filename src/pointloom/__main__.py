@@ -1,4 +1,4 @@
-"""The command `pointloom`, which `python -m pointloom` is too."""
+"""The command `pointloom`, also `python -m pointloom`."""
 
 import os
 import signal
@@ -8,16 +8,16 @@ INTERRUPTED = 130
 
 
 def _leave(number: int, frame: FrameType | None) -> None:
-    """End at once: nothing has begun yet that had to be tidied up, and a traceback of imports says nothing."""
+    """Exit immediately: nothing needs cleanup yet, and a traceback of imports is not helpful."""
     os.write(2, b"interrupted\n")
     os._exit(INTERRUPTED)
 
 
 def main() -> None:
-    """Run the command; Ctrl-C while it is loaded is one line and exit code 130 too."""
+    """Run the command; Ctrl-C during loading also gives one line and exit code 130."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _leave)
-    from .app.shell.cli import main as run  # what loads click and the commands
+    from .app.shell.cli import main as run  # loads click and the commands
 
     run()
 

@@ -1,4 +1,4 @@
-"""Public names, each loaded when it is first used: the one list of them is the package's stub, `__init__.pyi`."""
+"""Load public names on first use; their only list is the package's stub, `__init__.pyi`."""
 
 from __future__ import annotations
 
@@ -6,23 +6,22 @@ import importlib
 import sys
 from types import ModuleType
 
-TYPE_CHECKING = False  # `typing` would take as long as all the rest
+TYPE_CHECKING = False  # importing `typing` takes as long as all the rest
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from typing import Any
 
-_homes: dict[str, dict[str, str]] = {}  # what `_read` has read
+_homes: dict[str, dict[str, str]] = {}  # results of `_read`
 
-MAX_HINTS = 3  # names of a private module, in an error
-SHORT_NAME = "loom"  # what users import the package as
-OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # the package of Open3D's names
+MAX_HINTS = 3  # names of a private module in an error
+SHORT_NAME = "loom"  # usual import name
+OPEN3D = f"{__name__.partition('.')[0]}.open3d"  # package of Open3D's names
 
 
 class _Package(ModuleType):
-    """A public subpackage: its submodules become attributes only if they are public names.
+    """A public subpackage that hides submodules unless they are public names.
 
-    Python sets each submodule that is imported as an attribute of its package, where `registration.icp` would look
-    like a function. Imports find such a module in `sys.modules`.
+    Python sets imported submodules as attributes of their package, where `registration.icp` would look like a function.
     """
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -32,15 +31,15 @@ class _Package(ModuleType):
 
 
 def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """`__getattr__`, which knows `__all__` too, and `__dir__` of a package, from the imports in its stub.
+    """`__getattr__` (also for `__all__`) and `__dir__` of a package, from the imports in its stub.
 
-    The stub is read when the first name is asked for, so that importing the package takes a millisecond.
+    The stub is read on first use, so importing the package takes a millisecond.
     """
     if "." in package:
         sys.modules[package].__class__ = _Package
 
     def load(name: str) -> Any:
-        if name.startswith("__") and name != "__all__":  # Python's own, which a package need not have
+        if name.startswith("__") and name != "__all__":  # Python's own, which are optional
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         homes = _read(package)
         if name == "__all__":
@@ -61,7 +60,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
 
 
 def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
-    """The message for a private submodule, with public names that it defines; empty for any other name."""
+    """Error message for a private submodule with the public names it defines; "" for other names."""
     from difflib import get_close_matches
     from importlib.machinery import PathFinder
 
@@ -88,13 +87,13 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
 
 
 def _also(package: str, name: str) -> str:
-    """`; it is loom.registration` where another module has a name; empty where none has."""
+    """`; it is loom.registration` if another module has the name, else ""."""
     other = _elsewhere(package, name)
     return f"; it is {other}" if other else ""
 
 
 def _in_open3d(name: str) -> str:
-    """Where the package of Open3D's names has a name: `o3d.pipelines.registration`; empty where it has none."""
+    """Location of a name in the Open3D package, such as `o3d.pipelines.registration`, or ""."""
     from importlib.util import find_spec
 
     waiting = [OPEN3D]
@@ -109,15 +108,13 @@ def _in_open3d(name: str) -> str:
 
 
 class _UnknownModules:
-    """A finder behind all others: importing a module that Open3D has and the package of its names has not fails with
-    the message that its attribute has.
-    """
+    """Last import finder: importing a missing Open3D module fails with the message of the attribute."""
 
     @staticmethod
     def find_spec(fullname: str, path: Any = None, target: Any = None) -> None:
         """Raise ModuleNotFoundError for a module of the package; find nothing else.
 
-        The error has no `name`: with one, `from package import module` would replace it by another error.
+        The error has no `name`: otherwise `from package import module` would replace it by another error.
         """
         package, _, name = fullname.rpartition(".")
         if package == OPEN3D or package.startswith(f"{OPEN3D}."):
@@ -131,7 +128,7 @@ def tell_unknown_modules() -> None:
 
 
 def _elsewhere(package: str, name: str) -> str:
-    """Where another of the package's modules has a name; empty where none has."""
+    """Other module of the package with the name, or ""."""
     root = package.partition(".")[0]
     homes = _read(root)
     if name in homes and package != root:
@@ -143,7 +140,7 @@ def _elsewhere(package: str, name: str) -> str:
 
 
 def _package_of(module: str, home: str) -> str:
-    """The package that a public name is, if it has public names of its own; else nothing."""
+    """Package of a public name that has public names itself, or ""."""
     import pkgutil
 
     for whole in (home, f"{home}.{module}"):
@@ -156,7 +153,7 @@ def _package_of(module: str, home: str) -> str:
 
 
 def _read(package: str) -> dict[str, str]:
-    """The module of each public name; of a module, itself."""
+    """Module of each public name; a module maps to itself."""
     if package in _homes:
         return _homes[package]
     import ast
