@@ -1,1 +1,1 @@
-"""Device code: every data-parallel kernel, and the compiler front that they are written for."""
+"""Device code: all data-parallel kernels, and the kernel language."""

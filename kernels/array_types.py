@@ -1,9 +1,5 @@
-"""Types of device arrays by element and rank: what a type checker holds at the door of the kernels.
-
-`Points` is no `Positions` (another element), no `Array2[vec3]` (another rank) and no NumPy array; what is only known to
-be Warp's array passes for each. `Array1[Any]` is for elements that a room makes with `vector`. At run time each of
-these is Warp's class: nothing is checked there, and a launch checks what its kernel says. To a type checker they are
-Warp's own `array[vec3, Literal[1]]`, with slices that keep element and rank by typings/warp.
+"""Static types of device arrays by element and rank. At run time each is `wp.array`, and launches check the arguments.
+`Array1[Any]` is for elements made with `vector`. Type checkers use `array[vec3, Literal[1]]` of typings/warp.
 """
 
 from __future__ import annotations
@@ -25,7 +21,7 @@ if TYPE_CHECKING:
 else:
 
     class DeviceArray:
-        """Warp's array, whatever stands in the brackets: annotations are read at import, and `| None` wants a class."""
+        """Warp's array with any subscript: annotations are evaluated at import, and `| None` needs a class."""
 
         def __class_getitem__(cls, _):
             return wp.array
@@ -36,10 +32,10 @@ AnyArray: TypeAlias = wp.array
 Array = TypeVar("Array", bound=wp.array)  # the same element and rank in and out
 
 Points: TypeAlias = Array1[vec3]  # float32, about an origin
-Vectors: TypeAlias = Array1[vec3]  # what is no place: normals, colours
+Vectors: TypeAlias = Array1[vec3]  # not positions: normals, colors
 Positions: TypeAlias = Array1[vec3d]  # float64
 Triangles: TypeAlias = Array1[vec3i]  # rows of three vertices
-Cells: TypeAlias = Array1[vec3i]  # whole coordinates in a grid
+Cells: TypeAlias = Array1[vec3i]  # integer grid coordinates
 Poses: TypeAlias = Array1[mat44d]
 Scalars: TypeAlias = Array1[float32]
 Doubles: TypeAlias = Array1[float64]

@@ -1,10 +1,7 @@
-"""Compile every kernel for CUDA on a machine without a GPU: python -m pointloom.kernels.check_cuda [90] [module ...].
+"""Compile every kernel for CUDA without a GPU: python -m pointloom.kernels.check_cuda [90] [module ...].
 
-A number is an architecture, such as 90 for sm_90. All of ARCHITECTURES are compiled if none is given.
-
-Warp carries NVRTC, so nothing else is needed. One line a module: kernels, bytes of each cubin, seconds. Then the
-kernels that hold something in local memory (spilled registers, or vectors with a computed index) or many registers:
-both are what makes a kernel slow on a GPU. The figures are read from the cubins themselves.
+A number is an architecture (90 for sm_90), by default all of ARCHITECTURES. Prints one line per module with kernels,
+cubin sizes and seconds. Then lists the kernels that use local memory or many registers. Warp ships NVRTC.
 """
 
 from __future__ import annotations
@@ -28,21 +25,15 @@ from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
 
-ARCHITECTURES = (75, 90, 120)  # the oldest that CI promises, the data centre of today, the newest
-MANY_REGISTERS = 128  # beyond this, half of an SM's threads or fewer are in flight
+ARCHITECTURES = (75, 90, 120)  # the oldest tested by CI, the current data center, the newest
+MANY_REGISTERS = 128  # above, at most half of an SM's threads are in flight
 
 EIATTR_REGISTERS, EIATTR_FRAME = 0x2F, 0x11
-SIZED_VALUE = 0x04  # the format of attributes with a payload
+SIZED_VALUE = 0x04  # format code of attributes with a payload
 
 
 class Usage(NamedTuple):
-    """What one thread of a kernel holds, and what a block of threads shares.
-
-    Warp gives every kernel a word of shared memory a thread, with tiles or without: its template of a kernel declares
-    what counts the tiles' memory, and sets it to zero (_src/codegen.py cuda_kernel_template_forward, native/tile.h
-    tile_shared_storage_t). No option of a module leaves it out. It is 1 KB a block of 256 threads, of which an SM runs
-    eight at most and has 64 KB or more: no block is kept out. From sm_80 on the driver's 1 KB a block is counted too.
-    """
+    """Registers and local memory of a thread, shared memory of a block (Warp's template declares a word per thread)."""
 
     registers: int
     local_bytes: int
@@ -50,18 +41,13 @@ class Usage(NamedTuple):
 
 
 class Compiled(NamedTuple):
-    """One module's cubins, by architecture."""
-
     sizes: dict[int, int]
     usage: dict[int, dict[str, Usage]]
     seconds: float
 
 
 def read_usage(cubin: bytes) -> dict[str, Usage]:
-    """Registers, local and shared memory of each kernel of a cubin.
-
-    ELF64: sections .nv.info and .nv.shared.<kernel>, symbols named in .symtab.
-    """
+    """Registers, local and shared memory of each kernel, from the ELF64 sections .nv.info, .nv.shared.* and .symtab."""
     table, entry_size, count, names_at = struct.unpack_from("<Q", cubin, 40) + struct.unpack_from("<3H", cubin, 58)
     sections = [struct.unpack_from("<IIQQQQII", cubin, table + k * entry_size) for k in range(count)]
 
@@ -88,11 +74,10 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
 
 
 def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) -> Compiled:
-    """Compile one module's kernels into cubins that are thrown away."""
     start = time.perf_counter()
     sizes = dict.fromkeys(architectures, 0)
     usage: dict[int, dict[str, Usage]] = {architecture: {} for architecture in architectures}
-    for module in modules_for_cuda(name) or [name]:  # of a file without kernels Warp says so
+    for module in modules_for_cuda(name) or [name]:  # Warp reports files without kernels
         with tempfile.TemporaryDirectory() as folder:
             paths = wp.compile_aot_module(module, arch=list(architectures), module_dir=folder, use_ptx=False)
             for architecture, path in zip(architectures, paths, strict=True):
@@ -103,7 +88,7 @@ def compile_module(name: str, architectures: tuple[int, ...] = ARCHITECTURES) ->
 
 
 def report_heavy(compiled: Compiled) -> list[str]:
-    """One line a kernel that uses local memory or many registers, with the worst of the architectures."""
+    """One line per kernel that uses local memory or many registers, with the worst architecture."""
     lines = []
     for name in sorted(next(iter(compiled.usage.values()))):
         each = {a: usage[name] for a, usage in compiled.usage.items() if name in usage}
@@ -118,7 +103,7 @@ def report_heavy(compiled: Compiled) -> list[str]:
 def check_module(
     name: str, *, architectures: tuple[int, ...] = ARCHITECTURES, may_be_empty: bool = False
 ) -> tuple[int, list[str], str]:
-    """Compile one module: how many kernels it has, lines about them, and what is wrong; no lines where it has none."""
+    """Compile one module. Return its kernel count, report lines and errors; no lines for a module without kernels."""
     try:
         importlib.import_module(name)
         if may_be_empty and name not in lang.LAUNCHED:
@@ -127,7 +112,7 @@ def check_module(
         if name in lang.LAUNCHED and not modules_for_cuda(name):
             return 0, [f"{name}: kernels for the CPU alone"], ""
         compiled = compile_module(name, architectures)
-    except Exception as error:  # a rule of the language, NVRTC, a name that is no module: all are findings
+    except Exception as error:  # a language rule, NVRTC, an unknown module name: all are findings
         return 0, [], f"{name}: FAILED\n{type(error).__name__}: {error}"
     count = len(next(iter(compiled.usage.values())))
     sizes = ", ".join(f"sm_{a} {size:,} B" for a, size in compiled.sizes.items())
@@ -136,7 +121,7 @@ def check_module(
 
 
 def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[str], str]]:
-    """Compile the whole package, a process a core, since NVRTC uses one; the results in the modules' order."""
+    """Compile the whole package in one process per core (NVRTC is single-threaded). Results are in module order."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
     found = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     spawn = multiprocessing.get_context("spawn")
@@ -145,7 +130,6 @@ def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[st
 
 
 def main(words: list[str]) -> int:
-    """Compile the named modules, or all of the package, for the numbered architectures, or all; the exit status."""
     names = [word for word in words if not word.isdecimal()]
     architectures = tuple(int(word) for word in words if word.isdecimal()) or ARCHITECTURES
     failures, kernels, start = 0, 0, time.perf_counter()

@@ -1,12 +1,8 @@
 """Compile every kernel for GPUs ahead, without one: python -m pointloom.kernels.cuda_cache [--architectures 75 90 ...].
 
-Else each process's first use of an operation on a machine waits for NVRTC, seconds a module, minutes in all. Written
-are an archive, and a wheel that holds it (`pip install`); POINTLOOM_CUDA_KERNELS names an archive that is not
-installed. What is in it and when it is used: language/compiled_ahead.py.
-
-NVRTC comes with Warp and uses one core, so there is a process a core. What is compiled is kept in the work folder:
-after an interruption, or for one more architecture, only the rest is compiled. Archive and wheel are written at the
-end, whole or not at all.
+Avoids NVRTC compilation (seconds per module) at the first use of an operation. Writes an archive and an installable
+wheel atomically. POINTLOOM_CUDA_KERNELS names an archive that is not installed; language/compiled_ahead.py loads it.
+Compiled modules stay in the work folder, so an interrupted run resumes.
 """
 
 from __future__ import annotations
@@ -39,32 +35,28 @@ from .language.warp_compiler import modules_for_cuda
 
 import warp as wp  # isort: skip
 
-# Turing, Ampere for servers and for desks, Ada, Hopper, Blackwell for servers and for desks
+# Turing, Ampere (server, desktop), Ada, Hopper, Blackwell (server, desktop)
 ARCHITECTURES = (75, 80, 86, 89, 90, 100, 120)
 CASTS = casts.__name__
-INTERRUPTED = 130  # as a shell says of Ctrl-C
+INTERRUPTED = 130  # exit status of shells after Ctrl-C
 
 
 class Code(NamedTuple):
-    """A module's code for one architecture."""
-
     size: int
     packed: bytes
-    seconds: float  # of the processor; 0 where it was there
+    seconds: float  # CPU time; 0 if it was cached
 
 
 class Built(NamedTuple):
-    """A module of Warp's, compiled."""
-
     name: str
-    key: str  # Warp's hash of it
+    key: str  # Warp's module hash
     kernels: int
     meta: dict[str, int]
-    code: dict[str, Code]  # by what compiled_ahead.choose chooses from
+    code: dict[str, Code]  # by the architecture keys of compiled_ahead.choose
 
 
 def find_files() -> list[str]:
-    """The modules of kernels/, the largest sources first, so that no core is left with one of them at the end."""
+    """The modules of kernels/, largest sources first to balance the process pool."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
     sizes = {}
     for found in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
@@ -81,10 +73,7 @@ def _modules_of(file: str) -> list[wp.Module]:
 
 
 def _drop_outdated(module: wp.Module, folder: Path) -> None:
-    """Remove what an earlier run compiled from another text.
-
-    Warp's hash, which names the folder, counts only the low 32 bits of a whole-number constant.
-    """
+    """Remove outdated compilations: Warp's hash in the folder name covers only the low 32 bits of integer constants."""
     kept = folder / f"{folder.name}.cu"
     if kept.exists():
         options = module.resolve_options(wp.config) | {"output_arch": max(ARCHITECTURES)}
@@ -108,13 +97,7 @@ def _compile(module: wp.Module, work: Path, targets: list[tuple[int, bool]]) -> 
 
 
 def compile_file(file: str, work: Path, targets: list[tuple[int, bool]]) -> list[Built]:
-    """Compile a file's kernels.
-
-    Args:
-        file: The name of its module.
-        work: Where what is compiled is kept.
-        targets: Architectures, and for each whether it is to be PTX.
-    """
+    """Compile one file into the work folder. `targets` are (architecture, PTX) pairs."""
     wp.config.kernel_cache_dir = str(work)
     return [_compile(module, work, targets) for module in _modules_of(file)]
 
@@ -124,11 +107,7 @@ def _leave_ctrl_c_to_the_parent() -> None:
 
 
 def compile_all(files: Iterable[str], work: Path, targets: list[tuple[int, bool]]) -> Iterator[tuple[str, list[Built]]]:
-    """Compile files in a process a core, in whatever order they are done.
-
-    Raises:
-        RuntimeError: A file was not compiled; says which.
-    """
+    """Compile files in one process per core, in order of completion. Raises RuntimeError for a file that fails."""
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool:
         asked = {pool.submit(compile_file, file, work, targets): file for file in files}
@@ -136,17 +115,17 @@ def compile_all(files: Iterable[str], work: Path, targets: list[tuple[int, bool]
             for done in as_completed(asked):
                 try:
                     yield asked[done], done.result()
-                except Exception as error:  # a rule of the language, NVRTC, a full disk
+                except Exception as error:  # a language rule, NVRTC, a full disk
                     raise RuntimeError(f"{asked[done]}: {type(error).__name__}: {error}") from error
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
-            for child in multiprocessing.active_children():  # what they write is whole or not there
+            for child in multiprocessing.active_children():  # their writes are atomic
                 child.terminate()
             raise
 
 
 def archive_of(built: list[Built]) -> bytes:
-    """The archive, as bytes; the same for the same code."""
+    """The archive as bytes, deterministic for the same code."""
     targets = sorted({target for each in built for target in each.code}, key=lambda t: (len(t), t))
     modules = {
         each.key: {"name": each.name, "meta": each.meta, "binaries": sorted(each.code)}
@@ -170,7 +149,7 @@ def _zipped(members: dict[str, bytes]) -> bytes:
 
 
 def wheel_of(archive: bytes, version: str) -> tuple[str, bytes]:
-    """The name and the bytes of a wheel with an archive in it, for the pointloom of this version and this Warp."""
+    """Name and bytes of a wheel with the archive, for this pointloom version and this Warp."""
     info = f"{PACKAGE}-{version}.dist-info"
     summary = "pointloom's kernels, compiled ahead for NVIDIA's GPUs"
     needs = f"Requires-Dist: pointloom=={version}\nRequires-Dist: warp-lang=={wp.__version__}\n"
@@ -190,7 +169,6 @@ def wheel_of(archive: bytes, version: str) -> tuple[str, bytes]:
 
 
 def table_of(built: list[Built]) -> list[str]:
-    """Lines that say what each architecture takes."""
     lines = [f"{'':12}{'kernels':>8}{'modules':>8}{'MB':>8}{'packed MB':>11}{'CPU s':>8}"]
     targets = {target for each in built for target in each.code}
     for target in sorted(targets, key=lambda t: (len(t), t)):
@@ -203,12 +181,7 @@ def table_of(built: list[Built]) -> list[str]:
 
 
 def build(files: list[str], targets: list[tuple[int, bool]], work: Path, output: Path) -> list[Path]:
-    """Compile, and write archive and wheel; prints a line a file.
-
-    Raises:
-        RuntimeError: A file was not compiled.
-        OSError: A folder cannot be written to.
-    """
+    """Compile, write archive and wheel, and print one line per file. Raises RuntimeError or OSError."""
     work.mkdir(parents=True, exist_ok=True)
     output.mkdir(parents=True, exist_ok=True)
     start, built = time.perf_counter(), []
@@ -248,7 +221,6 @@ def _parsed(arguments: list[str]) -> argparse.Namespace:
 
 
 def main(arguments: list[str]) -> int:
-    """Build what the command line asks for; the exit status."""
     parsed = _parsed(arguments)
     targets = [*((a, False) for a in parsed.architectures), *((a, True) for a in parsed.ptx)]
     try:

@@ -1,7 +1,6 @@
-"""Launches: where a kernel's arrays live, all of them by Warp: CUDA's in its stream, the CPU's on all cores.
+"""Launch kernels on the device of their arrays: on CUDA in Warp's stream, on the CPU on all cores.
 
-On the CPU Taichi has the kernels too, as a second compiler of the same source: `cpu_compiler("taichi")` and
-`POINTLOOM_CPU=taichi` choose it. The tests do, since what both give the same bits of is the source's.
+`cpu_compiler("taichi")` or `POINTLOOM_CPU=taichi` selects Taichi as the CPU compiler, for cross-checks in tests.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ if TYPE_CHECKING:
     from .lang import Kernel, Reduction
 
 HAS_CUDA = wp.is_cuda_available()
-BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few partial sums to fold
+BLOCK = 1024  # elements of a CPU partial sum: many blocks per core at 100k elements, few to fold
 
 _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloom_cpu_compiler", default=None)
 
@@ -47,11 +46,7 @@ def cpu_compiler(name: str) -> Iterator[None]:
 
 
 def current_cpu_compiler() -> str:
-    """The compiler that CPU launches go through: "warp", or "taichi" where `POINTLOOM_CPU` or `cpu_compiler` says so.
-
-    Raises:
-        RuntimeError: Taichi was asked for and cannot serve, or POINTLOOM_CPU names neither compiler.
-    """
+    """The compiler of CPU launches, "warp" or "taichi" (see `cpu_compiler`). Raises RuntimeError if unusable."""
     wanted = _compiler.get() or os.environ.get("POINTLOOM_CPU") or "warp"
     if wanted not in ("warp", "taichi"):
         raise RuntimeError(f"POINTLOOM_CPU: expected warp or taichi, got {wanted!r}")
@@ -61,17 +56,14 @@ def current_cpu_compiler() -> str:
 
 
 class Turn:
-    """The CPU launches of a loop's first turn, kept with their arguments to be made again.
-
-    Even a prepared launch takes longer to read its arguments than a small kernel runs.
-    """
+    """CPU launches of a loop's first iteration: reading the arguments again would cost more than a small kernel."""
 
     def __init__(self) -> None:
         self.launches: list[Callable[[], None]] = []
-        self.program: Any = None  # Taichi's, where launches are its
+        self.program: Any = None  # for Taichi launches
 
     def repeat(self) -> bool:
-        """Launch the same again; False, and nothing done, where the program has started Taichi anew."""
+        """Repeat the launches; False, without effect, if Taichi was restarted."""
         if self.program is not None and self.program is not taichi_compiler.start().program:
             return False
         for again in self.launches:
@@ -79,14 +71,14 @@ class Turn:
         return True
 
 
-_turn: Turn | None = None  # the one that is being kept; whoever holds the lock may look
-_launched: set[tuple[int, str]] = set()  # kernels that ran on a GPU, and on which
+_turn: Turn | None = None  # the launches being recorded; requires the lock
+_launched: set[tuple[int, str]] = set()  # kernels launched on a GPU, by device
 _by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
 def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[bool]:
-    """Announces the kernel's first launch in this process; gives whether it is that."""
+    """Announce the first launch of a kernel in this process; True if it was the first."""
     if (id(kernel), place) in _launched:
         return contextlib.nullcontext(False)
     _launched.add((id(kernel), place))
@@ -101,7 +93,7 @@ def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: 
 
 
 def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence[Any], device: Device) -> bool:
-    """Launch on a GPU what has been launched there before and is plainly right; False, and nothing done, of others."""
+    """Use a prepared GPU launch; False, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedKernel | None = kernel.prepared.get(device.alias)
     if prepared is None or not 0 < thread_count <= MAX_THREADS or not launches_plainly():
         return False
@@ -126,7 +118,7 @@ def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: i
 
 
 def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
-    """The machine code that an earlier process has left, or what Warp makes of the kernel; kept for later ones."""
+    """Load the machine code of an earlier process, or compile with Warp and store it."""
     kept = what.kept
     if kept is not None and (address := kept_kernels.address_of(kept)):
         return WarpLaunch.of_kept(kept, address, lambda: what.on_host)
@@ -145,7 +137,7 @@ def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]]
     prepared = _by_taichi.get(kernel)
     if prepared is None or prepared.program() is not taichi.program:
         with announced(name):
-            compiling()  # for all that is known of Taichi's cache
+            compiling()  # before Taichi's cache is queried
             prepared = _by_taichi[kernel] = taichi.prepare(kernel, name, annotations(), values)
         again = None if _turn is None else prepared.bound(values)
     elif _turn is None:
@@ -168,21 +160,17 @@ def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
 
 
 def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
-    """Run `thread_count` threads of a kernel where its arrays live; returns before a CUDA launch has finished.
-
-    Safe from several Python threads at once: launches, recordings and what kernels/memory.py does take turns.
+    """Run `thread_count` threads of a kernel on the device of its arrays. Asynchronous on CUDA, and thread-safe.
 
     Args:
-        kernel: The kernel.
-        thread_count: Threads, below 2^31.
-        arguments: One per parameter: arrays as Warp arrays, contiguous, all on one device; vectors and matrices as
-            Warp's or as anything that NumPy takes; whole numbers for integers; for a structure an object that has its
-            fields as attributes.
+    kernel: The kernel.
+    thread_count: Threads, below 2^31.
+    arguments: One per parameter: contiguous Warp arrays on one device; vectors and matrices as Warp or NumPy values;
+    integers; for a structure an object with its fields as attributes.
 
     Raises:
-        ValueError: Arrays on different devices or not contiguous, too many threads, an argument too many or too few,
-            or a number out of its parameter's range.
-        TypeError: An argument is not what its parameter says.
+    ValueError: Different devices, a non-contiguous array, a wrong count or a number out of range.
+    TypeError: An argument of the wrong type.
     """
     if HAS_CUDA and (home := kernel.first_device(arguments)).is_cuda:
         kernel = kernel.twin
@@ -206,14 +194,7 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
 
 
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
-    """Sum a reduction's vectors over `count` elements, in two stages of fixed order.
-
-    Returns:
-        The sum as a device array of one vector; zero where there are no elements.
-
-    Raises:
-        ValueError, TypeError: As `launch`.
-    """
+    """Sum a reduction over `count` elements in two stages of fixed order: an array (1). Raises as `launch`."""
     if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda:
         found = _prepared_sum(reduction, count, arguments, home)
         if found is not None:
@@ -243,7 +224,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
-    """The sum on a GPU, where it has been made there before and is plainly right; None, and nothing done, of others."""
+    """The sum by a prepared GPU launch; None, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedSum | None = reduction.prepared.get(device.alias)
     if prepared is None or not 0 < count <= MAX_THREADS or not launches_plainly():
         return None
@@ -262,18 +243,8 @@ def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], de
 def reduce_segments(
     reduction: Reduction, blocks: Any, live: Integers, arguments: Sequence[Any], partials: wp.array, out: wp.array
 ) -> None:
-    """Sum a reduction's vectors over segments of its elements, each in a fixed order; allocates nothing.
-
-    Args:
-        reduction: A `@segment_reduction`.
-        blocks: How the segments are cut into blocks: a `segment_blocks.SegmentBlocks`.
-        live: int32 [segments]; what a segment with 0 has in `out` is not to be looked at.
-        arguments: As of `launch`.
-        partials: Room for one vector a block.
-        out: The sums, one vector a segment.
-
-    Raises:
-        ValueError, TypeError: As `launch`.
+    """Sum a reduction's vectors over segments, each in a fixed order, without allocation. `blocks` is a SegmentBlocks;
+    `out` is undefined where `live` (segments) is 0; `partials` is scratch, one vector per block. Raises as `launch`.
     """
     if not reduction.segmented:
         raise TypeError(f"{reduction.name}: a @reduction, where many sums take a @segment_reduction")
@@ -299,32 +270,16 @@ def reduce_segments(
 
 
 def loop_while(condition: Integers, body: Callable[[], None]) -> None:
-    """Run a body of launches as long as `condition[0]` is not zero.
-
-    On CUDA the loop is one graph with a conditional node, and nothing goes back to the host; so the body may only
-    launch kernels and reductions over arrays that exist already. On the CPU the flag is read in place, and the launches
-    are those of the first turn again.
-
-    Args:
-        condition: int32 device array [1], which the body's last kernel sets.
-        body: Launches, the same in each turn; called once to be recorded.
-
-    Raises:
-        RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
+    """Run a body of launches while `condition[0]` is not zero. On CUDA the loop is one graph with a conditional node,
+    without host synchronization. The body may only launch kernels and reductions over existing arrays. On the CPU the
+    launches of the first iteration are repeated. `condition` is an int32 device array (1) that the body's last kernel
+    sets. Raises RuntimeError for a CUDA driver before 12.4.
     """
     DeviceLoop(condition, body).run()
 
 
 class DeviceLoop:
-    """A `loop_while` that is prepared when it first runs, and run again for a small part of that.
-
-    On CUDA the graph is kept, on the CPU the launches of the first turn: a loop that is run anew for each scan or each
-    step of something else costs its preparation once.
-
-    Args:
-        condition: As of `loop_while`.
-        body: As of `loop_while`; its launches are the same in each run, over the same arrays and with the same numbers.
-    """
+    """A reusable `loop_while`, prepared once; each run must have the same launches, arrays and numbers."""
 
     def __init__(self, condition: Integers, body: Callable[[], None]) -> None:
         self._condition, self._body = condition, body
@@ -332,11 +287,7 @@ class DeviceLoop:
         self._turn: Turn | None = None
 
     def run(self) -> None:
-        """Run the body as long as the condition is not zero.
-
-        Raises:
-            RuntimeError: A CUDA driver before 12.4, which has no conditional graphs.
-        """
+        """Run the body while the condition is not zero. Raises RuntimeError for a CUDA driver before 12.4."""
         if self._condition.device.is_cuda:
             with lock:
                 if self._recorded is None:
@@ -351,7 +302,7 @@ class DeviceLoop:
 
 
 def _keep(body: Callable[[], None]) -> Turn:
-    """Run a body of CPU launches, and keep them; take the lock first."""
+    """Run and record a body of CPU launches; requires the lock."""
     global _turn
     outer, _turn = _turn, Turn()
     try:

@@ -1,9 +1,7 @@
-"""Products, inverses and eigenvalues of small float64 matrices, in a fixed order of operations.
+"""Products, inverses and eigenvalues of small float64 matrices in a fixed order of operations.
 
-BLAS and LAPACK choose their code by the processor, and with it the order of their sums and whether a product is fused
-with a sum. So the last bits of `A @ B` or `np.linalg.inv(A)` depend on the processor. The functions here add, multiply,
-divide and take square roots in an order that the shapes alone decide, so their bits do not depend on it. They take the
-arguments of NumPy's functions of the same names. Stacks of matrices are allowed where the docstring says so.
+BLAS and LAPACK select code by processor, so the last bits of their results vary. These functions take the arguments of
+NumPy's functions of the same names and are bitwise reproducible across processors.
 """
 
 from __future__ import annotations
@@ -17,18 +15,15 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
-SHORT = 8  # products of a sum that are taken one after another
-NEGLIGIBLE = 1e-30  # an off-diagonal entry, where the largest entry is 1
+SHORT = 8  # products of a sum that are added one by one
+NEGLIGIBLE = 1e-30  # off-diagonal entry, relative to the largest entry
 MAX_STEPS = 60  # per eigenvalue; two or three are usual
-SEPARATED = 1e-6  # eigenvalues whose difference is a larger fraction of the largest one have eigenvectors of their own
+SEPARATED = 1e-6  # relative difference above which eigenvalues have individual eigenvectors
 
 
-@np.errstate(all="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as in BLAS and LAPACK
 def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
-    """The product `a @ b @ ...`, from left to right; stacks broadcast as NumPy's do.
-
-    Up to `SHORT` products are added in ascending order, whatever the shapes and the strides.
-    """
+    """The product `a @ b @ ...` from left to right, with broadcasting; up to `SHORT` products in ascending order."""
     a, b = np.asarray(a), np.asarray(b)
     left = a if a.ndim > 1 else a[None]
     right = b if b.ndim > 1 else b[:, None]
@@ -47,20 +42,20 @@ def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
     return matmul(product, *others) if others else product
 
 
-@np.errstate(all="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as in BLAS and LAPACK
 def norm(values: Any) -> float:
-    """The Euclidean norm of all values. (`np.linalg.norm` with an axis has a fixed order already.)"""
+    """Euclidean norm of all values. (`np.linalg.norm` with an axis has a fixed order already.)"""
     values = np.asarray(values, np.float64)
     return math.sqrt(float((values * values).sum()))
 
 
 def elementwise(function: Callable[..., float], *arrays: Any) -> Array:
-    """A function of `math`, such as `math.exp`, of each element: NumPy's own depend on the processor's vector units."""
+    """Apply a function of `math` to each element; NumPy's versions depend on the processor's vector units."""
     return np.asarray(np.frompyfunc(function, len(arrays), 1)(*arrays), np.float64)
 
 
 def cube_root(value: float) -> float:
-    """The real cube root, to a rounding or two: Newton's iteration, since libraries' own differ."""
+    """Real cube root by Newton's iteration, since libraries differ."""
     if value == 0 or not math.isfinite(value):
         return value
     fraction, exponent = math.frexp(abs(value))
@@ -73,7 +68,7 @@ def cube_root(value: float) -> float:
 
 
 def det(A: Any) -> Any:
-    """The determinant of 3x3 matrices, shape [..., 3, 3]."""
+    """Determinant of 3x3 matrices, shape (..., 3, 3)."""
     A = np.asarray(A, np.float64)
     a, b, c = A[..., 0, :], A[..., 1, :], A[..., 2, :]
     x = b[..., 1] * c[..., 2] - b[..., 2] * c[..., 1]
@@ -82,13 +77,9 @@ def det(A: Any) -> Any:
     return a[..., 0] * x + a[..., 1] * y + a[..., 2] * z
 
 
-@np.errstate(all="ignore")  # as BLAS and LAPACK
+@np.errstate(all="ignore")  # as in BLAS and LAPACK
 def solve(A: Any, b: Any) -> Array:
-    """The solution X of A X = b, shape [..., n, k] of b [..., n, k], or [n] of b [n]: elimination with row exchanges.
-
-    Raises:
-        np.linalg.LinAlgError: A matrix is singular.
-    """
+    """Solve A X = b for b of shape (..., n, k) or (n) by elimination with pivoting. Raises LinAlgError if singular."""
     A, b = np.asarray(A, np.float64), np.asarray(b, np.float64)
     if b.ndim == 1:
         return solve(A, b[:, None])[:, 0]
@@ -112,19 +103,14 @@ def solve(A: Any, b: Any) -> Array:
 
 
 def inv(A: Any) -> Array:
-    """The inverses of matrices, shape [..., n, n].
-
-    Raises:
-        np.linalg.LinAlgError: A matrix is singular.
-    """
+    """Inverse of matrices of shape (..., n, n). Raises LinAlgError if singular."""
     return solve(A, np.eye(np.shape(A)[-1]))
 
 
 def eigh(A: Any) -> tuple[Array, Array]:
-    """Eigenvalues in ascending order, [..., n], and eigenvectors as columns, [..., n, n], of symmetric matrices.
-
-    Householder reflections and the implicit QL algorithm (Golub and Van Loan, Matrix Computations, 2013, section 8.3).
-    An eigenvector has the sign that LAPACK gives it; its largest entry is positive where its eigenvalue is repeated.
+    """Eigenvalues in ascending order and eigenvectors as columns of symmetric matrices, shape (..., n, n). Householder
+    reflections and implicit QL (Golub and Van Loan, Matrix Computations, 2013, section 8.3). Signs are LAPACK's; for a
+    repeated eigenvalue the largest entry is positive.
     """
     A = np.asarray(A, np.float64)
     if A.ndim > 2:
@@ -144,12 +130,11 @@ def eigh(A: Any) -> tuple[Array, Array]:
 
 
 def eigvalsh(A: Any) -> Array:
-    """The eigenvalues of `eigh`."""
     return eigh(A)[0]
 
 
 def pinvh(A: Array, rcond: float) -> Array:
-    """The pseudoinverse of a symmetric matrix; eigenvalues up to `rcond` times the largest magnitude count as zero."""
+    """Pseudoinverse of a symmetric matrix; eigenvalues up to `rcond` times the largest magnitude count as zero."""
     values, vectors = eigh(A)
     sizes = np.abs(values)
     kept = sizes > rcond * sizes.max(initial=0.0)
@@ -158,13 +143,13 @@ def pinvh(A: Array, rcond: float) -> Array:
 
 
 def _tridiagonal(A: Array) -> tuple[list[float], list[float], Array]:
-    """The diagonal and the entries beside it of Q^T A Q, and the rows of Q^T."""
+    """Diagonal and off-diagonal of Q^T A Q, and the rows of Q^T."""
     A, n = A.copy(), len(A)
     rows = np.eye(n)
     for k in range(n - 2):
         v = A[k + 1 :, k].copy()
         length = norm(v)
-        if not length > abs(v[0]):  # zero already below the entry beside the diagonal
+        if not length > abs(v[0]):  # already zero below the subdiagonal
             continue
         v[0] += math.copysign(length, v[0])
         v /= norm(v)
@@ -175,7 +160,7 @@ def _tridiagonal(A: Array) -> tuple[list[float], list[float], Array]:
 
 
 def _diagonalize(d: list[float], e: list[float], rows: Array) -> None:
-    """Rotate a tridiagonal matrix until nothing is left beside its diagonal, and the rows with it."""
+    """Diagonalize a tridiagonal matrix by rotations, applied to the rows too."""
     n = len(d)
     for first in range(n):
         for _ in range(MAX_STEPS):
@@ -215,9 +200,9 @@ def _shifted_step(d: list[float], e: list[float], rows: Array, first: int, last:
 
 
 def _with_signs(A: Array, values: Array, vectors: Array) -> Array:
-    """The eigenvectors with LAPACK's signs, which callers and files have had from the start."""
+    """The eigenvectors with LAPACK's signs, for compatibility with stored files."""
     gaps = np.diff(values, prepend=-np.inf, append=np.inf)
     single = np.minimum(gaps[:-1], gaps[1:]) > SEPARATED * np.abs(values).max()
-    along = (vectors * np.linalg.eigh(A)[1]).sum(axis=0)  # 1 or -1 of a single one, to rounding
+    along = (vectors * np.linalg.eigh(A)[1]).sum(axis=0)  # 1 or -1 for a simple eigenvalue, up to rounding
     largest = vectors[np.abs(vectors).argmax(axis=0), np.arange(len(values))]
     return vectors * np.where(np.where(single, along, largest) < 0, -1.0, 1.0)

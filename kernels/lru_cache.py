@@ -1,4 +1,4 @@
-"""A cache with a capacity that evicts the least recently used values: host code, used by all layers."""
+"""Cache with a capacity that evicts the least recently used values."""
 
 from __future__ import annotations
 
@@ -26,11 +26,10 @@ class LruCache(Generic[Value]):
 
     def __init__(self, capacity: int, *, on_evict: Callable[[Value], Any] | None = None):
         self._capacity, self._on_evict = capacity, on_evict
-        self._entries: OrderedDict[Hashable, tuple[Value, int]] = OrderedDict()  # the last is the last one used
+        self._entries: OrderedDict[Hashable, tuple[Value, int]] = OrderedDict()  # most recently used last
 
     @property
     def size(self) -> int:
-        """Total size of the values."""
         return sum(size for _, size in self._entries.values())
 
     def find(self, key: Hashable) -> Value | None:
@@ -41,14 +40,7 @@ class LruCache(Generic[Value]):
         return self._entries[key][0]
 
     def get(self, key: Hashable, size: int, make: Callable[[], Value], *, beside: Hashable = None) -> Value:
-        """The value of a key. If there is none, make and insert it, after room was made for it.
-
-        Args:
-            key: Key of the value.
-            size: Its size.
-            make: Makes it. If it raises, nothing is inserted.
-            beside: Key of another value that is in use, and is not evicted.
-        """
+        """Value of a key; if absent, evict others (except `beside`), make (may raise) and insert it."""
         self.find(beside)
         if key not in self._entries:
             self._make_room(size, beside)
@@ -57,7 +49,6 @@ class LruCache(Generic[Value]):
         return self._entries[key][0]
 
     def put(self, key: Hashable, value: Value, size: int = 1) -> None:
-        """Insert a value, or replace that of its key."""
         self._entries.pop(key, None)
         self._make_room(size, None)
         self._entries[key] = value, size
@@ -67,7 +58,6 @@ class LruCache(Generic[Value]):
         return self._entries.pop(key, (None, 0))[0]
 
     def clear(self) -> None:
-        """Evict all values."""
         while self._entries:
             self._evict(next(iter(self._entries)))
 

@@ -1,7 +1,5 @@
-"""Device memory: Warp owns it on every device; these few functions are all that host code needs.
-
-On a GPU they take turns with launches and recordings (language/device_lock.py), so they are safe from several Python
-threads at once, where Warp's own functions are not.
+"""Device memory, allocated by Warp. On a GPU these functions take the lock of launches (language/device_lock.py), so
+they are thread-safe, unlike Warp's own.
 """
 
 from __future__ import annotations
@@ -22,15 +20,13 @@ from .language.casts import cast_into
 from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
 from .language.device_lock import own, turn_on, why_no_cuda_here
 
-POOL_SHARE = 0.5  # of a GPU's memory: what its pool keeps of released memory
-_pools: set[str] = set()  # the GPUs whose pools keep some, by name
+POOL_SHARE = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
+_pools: set[str] = set()  # GPUs whose pool keeps memory, by name
 
 
 def _keep_pool(device: Device) -> None:
-    """Have a GPU's pool keep released memory for the next array, once for each GPU.
-
-    CUDA's own setting is to keep none: each wait for the device would hand all of it back to the system, and the next
-    operation would have to ask for it again. Who has set the threshold (`wp.set_mempool_release_threshold`) is obeyed.
+    """Set a GPU's pool to keep released memory, unless the user set a threshold. CUDA's default returns it to the
+    system at each synchronization, which slows the next allocation.
     """
     if device.alias in _pools:
         return
@@ -39,21 +35,18 @@ def _keep_pool(device: Device) -> None:
         wp.set_mempool_release_threshold(device, POOL_SHARE)
 
 
-on_give_back: list[Callable[[], None]] = []  # what lets go of arrays that are kept for the next call
+on_give_back: list[Callable[[], None]] = []  # callbacks that release arrays kept for the next call
 
 
 def give_back(device: Device) -> int:
-    """Hand what a GPU keeps of released memory back to the system (sync); how many bytes, 0 where nothing is kept.
-
-    A GPU that this process has made no array on is left alone.
-    """
+    """Release unused pool memory of a GPU to the system (sync) and return the bytes; 0 on GPUs without arrays."""
     for let_go in on_give_back:
         let_go()
     return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
 
 
 class _Allocation:
-    """A turn on a device in which an array is made: Warp's error where there is no room becomes a MemoryError."""
+    """Lock for an allocation; converts Warp's out-of-memory error to MemoryError."""
 
     def __init__(self, device: Device | str) -> None:
         self.turn = turn_on(device)
@@ -83,25 +76,21 @@ class _Allocation:
 
 
 def free_bytes(device: Device) -> int | None:
-    """Memory that is free on a device, what its pool keeps included; None where the system does not say."""
+    """Free bytes on a device, including the pool; None if unknown."""
     if device.is_cuda:
         return int(device.free_memory) + pools.kept_bytes(device)
     sizes = []
     with contextlib.suppress(OSError, ValueError, StopIteration):
         lines = Path("/proc/meminfo").read_text().splitlines()
         sizes.append(1024 * next(int(line.split()[1]) for line in lines if line.startswith("MemAvailable:")))
-    with contextlib.suppress(OSError, ValueError):  # of a container; "max" is no number
+    with contextlib.suppress(OSError, ValueError):  # in containers; "max" is no number
         group = Path("/sys/fs/cgroup")
         sizes.append(int((group / "memory.max").read_text()) - int((group / "memory.current").read_text()))
     return max(0, min(sizes)) if sizes else None
 
 
 def check_room(device: Device, size: int, what: str) -> None:
-    """Refuse work that would not fit, before any of it is allocated.
-
-    Raises:
-        MemoryError: The device has less than `size` bytes free.
-    """
+    """Raise MemoryError if the device has less than `size` bytes free."""
     if device.is_cuda and size > device.free_memory:
         give_back(device)
     free = free_bytes(device)
@@ -113,7 +102,7 @@ def check_room(device: Device, size: int, what: str) -> None:
 
 
 def _new_on_gpu(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
-    """An array with undefined contents on a GPU; None elsewhere, and where Warp has to make it."""
+    """Uninitialized array on a GPU; None if Warp must allocate it."""
     if getattr(device, "ordinal", -1) < 0 or why_no_cuda_here():
         return None
     _keep_pool(device)
@@ -133,11 +122,7 @@ def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | st
 @overload
 def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
-    """An array with undefined contents.
-
-    Raises:
-        MemoryError: The device has no room for it; so of all functions here that make arrays.
-    """
+    """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
     made = _new_on_gpu(shape, dtype, device)
     if made is not None:
         return made
@@ -154,7 +139,6 @@ def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> 
 @overload
 def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
-    """An array of zeros."""
     made = _new_on_gpu(shape, dtype, device)
     if made is not None:
         with turn_on(device):
@@ -174,7 +158,6 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 @overload
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
-    """An array of one value."""
     made = _new_on_gpu(shape, dtype, device)
     if made is not None:
         with turn_on(device):
@@ -185,7 +168,6 @@ def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -
 
 
 def fill(values: wp.array, value: Any) -> None:
-    """Set every element of an array."""
     with turn_on(values.device):
         values.fill_(value)
 
@@ -193,22 +175,19 @@ def fill(values: wp.array, value: Any) -> None:
 def upload(
     values: np.ndarray, dtype: type[Element], device: Device | str, *, copied: bool = True
 ) -> DeviceArray[Element, Any]:
-    """A NumPy array on a device, as an array of `dtype` (vectors take the last axis).
-
-    A copy; on the CPU the same memory where `copied` is False.
-    """
+    """Copy a NumPy array to a device as `dtype` (vectors take the last axis); a CPU view if `copied` is False."""
     scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
     values = np.ascontiguousarray(values, dtype=scalar)
     if values.size == 0:
         width = len(getattr(dtype, "_shape_", ()))
         shape = values.shape[: values.ndim - width] if width else values.shape
         return empty(shape, dtype, device)
-    if not copied:  # an axis of one element may have any stride, which Warp takes for a gap
+    if not copied:  # an axis of one element may have any stride, which Warp treats as non-contiguous
         values = values.reshape(-1).reshape(values.shape)
     if copied and getattr(device, "is_cpu", False):
         inner = getattr(dtype, "_shape_", ())
         outer = values.shape[: values.ndim - len(inner)]
-        if values.shape == (*outer, *inner) and outer:  # Warp would make two arrays and a copy, for twice the time
+        if values.shape == (*outer, *inner) and outer:  # Warp would make two arrays and a copy, in twice the time
             out = empty(outer, dtype, device)
             np.copyto(host_view(out), values)
             return out
@@ -224,7 +203,7 @@ def upload(
 
 
 def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Device) -> list[Array1[Element]]:
-    """Several small NumPy arrays with one axis on a device in one copy: parts of one array."""
+    """Upload several small one-dimensional NumPy arrays in one copy, as parts of one array."""
     whole = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
     parts = zip(tables, ends, strict=True)
@@ -232,7 +211,7 @@ def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
-    """Copy the first `count` elements of one array to another on the same device, from element `offset` on."""
+    """Copy the first `count` elements of one array to another on the same device, starting at element `offset`."""
     if count:
         with turn_on(target.device):
             if not device_copies.is_copied(target, source, count, offset):
@@ -240,14 +219,14 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
 
 
 def fill_column(target: Any, column: int, source: wp.array) -> None:
-    """Copy an array [n] to one column of another, [n, c], on the same device."""
+    """Copy an array (n) to a column of another, (n, c), on the same device."""
     if source.size:
         with turn_on(target.device):
             wp.copy(target[:, column], source)
 
 
 def write(target: Any, values: np.ndarray) -> None:
-    """Write the numbers of a NumPy array over those of an array of the same type and size."""
+    """Overwrite an array with a NumPy array of the same type and size."""
     if target.device.is_cpu:
         target.numpy().reshape(-1)[:] = values.reshape(-1)
         return
@@ -257,7 +236,6 @@ def write(target: Any, values: np.ndarray) -> None:
 
 
 def clone(values: Array) -> Array:
-    """A copy of an array on its device, without gaps."""
     with turn_on(values.device):
         out: Any = empty(values.shape, values.dtype, values.device)
         wp.copy(out, values)
@@ -265,7 +243,7 @@ def clone(values: Array) -> Array:
 
 
 def contiguous(values: Array) -> Array:
-    """The array where it has no gaps, or chosen rows as one array."""
+    """The array itself if contiguous, else a contiguous copy."""
     return values if values.is_contiguous else clone(values)
 
 
@@ -274,7 +252,7 @@ def cast(values: DeviceArray[Any, Rank], dtype: type[Element]) -> DeviceArray[El
 @overload
 def cast(values: wp.array, dtype: type[Element]) -> DeviceArray[Element, Any]: ...
 def cast(values: Any, dtype: Any) -> Any:
-    """The array with its elements converted to another type, as C does it, on its device."""
+    """Convert the elements to another type with C semantics."""
     out = empty(values.shape, dtype, values.device)
     if values.size:
         cast_into(out, contiguous(values))
@@ -282,14 +260,14 @@ def cast(values: Any, dtype: Any) -> Any:
 
 
 def move(values: Array, device: Device) -> Array:
-    """The array on another device; itself where it is there already."""
+    """The array on another device, or itself if it is there already."""
     if values.device == device:
         return values
     home: Any = values.device
     with turn_on(device), turn_on(home):
         out: Any = empty(values.shape, values.dtype, device)
         if home.is_cuda and out.device.is_cuda:
-            out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU alone
+            out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU only
         wp.copy(out, values)
         if home.is_cuda and out.device.is_cpu:
             wp.synchronize_stream(home.stream)  # sync
@@ -297,7 +275,7 @@ def move(values: Array, device: Device) -> Array:
 
 
 def download(values: Any) -> NDArray[Any]:
-    """The array as NumPy: a copy from a GPU (sync), a view on the CPU; treat it as read-only."""
+    """The array as NumPy, read-only: a copy from a GPU (sync), a view on the CPU."""
     if values.device.is_cpu:
         return host_view(values)
     with turn_on(values.device):
@@ -308,23 +286,22 @@ def download(values: Any) -> NDArray[Any]:
 
 
 def host_view(values: Any) -> NDArray[Any]:
-    """The memory of an array on the CPU, to be written to."""
+    """Writable NumPy view of a CPU array."""
     assert values.device.is_cpu
-    return np.asarray(values) if values.ptr else values.numpy()  # the same, but for what Warp does on the way
+    return np.asarray(values) if values.ptr else values.numpy()  # avoids overhead of Warp
 
 
 class Readback:
-    """Small arrays on their way to the host: `send` does not wait, `read` does where they have not come yet."""
+    """Asynchronous copies of small arrays to the host: `send` starts the copy, `read` waits for it."""
 
     def __init__(self, values: wp.array) -> None:
         self.values: Any = values
-        self._kept: Any = None  # on the host, where copies arrive without the host's help
+        self._kept: Any = None  # host memory, filled asynchronously
         self._seen: Any = None  # the same memory as NumPy
         self._event: Any = None
         self._is_sent = False
 
     def send(self) -> None:
-        """Copy the array to the host behind what its device was asked to do."""
         device = self.values.device
         if device.is_cpu:
             return
@@ -338,11 +315,11 @@ class Readback:
             self._is_sent = True
 
     def forget(self) -> None:
-        """What was sent is no longer what the array holds."""
+        """Discard the sent values, which are outdated."""
         self._is_sent = False
 
     def read(self) -> NDArray[Any]:
-        """The array as it was when it was sent (sync), or as it is."""
+        """The values at the time of `send` (sync), or the current ones."""
         if not self._is_sent:
             return download(self.values)
         with turn_on(self.values.device):

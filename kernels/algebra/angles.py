@@ -1,9 +1,9 @@
-"""Angles by square roots and a polynomial alone, so that they are the same bits on every device and compiler."""
+"""Angles from square roots and a polynomial only: bitwise identical on every device and compiler."""
 
 from ..lang import cross, dot, float64, func, length, sqrt, vec3d
 
 HALF_TURN = 3.141592653589793
-LAST_POWER = 23  # of the series: at most tan(pi / 16) ^ 25 / 25 = 1e-19 is left out
+LAST_POWER = 23  # of the series: truncation error tan(pi / 16) ^ 25 / 25 = 1e-19
 
 
 @func
@@ -19,11 +19,11 @@ def arc_tangent(t: float64) -> float64:
 
 @func
 def angle_of(sine: float64, cosine: float64) -> float64:
-    """The angle [rad] in 0 .. pi with a sine and a cosine of any common scale, the sine not negative; 0 of (0, 0)."""
+    """Angle [rad] in 0 .. pi from a sine >= 0 and a cosine of common scale; 0 for (0, 0)."""
     scale = sqrt(sine * sine + cosine * cosine)
     angle = float64(0.0)
     if scale > 0.0:
-        t = sine / (scale + abs(cosine))  # the tangent of a half of the angle to the nearer side
+        t = sine / (scale + abs(cosine))  # tangent of half the angle to the nearer side
         t = t / (1.0 + sqrt(1.0 + t * t))
         t = t / (1.0 + sqrt(1.0 + t * t))
         angle = 8.0 * arc_tangent(t)
@@ -34,7 +34,7 @@ def angle_of(sine: float64, cosine: float64) -> float64:
 
 @func
 def arctangent(y: float64, x: float64) -> float64:
-    """The angle [rad] of the direction (x, y), -pi to pi; 0 where both are zero."""
+    """Angle [rad] of the direction (x, y), -pi to pi; 0 for zero."""
     size = y if y >= 0.0 else -y
     angle = angle_of(size, x)
     return angle if y >= 0.0 else -angle
@@ -42,5 +42,4 @@ def arctangent(y: float64, x: float64) -> float64:
 
 @func
 def angle_between(u: vec3d, v: vec3d) -> float64:
-    """The angle [rad] between two vectors, 0 to pi."""
     return angle_of(length(cross(u, v)), dot(u, v))

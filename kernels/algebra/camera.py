@@ -1,4 +1,4 @@
-"""The pinhole camera: x right, y down, z forward; pixel centres have whole coordinates."""
+"""Pinhole camera: x right, y down, z forward; pixel centers at integer coordinates."""
 
 from typing import Protocol, TypeAlias
 
@@ -7,13 +7,7 @@ from ..lang import float64, func, struct, vec3d
 
 @struct
 class Camera:
-    """Size and projection of a pinhole camera; kernels take anything with these attributes.
-
-    Attributes:
-        width, height: Columns and rows of its pictures [px].
-        fx, fy: Focal lengths [px].
-        cx, cy: Column and row of the principal point [px].
-    """
+    """Pinhole camera for kernels: any object with these attributes, all in [px]."""
 
     width: int
     height: int
@@ -28,43 +22,31 @@ class Camera:
 
 
 class Pinhole(Protocol):
-    """What has the attributes of a Camera."""
+    """Protocol of objects with the attributes of a Camera."""
 
     @property
-    def width(self) -> int:
-        """Columns of its pictures [px]."""
-        ...
+    def width(self) -> int: ...
 
     @property
-    def height(self) -> int:
-        """Rows of its pictures [px]."""
-        ...
+    def height(self) -> int: ...
 
     @property
-    def fx(self) -> float:
-        """Focal length along x [px]."""
-        ...
+    def fx(self) -> float: ...
 
     @property
-    def fy(self) -> float:
-        """Focal length along y [px]."""
-        ...
+    def fy(self) -> float: ...
 
     @property
-    def cx(self) -> float:
-        """Column of the principal point [px]."""
-        ...
+    def cx(self) -> float: ...
 
     @property
-    def cy(self) -> float:
-        """Row of the principal point [px]."""
-        ...
+    def cy(self) -> float: ...
 
 
-CameraLike: TypeAlias = Camera | Pinhole  # what host functions take as a camera
+CameraLike: TypeAlias = Camera | Pinhole  # accepted by host functions as a camera
 
 
 @func
 def pixel_ray(u: float64, v: float64, camera: Camera) -> vec3d:
-    """The point with depth 1 that is seen at column u and row v, in the camera's frame."""
+    """Camera-frame point with depth 1 at column u and row v."""
     return vec3d((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0)

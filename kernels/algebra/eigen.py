@@ -1,12 +1,8 @@
-"""Eigenvalues and eigenvectors of symmetric 3x3 matrices, without iteration and safe in every degenerate case.
+"""Non-iterative eigensolver of symmetric 3x3 matrices, robust to degenerate cases.
 
-Source: Eberly, "A robust eigensolver for 3x3 symmetric matrices", Geometric Tools, 2014. The eigenvector of the best
-separated eigenvalue comes first, the other two from the plane orthogonal to it, so repeated eigenvalues do no harm.
-About 150 operations in float64; the entries are scaled by the largest first, so neither overflow nor underflow.
-
-An eigenvector has a side by the order of these steps alone: the cross product of two rows in their order, and in the
-plane orthogonal to it the negative of whichever of its two axes counts more. Open3D's are the same, so that normals
-that nobody has turned look to the same side.
+Eberly, "A robust eigensolver for 3x3 symmetric matrices", Geometric Tools, 2014. The eigenvector of the best separated
+eigenvalue comes first, the others from its orthogonal plane. Signs follow from the order of operations and match
+Open3D's, so unoriented normals have the same side.
 """
 
 from ..lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, vector
@@ -17,7 +13,6 @@ pair = vector(2, float64)
 
 @func
 def largest_entry(a: mat33d) -> float64:
-    """The largest magnitude among the six entries."""
     diagonal = max(max(abs(a[0, 0]), abs(a[1, 1])), abs(a[2, 2]))
     return max(diagonal, max(max(abs(a[0, 1]), abs(a[0, 2])), abs(a[1, 2])))
 
@@ -30,7 +25,7 @@ def off_diagonal(a: mat33d) -> float64:
 
 @func
 def sorted_eigenvalues(a: mat33d) -> vec3d:
-    """Eigenvalues in ascending order, of a matrix with entries of magnitude up to 1."""
+    """Ascending eigenvalues of a matrix with entries up to magnitude 1."""
     q = (a[0, 0] + a[1, 1] + a[2, 2]) / 3.0
     b00 = a[0, 0] - q
     b11 = a[1, 1] - q
@@ -38,7 +33,7 @@ def sorted_eigenvalues(a: mat33d) -> vec3d:
     p = sqrt((b00 * b00 + b11 * b11 + b22 * b22 + 2.0 * off_diagonal(a)) / 6.0)
     values = vec3d(q, q, q)
     if p > 0.0:
-        s = 1.0 / p  # the deviator is scaled before its determinant, whose terms could underflow
+        s = 1.0 / p  # scale the deviator before its determinant, whose terms could underflow
         c00 = (b11 * s) * (b22 * s) - (a[1, 2] * s) * (a[1, 2] * s)
         c01 = (a[0, 1] * s) * (b22 * s) - (a[1, 2] * s) * (a[0, 2] * s)
         c02 = (a[0, 1] * s) * (a[1, 2] * s) - (b11 * s) * (a[0, 2] * s)
@@ -53,7 +48,7 @@ def sorted_eigenvalues(a: mat33d) -> vec3d:
 
 @func
 def separated_eigenvector(a: mat33d, value: float64) -> vec3d:
-    """The unit eigenvector of an eigenvalue that is not repeated: the best conditioned cross product of two rows."""
+    """Unit eigenvector of a simple eigenvalue: the best conditioned cross product of two rows."""
     r0 = vec3d(a[0, 0] - value, a[0, 1], a[0, 2])
     r1 = vec3d(a[0, 1], a[1, 1] - value, a[1, 2])
     r2 = vec3d(a[0, 2], a[1, 2], a[2, 2] - value)
@@ -75,7 +70,6 @@ def separated_eigenvector(a: mat33d, value: float64) -> vec3d:
 
 @func
 def orthogonal_direction(w: vec3d) -> vec3d:
-    """A unit vector orthogonal to the unit vector w."""
     u = vec3d(0.0, w[2], -w[1])
     if abs(w[0]) > abs(w[1]):
         u = vec3d(-w[2], 0.0, w[0])
@@ -84,11 +78,7 @@ def orthogonal_direction(w: vec3d) -> vec3d:
 
 @func
 def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
-    """The unit eigenvector of the smaller eigenvalue in the plane orthogonal to the eigenvector w.
-
-    It comes from the 2x2 matrix of that plane and from no root of the cubic: where two eigenvalues are small beside
-    the third, as on a thin ribbon, those are right to 1e-8 of the third only.
-    """
+    """Unit eigenvector of the smaller eigenvalue orthogonal to the eigenvector w, more accurate than by the cubic."""
     u = orthogonal_direction(w)
     v = cross(w, u)
     au = a @ u
@@ -116,7 +106,7 @@ def smallest_in_plane(a: mat33d, w: vec3d) -> vec3d:
 
 @func
 def smallest_eigenvector(covariance: mat33d) -> vec3d:
-    """The unit eigenvector of the smallest eigenvalue; (0, 0, 1) where the matrix is a multiple of the identity."""
+    """Unit eigenvector of the smallest eigenvalue; (0, 0, 1) for a multiple of the identity."""
     result = vec3d(0.0, 0.0, 1.0)
     size = largest_entry(covariance)
     if size > 0.0:
@@ -137,7 +127,7 @@ def smallest_eigenvector(covariance: mat33d) -> vec3d:
 
 @func
 def eigenvalues_in_plane(a: mat33d, w: vec3d) -> pair:
-    """The two eigenvalues in the plane orthogonal to the eigenvector w, ascending."""
+    """Ascending eigenvalues in the plane orthogonal to the eigenvector w."""
     u = orthogonal_direction(w)
     v = cross(w, u)
     au = a @ u
@@ -151,7 +141,6 @@ def eigenvalues_in_plane(a: mat33d, w: vec3d) -> pair:
 
 @func
 def sorted_diagonal(a: mat33d) -> vec3d:
-    """The diagonal in ascending order."""
     low = min(a[0, 0], a[1, 1])
     high = max(a[0, 0], a[1, 1])
     return vec3d(min(low, a[2, 2]), max(low, min(high, a[2, 2])), max(high, a[2, 2]))
@@ -159,11 +148,7 @@ def sorted_diagonal(a: mat33d) -> vec3d:
 
 @func
 def eigenvalues(covariance: mat33d) -> vec3d:
-    """All three eigenvalues in ascending order, each right to a few roundings of the largest.
-
-    As for the eigenvectors: the roots of the cubic only tell which eigenvalue is the best separated; its value comes
-    from its eigenvector, the other two from the plane orthogonal to that.
-    """
+    """Ascending eigenvalues, accurate to a few roundings of the largest; the cubic only selects the separated one."""
     values = vec3d(0.0, 0.0, 0.0)
     size = largest_entry(covariance)
     if size > 0.0:

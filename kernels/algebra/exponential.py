@@ -1,19 +1,16 @@
-"""The exponential function by products and sums alone: the same bits on every device and with every compiler.
-
-Source: reduction by Cody and Waite, polynomial of Moshier's Cephes (expf).
-"""
+"""Exponential function, bitwise identical everywhere: Cody-Waite reduction and the polynomial of Cephes (expf)."""
 
 from ..lang import bits_float, floor, func
 
-LEAST, MOST = -87.0, 88.0  # e to these is the smallest and the largest that float32 holds as normal numbers
+LEAST, MOST = -87.0, 88.0  # range in which e^x is a normal float32
 PER_TWO = 1.44269504  # log2(e)
-TWO_HIGH = 0.693359375  # ln(2), the part that a product with a whole number keeps
-TWO_LOW = -2.12194440e-4  # and the rest
+TWO_HIGH = 0.693359375  # part of ln(2) whose products with integers are exact
+TWO_LOW = -2.12194440e-4  # the remainder
 
 
 @func
 def exp_in_float(x: float) -> float:
-    """e^x to 2 units in the last place, of what lies beyond the range that of its ends."""
+    """e^x to 2 units in the last place, clamped to the range."""
     y = min(max(x, LEAST), MOST)
     twos = floor(y * PER_TWO + 0.5)
     r = (y - twos * TWO_HIGH) - twos * TWO_LOW

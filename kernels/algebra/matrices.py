@@ -1,14 +1,10 @@
-"""Products of matrices, a product and a sum at a time.
-
-The language refuses `@` between two matrices: Warp fuses its products with its sums.
-"""
+"""Matrix products without fused multiply-add; the kernel language rejects `@` of two matrices because Warp fuses."""
 
 from ..lang import func, mat33d, mat44d
 
 
 @func
 def multiply33(a: mat33d, b: mat33d) -> mat33d:
-    """a b."""
     product = mat33d(0.0)
     for row in range(3):
         for column in range(3):
@@ -18,7 +14,6 @@ def multiply33(a: mat33d, b: mat33d) -> mat33d:
 
 @func
 def multiply44(a: mat44d, b: mat44d) -> mat44d:
-    """a b."""
     product = mat44d(0.0)
     for row in range(4):
         for column in range(4):

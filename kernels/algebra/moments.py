@@ -1,22 +1,16 @@
-"""Moments of points about a point: their count, sums and products, and the covariance that they give.
-
-Those of whole steps are integers: the same bits in whatever order points are met, and no float64 in the loop over them.
-"""
+"""Moments of points about a point, and their covariance. Quantized moments do not depend on the order of points."""
 
 from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, vec3, vector
 
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
-whole_moments = vector(10, int64)  # the same of differences in whole steps
-MOST_WHOLE = 131072  # points whose whole moments 64 bits hold: products have 46
-COARSER = 2.0**-8  # steps for which they hold those of 2^33
+whole_moments = vector(10, int64)  # the same of differences in integer steps
+MOST_WHOLE = 131072  # points whose integer moments fit into 64 bits: products have 46
+COARSER = 2.0**-8  # step factor for up to 2^33 points
 
 
 @func
 def steps_for(sqdist: float, count: int) -> float:
-    """Steps a metre for differences of up to the root of a square: 2^23 in the power of two above it.
-
-    They are coarser where so many points are counted that 64 bits would not hold their moments.
-    """
+    """Steps per meter for differences up to sqrt(sqdist): 2^23 in the next power of two, less if sums overflow."""
     power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
     steps = bits_float((150 - power) << 23)
     if count > MOST_WHOLE:
@@ -26,13 +20,13 @@ def steps_for(sqdist: float, count: int) -> float:
 
 @func
 def whole_steps(length: float, steps: float) -> int64:
-    """A difference [m] in whole steps: rounded as float32 rounds lengths between a half and one in its own."""
+    """A difference [m] in integer steps, rounded."""
     return int64(int(floor(length * steps + 0.5)))
 
 
 @func
 def add_whole(total: whole_moments, p: vec3, q: vec3, steps: float) -> whole_moments:
-    """Add the count, the components and the products of q - p, rounded to float32: for points close together."""
+    """Add the float32-rounded moments of q - p for near points."""
     x = whole_steps(q[0] - p[0], steps)
     y = whole_steps(q[1] - p[1], steps)
     z = whole_steps(q[2] - p[2], steps)
@@ -41,7 +35,7 @@ def add_whole(total: whole_moments, p: vec3, q: vec3, steps: float) -> whole_mom
 
 @func
 def in_metres(m: whole_moments, steps: float) -> moments:
-    """Whole moments in metres and square metres."""
+    """Integer moments in meters and square meters."""
     s = 1.0 / float64(steps)
     t = s * s
     return moments(
@@ -52,7 +46,7 @@ def in_metres(m: whole_moments, steps: float) -> moments:
 
 @func
 def add_rounded_difference(total: moments, p: vec3, q: vec3) -> moments:
-    """Add the count, the components and the products of q - p, rounded to float32: for points close together."""
+    """Add the float32-rounded moments of q - p for near points, in float64."""
     x = float64(q[0] - p[0])
     y = float64(q[1] - p[1])
     z = float64(q[2] - p[2])
@@ -61,7 +55,7 @@ def add_rounded_difference(total: moments, p: vec3, q: vec3) -> moments:
 
 @func
 def covariance_of(m: moments) -> mat33d:
-    """The covariance [m^2] about the mean, divided by the count."""
+    """Covariance [m^2] about the mean, divided by the count."""
     s = 1.0 / max(m[0], 1.0)
     x = m[1] * s
     y = m[2] * s
@@ -74,7 +68,7 @@ def covariance_of(m: moments) -> mat33d:
 
 @func
 def add_difference(total: moments, p: vec3, q: vec3) -> moments:
-    """Add the count, the components and the products of q - p, which is exact in float64."""
+    """Add the moments of q - p, exact in float64."""
     x = float64(q[0]) - float64(p[0])
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])

@@ -1,12 +1,8 @@
-"""Exact signs of polynomials in float32 coordinates, by their remainders modulo some primes (a residue number system).
+"""Exact signs of polynomials in float32 coordinates by a residue number system.
 
-Every float32 is a whole number of units, the unit being the lowest bit that any coordinate has. A polynomial with whole
-coefficients is then a whole number too, whatever its degree: its remainders modulo enough primes name it, and each is
-reckoned by 64-bit arithmetic without an array or a carry. Mixed-radix digits (Garner 1959) give the sign. The number of
-primes follows from the degree and from the bits that the data really have: 2 for small grids, about 8 for scans.
-
-Per sign of degree 5 some 40 remainders a prime, and half the square of the primes for the digits: some microseconds. So
-it is for what float64 with an error bound leaves open.
+Coordinates are integers in units of their lowest bit. Residues modulo enough primes determine an integer polynomial,
+and mixed-radix digits (Garner 1959) its sign. The number of primes depends on degree and data: 2 for small grids, about
+8 for scans. Some microseconds per sign, so only for cases that float64 leaves undecided.
 """
 
 import functools
@@ -29,19 +25,8 @@ quadruple = vector(4, int64)
 
 @struct
 class Residues:
-    """Primes, and what remainders and signs need of them.
-
-    Args:
-        device: Where the tables lie.
-        unit: All coordinates are multiples of 2^unit.
-        bounds: For each kind of polynomial, what its absolute value lies below, in units.
-
-    Attributes:
-        primes: int64 [primes], below 2^30.
-        powers: int64 [primes, 256]: 2^(field - 150 - unit) modulo each prime.
-        inverses: int64 [primes, primes]: the inverse of the row's prime modulo the column's.
-        count: How many primes there are.
-        counts: For each bound, how many of the primes give the sign.
+    """Primes (below 2^30) for polynomials below `bounds` on multiples of 2^unit; `powers`: 2^(field - 150 - unit) mod
+    each prime (256 per prime); `inverses`: of the row's prime mod the column's; `counts` of primes per bound.
     """
 
     primes: array(dtype=int64)
@@ -61,21 +46,20 @@ class Residues:
         self.inverses = upload(np.array(inverses, np.int64).ravel(), int64, device)
 
     def table(self, numbers: Sequence[int]) -> LongIntegers:
-        """Whole numbers of the host modulo each prime: int64 [numbers * primes]."""
+        """Host integers modulo each prime: int64 (numbers * primes)."""
         rows = [[number % p for p in self.moduli] for number in numbers]
         return upload(np.array(rows, np.int64).ravel(), int64, self.device)
 
 
 @functools.cache
 def small_primes() -> list[int]:
-    """The odd primes whose squares lie below 2^30."""
+    """Odd primes with squares below 2^30."""
     limit = 2 ** (PRIME_BITS // 2)
     return [d for d in range(3, limit, 2) if all(d % e for e in range(3, math.isqrt(d) + 1, 2))]
 
 
 @functools.cache
 def large_prime(k: int) -> int:
-    """The k-th prime from 2^30 downwards."""
     candidate = large_prime(k - 1) - 2 if k else 2**PRIME_BITS - 1
     while not all(candidate % d for d in small_primes()):
         candidate -= 2
@@ -83,10 +67,7 @@ def large_prime(k: int) -> int:
 
 
 def primes_for(bound: int) -> int:
-    """How many primes tell the sign of whole numbers up to `bound` in size: one beyond those whose product passes it.
-
-    None for a bound of 0: nothing is asked.
-    """
+    """Number of primes for signs of integers up to `bound`: one beyond those whose product exceeds it; none for 0."""
     count, product = 0, 1
     while product <= bound:
         product *= large_prime(count)
@@ -96,7 +77,7 @@ def primes_for(bound: int) -> int:
 
 @func
 def residue_of(x: float, k: int, exact: Residues) -> int64:
-    """A coordinate in units, modulo prime k; 0 .. prime - 1."""
+    """A coordinate in units modulo prime k."""
     bits = float_bits(x)
     field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
     mantissa = int64(bits & MANTISSA_MASK)
@@ -113,13 +94,12 @@ def residue_of(x: float, k: int, exact: Residues) -> int64:
 
 @func
 def minor(a: int64, b: int64, c: int64, d: int64, p: int64) -> int64:
-    """a d - b c modulo p, for remainders; between -p and p."""
+    """a d - b c modulo p, between -p and p."""
     return (a * d - b * c) % p
 
 
 @func
 def cross_residues(a: quadruple, b: quadruple, p: int64) -> quadruple:
-    """a x b modulo p, of the first three."""
     return quadruple(
         minor(a[1], a[2], b[1], b[2], p), minor(a[2], a[0], b[2], b[0], p), minor(a[0], a[1], b[0], b[1], p), 0
     )
@@ -127,13 +107,12 @@ def cross_residues(a: quadruple, b: quadruple, p: int64) -> quadruple:
 
 @func
 def dot_residues(a: quadruple, b: quadruple, p: int64) -> int64:
-    """a . b modulo p, of the first three."""
     return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) % p
 
 
 @func
 def determinant_residue(a: quadruple, b: quadruple, c: quadruple, d: quadruple, p: int64) -> int64:
-    """The determinant of four rows modulo p: minors of the first two columns times those of the last two."""
+    """Determinant of four rows modulo p, by 2x2 minors."""
     total = minor(a[0], a[1], b[0], b[1], p) * minor(c[2], c[3], d[2], d[3], p)
     total -= minor(a[0], a[1], c[0], c[1], p) * minor(b[2], b[3], d[2], d[3], p)
     total += minor(a[0], a[1], d[0], d[1], p) * minor(b[2], b[3], c[2], c[3], p)
@@ -145,11 +124,7 @@ def determinant_residue(a: quadruple, b: quadruple, c: quadruple, d: quadruple, 
 
 @func
 def sign_of_residues(digits: array(dtype=int64), base: int, count: int, exact: Residues) -> int:
-    """-1, 0 or 1 for the number with the first `count` remainders in digits[base:], which become its digits.
-
-    The number lies below the product of all but the last prime in size: its last digit is 0, or where it is negative
-    the largest there is.
-    """
+    """Sign of the number with `count` residues in digits[base:], which become its digits; the last shows the sign."""
     sign = 0
     for k in range(base, base + count):
         if digits[k] != 0:

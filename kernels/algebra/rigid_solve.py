@@ -1,38 +1,33 @@
-"""Small dense solves of rigid registration in float64: normal equations of six unknowns, and the best fit of pairs.
-
-One thread solves one system, so that a loop never goes back to the host: about 400 operations for LDL^T, 15,000 for
-the eigenvectors of a 6x6 matrix (cyclic Jacobi, Golub and Van Loan, section 8.5). The best rotation of weighted pairs
-is the eigenvector of a symmetric 4x4 matrix (Horn 1987), which is right for flat and for straight sets of points too.
-
-Unknowns are (rotation about x, y, z, then translation). The upper triangle of a 6x6 matrix is kept row by row.
+"""Small dense float64 solvers of rigid registration, one thread per system: LDL^T of six unknowns, cyclic Jacobi
+eigenvectors (Golub and Van Loan, section 8.5), and the best fit of pairs (Horn 1987). Unknowns are (rotation,
+translation); 6x6 upper triangles are row-major.
 """
 
 from ..lang import cos, float64, func, mat33d, mat44d, sin, sqrt, vec2d, vec3d, vec4d, vector
 
 UNKNOWNS = 6
 TRIANGLE = 21
-SWEEPS = 10  # of Jacobi rotations: 6x6 matrices are diagonal to rounding after 6 to 8
+SWEEPS = 10  # Jacobi sweeps: 6x6 matrices converge to rounding after 6 to 8
 vec6d = vector(6, float64)
 triangle = vector(21, float64)
 square = vector(36, float64)  # an n x n matrix, n up to 6, row by row in the first n * n
-eigensystem = vector(42, float64)  # eigenvectors as the columns of an n x n matrix, then from 36 on the eigenvalues
+eigensystem = vector(42, float64)  # eigenvectors as the columns of an n x n matrix, eigenvalues from 36 on
 four_square = vector(16, float64)  # a 4x4 matrix, row by row
-four_system = vector(20, float64)  # as `eigensystem`, of a 4x4 matrix: the eigenvalues from 16 on
-three_system = vector(12, float64)  # of a 3x3 matrix: the eigenvalues from 9 on
+four_system = vector(20, float64)  # as `eigensystem` of a 4x4 matrix: eigenvalues from 16 on
+three_system = vector(12, float64)  # of a 3x3 matrix: eigenvalues from 9 on
 pair_sums = vector(18, float64)  # of weighted pairs (p, q): w, wp, wq, wp q^T, w|p|^2, w|q|^2
 
 
 @func
 def place_of(row: int, column: int) -> int:
-    """Where entry (row, column), row <= column, of a 6x6 matrix stands in its upper triangle."""
+    """Index of entry (row, column), row <= column, in the upper triangle of a 6x6 matrix."""
     return row * UNKNOWNS - (row * (row - 1)) // 2 + column - row
 
 
 @func
 def full_matrix(h: triangle) -> square:
-    """The 6x6 matrix of an upper triangle."""
     a = square(0.0)
-    for i in range(6):  # unrolled: no index is computed
+    for i in range(6):  # unrolled: constant indices
         for j in range(6):
             if j >= i:
                 a[i * UNKNOWNS + j] = h[place_of(i, j)]
@@ -42,7 +37,7 @@ def full_matrix(h: triangle) -> square:
 
 @func
 def diagonalize(matrix: square, n: int) -> eigensystem:
-    """Eigenvectors and eigenvalues of a symmetric n x n matrix, n up to 6, in no particular order."""
+    """Eigenvectors and eigenvalues of a symmetric n x n matrix, n up to 6, unordered."""
     a = matrix
     system = eigensystem(0.0)
     for i in range(n):
@@ -83,7 +78,7 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
 
 @func
 def turn_between(app: float64, aqq: float64, apq: float64) -> vec2d:
-    """The cosine and the sine of the rotation that takes entry (p, q) of a symmetric matrix to zero."""
+    """Cosine and sine of the rotation that zeros entry (p, q) of a symmetric matrix."""
     theta = (aqq - app) / (2.0 * apq)
     t = 1.0 / (abs(theta) + sqrt(theta * theta + 1.0))
     if theta < 0.0:
@@ -94,14 +89,14 @@ def turn_between(app: float64, aqq: float64, apq: float64) -> vec2d:
 
 @func
 def diagonalize_four(matrix: four_square) -> four_system:
-    """As `diagonalize` of a 4x4 matrix, bit for bit; loops over entries are unrolled, so that CUDA has registers."""
+    """`diagonalize` of a 4x4 matrix, bitwise; unrolled so that CUDA uses registers."""
     a = matrix
     v = four_square(0.0)
     for i in range(4):
         v[i * 5] = 1.0
     turned = 1
     sweep = 0
-    while turned == 1 and sweep < SWEEPS:  # a sweep that turns nothing is the last
+    while turned == 1 and sweep < SWEEPS:  # a sweep without rotations is the last
         turned = 0
         sweep += 1
         for pair in range(6):
@@ -138,7 +133,7 @@ def diagonalize_four(matrix: four_square) -> four_system:
 
 @func
 def largest_of_four(system: four_system) -> vec4d:
-    """The eigenvector of the largest eigenvalue, of equal ones the first."""
+    """Eigenvector of the largest eigenvalue, the first of equal ones."""
     largest = system[16]
     found = vec4d(system[0], system[4], system[8], system[12])
     for k in range(1, 4):
@@ -150,7 +145,7 @@ def largest_of_four(system: four_system) -> vec4d:
 
 @func
 def diagonalize_three(matrix: mat33d) -> three_system:
-    """As `diagonalize` of a 3x3 matrix, bit for bit, in registers."""
+    """`diagonalize` of a 3x3 matrix, bitwise, in registers."""
     a = matrix * 1.0
     v = mat33d(
         1.0, 0.0, 0.0,
@@ -193,10 +188,7 @@ def diagonalize_three(matrix: mat33d) -> three_system:
 
 @func
 def factor_system(h: triangle) -> square:
-    """LDL^T of a symmetric positive definite 6x6 matrix: D on the diagonal, 0 where there is no pivot, L below it.
-
-    Constant loops, here and below: Warp unrolls them, and CUDA holds all entries in registers.
-    """
+    """LDL^T of a positive definite 6x6 matrix: D on the diagonal, 0 without a pivot; unrolled into registers."""
     a = full_matrix(h)
     largest = float64(0.0)
     for j in range(6):
@@ -224,7 +216,7 @@ def factor_system(h: triangle) -> square:
 
 @func
 def solve_factored(a: square, b: vec6d) -> vec6d:
-    """The x with L D L^T x = b; unknowns without a pivot stay 0, all are NaN if a pivot is."""
+    """Solve L D L^T x = b; unknowns without a pivot stay 0, all are NaN if a pivot is."""
     x = vec6d(0.0)
     for j in range(6):
         v = b[j]
@@ -251,7 +243,7 @@ def solve_factored(a: square, b: vec6d) -> vec6d:
 
 @func
 def solve_system(h: triangle, b: vec6d) -> vec6d:
-    """The x with H x = b for a symmetric positive definite H (LDL^T); unknowns without a pivot stay 0."""
+    """Solve H x = b for positive definite H (LDL^T); unknowns without a pivot stay 0."""
     return solve_factored(factor_system(h), b)
 
 
@@ -275,7 +267,7 @@ def turned_and_shifted(x: vec6d, cosines: vec3d, sines: vec3d) -> mat44d:
 
 @func
 def euler_motion(x: vec6d) -> mat44d:
-    """The pose with rotation Rz(x2) Ry(x1) Rx(x0) and translation x3..x5, Open3D's update."""
+    """Pose with rotation Rz(x2) Ry(x1) Rx(x0) and translation x3..x5, as in Open3D."""
     cosines = vec3d(cos(x[0]), cos(x[1]), cos(x[2]))
     sines = vec3d(sin(x[0]), sin(x[1]), sin(x[2]))
     return turned_and_shifted(x, cosines, sines)
@@ -283,7 +275,7 @@ def euler_motion(x: vec6d) -> mat44d:
 
 @func
 def rotation_about(rx: float64, ry: float64, rz: float64, rw: float64) -> mat44d:
-    """The rotation of a quaternion of any length above zero, as a pose."""
+    """Rotation of an unnormalized quaternion, as a pose."""
     size = rx * rx + ry * ry + rz * rz + rw * rw
     s = 2.0 / size
     one = float64(1.0)
@@ -298,10 +290,7 @@ def rotation_about(rx: float64, ry: float64, rz: float64, rw: float64) -> mat44d
 
 @func
 def small_motion(x: vec6d) -> mat44d:
-    """The pose of a rotation vector x0..x2, to its third order, and a translation x3..x5.
-
-    Cayley's form: no sines, which devices and compilers round differently.
-    """
+    """Pose of a rotation vector x0..x2 (third order) and translation x3..x5, by Cayley's form without sines."""
     half = float64(0.5)
     pose = rotation_about(x[0] * half, x[1] * half, x[2] * half, 1.0)
     for i in range(3):
@@ -311,7 +300,6 @@ def small_motion(x: vec6d) -> mat44d:
 
 @func
 def move(pose: mat44d, p: vec3d) -> vec3d:
-    """The point p under a pose."""
     return vec3d(
         pose[0, 0] * p[0] + pose[0, 1] * p[1] + pose[0, 2] * p[2] + pose[0, 3],
         pose[1, 0] * p[0] + pose[1, 1] * p[1] + pose[1, 2] * p[2] + pose[1, 3],
@@ -321,7 +309,6 @@ def move(pose: mat44d, p: vec3d) -> vec3d:
 
 @func
 def turn(pose: mat44d, v: vec3d) -> vec3d:
-    """The direction v under a pose's 3x3 part."""
     return vec3d(
         pose[0, 0] * v[0] + pose[0, 1] * v[1] + pose[0, 2] * v[2],
         pose[1, 0] * v[0] + pose[1, 1] * v[1] + pose[1, 2] * v[2],
@@ -331,7 +318,7 @@ def turn(pose: mat44d, v: vec3d) -> vec3d:
 
 @func
 def sums_of_pair(p: vec3d, q: vec3d, w: float64) -> pair_sums:
-    """One pair's part of the sums that `fit_pose` takes; p and q should be taken about a place near both."""
+    """Sums of one pair for `fit_pose`; p and q relative to a near point."""
     return pair_sums(
         w, w * p[0], w * p[1], w * p[2], w * q[0], w * q[1], w * q[2],
         w * p[0] * q[0], w * p[0] * q[1], w * p[0] * q[2],
@@ -343,11 +330,7 @@ def sums_of_pair(p: vec3d, q: vec3d, w: float64) -> pair_sums:
 
 @func
 def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
-    """The motion that takes the p nearest to the q in weighted least squares (Horn 1987); with scale as Umeyama 1991.
-
-    Where the pairs leave a rotation open (all on one line or at one place) the smallest is taken; the identity where
-    there is no weight.
-    """
+    """Weighted least-squares motion from p to q (Horn 1987; scale: Umeyama 1991); free rotations are minimal."""
     w = sums[0]
     pose = mat44d(
         1.0, 0.0, 0.0, 0.0,
@@ -373,7 +356,7 @@ def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
         zz = sums[15] - w * pz * qz
         spread = sums[16] - w * (px * px + py * py + pz * pz)
         spread_q = sums[17] - w * (qx * qx + qy * qy + qz * qz)
-        # a little weight on no rotation decides between rotations that fit alike
+        # a small weight on no rotation decides between equal fits
         still = xx + yy + zz + 1.0e-12 * max(spread + spread_q, 0.0)
         a = four_square(
             still, yz - zy, zx - xz, xy - yx,

@@ -1,23 +1,17 @@
-"""The rotation that fits a 3x3 matrix best, without a decomposition that could turn into a reflection.
-
-The best rotation is the eigenvector of the largest eigenvalue of a symmetric 4x4 matrix (Horn, "Closed-form solution of
-absolute orientation using unit quaternions", JOSA A 4(4), 1987, section 4), which flat and straight sets leave as right
-as any other. Some 3,000 operations in float64.
+"""Best-fit rotation of a 3x3 matrix by the largest eigenvector of a 4x4 matrix (Horn, "Closed-form solution of absolute
+orientation using unit quaternions", JOSA A 4(4), 1987, section 4): never a reflection, also for flat and straight sets.
 """
 
 from ..lang import float64, func, isfinite, mat33d
 from .eigen import largest_entry
 from .rigid_solve import diagonalize_four, four_square, largest_of_four, rotation_about
 
-LIKING = 1.0e-12  # a little weight on no rotation, of the largest entry, decides between rotations that fit alike
+LIKING = 1.0e-12  # small weight on no rotation, relative to the largest entry, decides between equal fits
 
 
 @func
 def best_rotation(S: mat33d) -> mat33d:
-    """The rotation R with the largest trace of R S; the identity where S is zero or not finite.
-
-    For S the sum of p q^T over pairs it takes the p nearest to the q.
-    """
+    """Rotation R that maximizes the trace of R S, with S the sum of p q^T; the identity if S is zero or not finite."""
     one = float64(1.0)
     zero = float64(0.0)
     R = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)

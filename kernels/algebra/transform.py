@@ -1,4 +1,4 @@
-"""Rigid and affine maps of points and directions, with the arithmetic in float64."""
+"""Rigid and affine maps of points and directions, in float64."""
 
 import numpy as np
 
@@ -10,48 +10,39 @@ from .matrices import multiply33
 
 @struct
 class Transform:
-    """A map x -> R x + t of one frame's points [m] to another's, as in `T_target_source`.
-
-    Attributes:
-        R, t: In float64.
-    """
+    """Map x -> R x + t between frames [m], as in `T_target_source`, in float64."""
 
     R: mat33d
     t: vec3d
 
     def __init__(self, matrix: np.ndarray) -> None:
-        """The map of a float64 matrix [4, 4]."""
         self.R, self.t = mat33d(*matrix[:3, :3].ravel()), vec3d(*matrix[:3, 3])
 
 
 @func
 def transform_point(p: vec3d, T: Transform) -> vec3d:
-    """R p + t."""
     return T.R @ p + T.t
 
 
 @func
 def widen(p: vec3) -> vec3d:
-    """The same vector in float64."""
     return vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
 
 
 @func
 def narrow(p: vec3d) -> vec3:
-    """The nearest vector in float32."""
     return vec3(float(p[0]), float(p[1]), float(p[2]))
 
 
 @kernel
 def transform_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, out: array(dtype=vec3)):
-    """out = A p + t."""
     i = tid()
     out[i] = narrow(A @ widen(points[i]) + t)
 
 
 @kernel
 def transform_directions_kernel(directions: array(dtype=vec3), A: mat33d, out: array(dtype=vec3)):
-    """out = A n, scaled back to the length of n."""
+    """out = A n, rescaled to the length of n."""
     i = tid()
     n = widen(directions[i])
     m = A @ n
@@ -78,7 +69,6 @@ def transform_covariances_kernel(
 
 
 def transform_points(points: Points, A: np.ndarray, t: np.ndarray) -> Points:
-    """A p + t for a device array of vec3."""
     out = empty(points.size, vec3, points.device)
     launch(transform_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), out])
     return out
@@ -92,7 +82,6 @@ def transform_directions(directions: Vectors, A: np.ndarray) -> Vectors:
 
 
 def transform_covariances(covariances: Array2[float32], A: np.ndarray) -> Array2[float32]:
-    """A C A^T for a float32 device array of shape [n, 9]."""
     out = empty(covariances.shape, float32, covariances.device)
     launch(transform_covariances_kernel, covariances.shape[0], [covariances, mat33d(*A.ravel()), out])
     return out

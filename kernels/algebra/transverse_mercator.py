@@ -1,12 +1,8 @@
-"""Longitude and latitude to a transverse Mercator projection of the ellipsoid, in float64.
+"""Transverse Mercator projection of the ellipsoid in float64, bitwise identical everywhere, with a few nanometers of
+rounding.
 
-One thread a point: 24 B read and 24 written, some 300 operations. Sums, products, quotients and square roots alone, so
-that the bits are the same on every device and compiler: sines by their series in an eighth of the angle, inverse
-tangents of halved angles. A few nanometres of rounding.
-
-Source: Karney 2011, "Transverse Mercator with an accuracy of a few nanometers", equations 7 to 12 and 35 (Krueger's
-series to the sixth order). What it reads of the sine and cosine of the conformal latitude's transverse angle is known
-from its sides, so that the series are recurrences.
+Karney 2011, "Transverse Mercator with an accuracy of a few nanometers", equations 7 to 12 and 35 (Krueger's series to
+the sixth order). Series and recurrences only, no library sines.
 """
 
 from ..array_types import Integers, Points, Positions, Scalars
@@ -30,21 +26,13 @@ from ..lang import (
 from ..memory import empty
 from .angles import arctangent
 
-RADIANS = 0.017453292519943295  # of a degree
+RADIANS = 0.017453292519943295  # per degree
 ORDER = 6  # of Krueger's series
 
 
 @struct
 class Mercator:
-    """A transverse Mercator projection about a meridian.
-
-    Attributes:
-        meridian: Its longitude [degrees].
-        eccentricity: Of the ellipsoid.
-        radius: Of the rectifying sphere times the scale on the meridian [m].
-        low, high: Krueger's coefficients 1 to 3 and 4 to 6.
-        start: What is added to easting and northing [m]; the last is not used.
-    """
+    """Projection: `meridian` [degrees]; rectifying `radius` times scale [m]; Krueger coefficients; `start` [m]."""
 
     meridian: float64
     eccentricity: float64
@@ -63,7 +51,7 @@ class Mercator:
 
 @func
 def sine_and_cosine(angle: float64) -> vec2d:
-    """Of an angle [rad] within a quarter turn: Taylor's series of its eighth, which leave out 1e-19, then doubled."""
+    """Sine and cosine of an angle [rad] within a quarter turn: Taylor series of an eighth (1e-19), then doubling."""
     y = angle * 0.125
     square = y * y
     s = square * -2.505210838544172e-08 + 2.7557319223985893e-06
@@ -86,7 +74,7 @@ def sine_and_cosine(angle: float64) -> vec2d:
 
 @func
 def inverse_tanh(x: float64) -> float64:
-    """artanh x for x within -0.6 .. 0.6: the series of a quarter of the value."""
+    """artanh x for |x| <= 0.6: series of a quarter of the value."""
     t = x / (1.0 + sqrt(1.0 - x * x))
     t = t / (1.0 + sqrt(1.0 - t * t))
     square = t * t
@@ -99,14 +87,14 @@ def inverse_tanh(x: float64) -> float64:
 
 @func
 def small_sinh(x: float64) -> float64:
-    """sinh x for x within 0.01, to the bit of its series' fourth power."""
+    """sinh x for |x| <= 0.01, by its series to the fourth power."""
     square = x * x
     return x + x * square * (0.16666666666666666 + square * (0.008333333333333333 + square * 0.0001984126984126984))
 
 
 @func
 def wrapped(degrees: float64) -> float64:
-    """The same longitude in -180 .. 180, of one within 720."""
+    """Longitude in -180 .. 180, from one within 720."""
     turned = degrees
     for _ in range(2):
         if turned >= 180.0:
@@ -118,13 +106,13 @@ def wrapped(degrees: float64) -> float64:
 
 @func
 def project(longitude: float64, latitude: float64, to: Mercator) -> vec2d:
-    """Easting and northing [m] of degrees, the longitude from the meridian."""
+    """Easting and northing [m] of degrees, longitude relative to the meridian."""
     along = sine_and_cosine(latitude * float64(RADIANS))
     across = sine_and_cosine(longitude * float64(RADIANS))
     tangent = along[0] / along[1]
     sigma = small_sinh(to.eccentricity * inverse_tanh(to.eccentricity * along[0]))
     t = tangent * sqrt(1.0 + sigma * sigma) - sigma * sqrt(1.0 + tangent * tangent)
-    # the angles north and east of the sphere's transverse graticule, and their sines
+    # north and east angles of the sphere's transverse graticule, and their sines
     side = sqrt(t * t + across[1] * across[1])
     sine = t / side
     cosine = across[1] / side
@@ -158,7 +146,7 @@ def project(longitude: float64, latitude: float64, to: Mercator) -> vec2d:
 
 @kernel
 def project_degrees_kernel(degrees: array(dtype=vec3d), to: Mercator, out: array(dtype=vec3d)):
-    """Easting, northing and the height as it is; points that are not finite stay so."""
+    """Easting, northing and unchanged height; non-finite points stay so."""
     i = tid()
     p = degrees[i]
     if isfinite(p):
@@ -169,7 +157,7 @@ def project_degrees_kernel(degrees: array(dtype=vec3d), to: Mercator, out: array
 
 @kernel
 def turn_degrees_kernel(degrees: array(dtype=vec3d), meridian: float64, out: array(dtype=vec3)):
-    """The longitude from a meridian, the latitude, and how large the longitude is as it stands; NaN if not finite."""
+    """Relative longitude, latitude, and magnitude of the original longitude; NaN if not finite."""
     i = tid()
     p = degrees[i]
     turned = vec3(NAN, NAN, NAN)
@@ -185,7 +173,7 @@ def split_degrees_kernel(
     latitudes: array(dtype=float32),
     runs: array(dtype=int32),
 ):
-    """Both coordinates by themselves; those that are not finite are in the second run, as zeros."""
+    """Separate coordinates; non-finite points are in the second run, as zeros."""
     i = tid()
     p = turned[i]
     run = int(1)
@@ -201,21 +189,21 @@ def split_degrees_kernel(
 
 
 def project_degrees(degrees: Positions, to: Mercator) -> Positions:
-    """Points in degrees of longitude (within 720 of the meridian) and latitude as eastings and northings [m]."""
+    """Easting and northing [m] of longitude (within 720 of the meridian) and latitude in degrees."""
     out = empty(degrees.size, vec3d, degrees.device)
     launch(project_degrees_kernel, degrees.size, [degrees, to, out])
     return out
 
 
 def turn_degrees(degrees: Positions, meridian: float) -> Points:
-    """(longitude from a meridian in -180..180, latitude, size of the longitude) of each point; NaN if not finite."""
+    """(relative longitude in -180..180, latitude, magnitude of the longitude) of each point; NaN if not finite."""
     out = empty(degrees.size, vec3, degrees.device)
     launch(turn_degrees_kernel, degrees.size, [degrees, float(meridian), out])
     return out
 
 
 def split_degrees(turned: Points) -> tuple[Scalars, Scalars, Integers]:
-    """(longitudes, latitudes, runs) of `turn_degrees`; the finite ones are run 0, the others zeros in run 1."""
+    """(longitudes, latitudes, runs) of `turn_degrees`; finite points are run 0, others zeros in run 1."""
     shape = turned.size
     longitudes, latitudes = empty(shape, float32, turned.device), empty(shape, float32, turned.device)
     runs = empty(shape, int32, turned.device)

@@ -1,22 +1,20 @@
-"""Blocks of space, or cells of a grid, as keys: three whole numbers in one, in the order of x, then y, then z."""
+"""Packed keys of blocks or grid cells, ordered by x, then y, then z."""
 
 from ..lang import func, int64, vec3i
 
 AXIS_BITS = 21
 TWO_AXES = 2 * AXIS_BITS
-BIAS = 1 << 20  # coordinates lie in -2^20 .. 2^20 - 1
+BIAS = 1 << 20  # coordinates are in -2^20 .. 2^20 - 1
 
 
 @func
 def block_key(x: int, y: int, z: int) -> int64:
-    """One number for a block, ascending with x, then y, then z."""
     high = (int64(x + BIAS) << int64(AXIS_BITS)) | int64(y + BIAS)
     return (high << int64(AXIS_BITS)) | int64(z + BIAS)
 
 
 @func
 def key_block(key: int64) -> vec3i:
-    """The block of a key."""
     low = int64((1 << 21) - 1)
     x = int(key >> int64(TWO_AXES)) - BIAS
     y = int((key >> int64(AXIS_BITS)) & low) - BIAS

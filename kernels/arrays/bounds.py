@@ -1,8 +1,4 @@
-"""The box and the number of the finite points of a cloud.
-
-12 B read a point; then a thread, on CUDA a warp, settles its points' box with six atomics and one sum, all of whole
-numbers, whose outcome does not depend on their order.
-"""
+"""Bounding box and count of the finite points of a cloud. Atomics on integers, order-independent."""
 
 from collections.abc import Sequence
 
@@ -31,22 +27,22 @@ from ..memory import download, empty, full
 from .lanes import LANE_BITS, least_of_each, most_of_each
 from .runs import Runs, elements_of, row_of
 
-RUN = 4096  # points a thread on the CPU: the atomics of one run cost less than 1 % of its reads
-MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
-NOTHING = -0x8000_0000  # below the number of every float; and what the count begins with
-WIDTH = 7  # numbers of a result: the largest -x, -y, -z, x, y, z, and the count
+RUN = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
+MAGNITUDE = 0x7FFF_FFFF  # bits of a float32 without the sign
+NOTHING = -0x8000_0000  # below all float keys, and the initial count
+WIDTH = 7  # columns of a result: the largest -x, -y, -z, x, y, z, and the count
 
 
 @func
 def ordered_bits(x: float) -> int:
-    """The bits of a float as a whole number that is ordered as the float is."""
+    """Integer with the order of the float."""
     bits = float_bits(x)
     return bits ^ ((bits >> 31) & MAGNITUDE)
 
 
 @func
 def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
-    """Widen a row's box to a thread's, in which so many points lie."""
+    """Widen a row's box by a thread's box with `count` points."""
     if count > 0:
         at = row_of(i, runs) * WIDTH
         for axis in range(3):
@@ -57,7 +53,7 @@ def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: 
 
 @settle_box.on_cuda
 def settle_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
-    """One atomic a warp, where there would be 32."""
+    """CUDA variant: one atomic per warp."""
     at = row_of(i, runs) * WIDTH
     total = count
     for bit in range(LANE_BITS):
@@ -73,7 +69,6 @@ def settle_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, e
 
 @kernel
 def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(dtype=int32)):
-    """Widen a row's box to a thread's points; NaN and infinite points do not count."""
     i = tid()
     x0 = float(INFINITY)
     y0 = float(INFINITY)
@@ -97,7 +92,7 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
 
 @kernel
 def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
-    """A corner's coordinate of the box of all rows, low ones first; 0 where no point is finite."""
+    """Box coordinate over all rows, low corner first; 0 if no point is finite."""
     i = tid()
     most = int(NOTHING)
     count = int(NOTHING)
@@ -107,13 +102,13 @@ def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     end = bits_float(most ^ ((most >> 31) & MAGNITUDE))
     if i < 3:
         end = -end
-    if count == NOTHING or end == 0.0:  # of zero and minus zero the atomics keep either; `+ 0` is folded away
+    if count == NOTHING or end == 0.0:  # atomics keep either zero or minus zero; `+ 0` would be optimized away
         end = 0.0
     box[i] = end
 
 
 def find_extremes(points: Points) -> Integers:
-    """What a box is made of, WIDTH numbers a row, int32: for `box_of`, when it is on the host; no sync."""
+    """Partial boxes, int32, WIDTH numbers per row, for `box_of` on the host; no sync."""
     runs = Runs(points.size, points.device, RUN)
     extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
     launch(bound_points_kernel, runs.threads, [points, runs, extremes])
@@ -121,23 +116,19 @@ def find_extremes(points: Points) -> Integers:
 
 
 def find_box(points: Points) -> Array1[float32]:
-    """The box of the finite points where they are: the low corner, behind it the high one, float32 [6]; no sync."""
+    """Box of the finite points on their device: low and high corner, float32 (6); no sync."""
     box = empty(6, float32, points.device)
     launch(fold_box_kernel, 6, [find_extremes(points), box])
     return box
 
 
 def bound_points(points: Points) -> tuple[np.ndarray, np.ndarray, int]:
-    """The box of the finite points.
-
-    Returns:
-        (low, high, count): float32 arrays of shape [3] on the host, infinite where no point is finite. One sync.
-    """
+    """Box of the finite points: (low, high, count) on the host, infinite if none is finite. One sync."""
     return bound_each([points])[0]
 
 
 def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, int]]:
-    """As `bound_points`, of each of several arrays on one device. One sync."""
+    """As `bound_points` for several arrays on one device. One sync."""
     device = clouds[0].device
     runs = [Runs(points.size, device, RUN) for points in clouds]
     ends = np.cumsum([run.rows * WIDTH for run in runs]).tolist()
@@ -149,12 +140,11 @@ def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, i
 
 
 def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """(low, high, count), as of `bound_points`."""
     rows = extremes.reshape(-1, WIDTH)
     count = int((rows[:, 6].astype(np.int64) - NOTHING).sum())
     if not count:
         return np.full(3, np.inf, np.float32), np.full(3, -np.inf, np.float32), 0
     bits = rows[:, :6].max(axis=0)
     ends = (bits ^ ((bits >> 31) & np.int32(MAGNITUDE))).view(np.float32)
-    # + 0: of zero and minus zero the sums keep either
+    # + 0: normalizes minus zero
     return np.float32(0) - ends[:3], ends[3:] + np.float32(0), count

@@ -1,9 +1,7 @@
-"""Changes of arrays in place that are made whole or not at all, whatever interrupts the program.
+"""Atomic in-place changes of arrays under interruption (Ctrl-C, out of memory).
 
-Ctrl-C, or memory that runs out, ends Python code before or after a launch, never within one. So whoever keeps arrays
-that change lets one launch alone write to what counts, and has that launch note the number of its change: after an
-interruption the note tells whether the change was made. Everything else (rows beyond those that count, tables that can
-be made again) may be left as it is.
+Interrupts occur before or after a launch. One launch writes all that counts and records the change number, so it can be
+determined afterwards whether the change was made. Everything else may stay inconsistent.
 """
 
 from collections.abc import Callable
@@ -16,14 +14,7 @@ from ..memory import download, zeros
 
 @struct
 class Changes:
-    """What holds of arrays that change in place, and how many changes made it so.
-
-    Attributes:
-        latest: int64 [1], the number of the last change that a launch made.
-        number: That of the change in progress.
-        count: Changes made.
-        value: What the owner knows of its arrays since the last of them: the number of rows that count.
-    """
+    """Transaction state: `latest` change made, `number` in progress, `count` made; `value`: the owner's state."""
 
     latest: array(dtype=int64)
     number: int64
@@ -36,29 +27,23 @@ class Changes:
 
     @property
     def count(self) -> int:
-        """Changes made."""
         return self._made[0]
 
     @property
     def value(self) -> Any:
-        """What the owner knows of its arrays since the last change."""
         return self._made[1]
 
     def begin(self, value: Any) -> None:
-        """Announce a change, after which `value` will hold, before the first array is touched."""
+        """Start a change that ends in state `value`, before the first array is touched."""
         self.number = self.count + 1
         self._begun = (self.number, value)
 
     def end(self) -> None:
-        """Take note that the launch of the change was made."""
+        """Confirm that the launch of the change was made."""
         self._made, self._begun = self._begun or self._made, None
 
     def settle(self, clear: Callable[[], None]) -> None:
-        """Bring a change that was interrupted to its end where its launch was made (sync), else forget it.
-
-        Args:
-            clear: Clears away what a change that was not made left behind.
-        """
+        """Complete an interrupted change if its launch was made (sync), else discard it with `clear`."""
         if self._begun is None:
             return
         if int(download(self.latest)[0]) == self.number:
@@ -70,6 +55,6 @@ class Changes:
 
 @func
 def note_change(thread: int, changes: Changes):
-    """The first thread of the launch that makes a change notes its number."""
+    """The first thread of the changing launch records the change number."""
     if thread == 0:
         changes.latest[0] = changes.number

@@ -1,4 +1,4 @@
-"""Arrays behind one another, positions brought to one origin on the way; each byte is read and written once."""
+"""Concatenation of arrays, with positions shifted to a common origin."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -19,7 +19,7 @@ def shift_points_kernel(points: array(dtype=vec3), shift: vec3d, start: int, out
 
 
 def concatenate_points(arrays: Sequence[Points], shifts: Sequence[np.ndarray]) -> Points:
-    """Device arrays of vec3, each moved by its float64 [3] shift, as one; unshifted ones keep their bits."""
+    """Concatenate arrays of vec3, each with a float64 (3) shift; unshifted ones stay bitwise identical."""
     out = empty(sum(a.size for a in arrays), vec3, arrays[0].device)
     start = 0
     for points, shift in zip(arrays, shifts, strict=True):
@@ -32,10 +32,9 @@ def concatenate_points(arrays: Sequence[Points], shifts: Sequence[np.ndarray]) -
 
 
 def concatenate_rows(arrays: Sequence[Array]) -> Array:
-    """Device arrays of one type and of equal rows, shape [n] or [n, c], as one."""
     first = arrays[0]
     out: Any = empty((sum(a.shape[0] for a in arrays), *first.shape[1:]), first.dtype, first.device)
-    if not first.device.is_cuda:  # a thousand small copies take longer one by one
+    if not first.device.is_cuda:  # one by one, a thousand small copies take longer
         np.concatenate([download(values) for values in arrays], out=host_view(out))
         return out
     flat, start = out.flatten(), 0

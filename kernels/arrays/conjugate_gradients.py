@@ -1,8 +1,7 @@
-"""Conjugate gradients over vectors of vec3d: the state of a solve, and what each turn does to it beside the matrix.
+"""Conjugate gradients over vectors of vec3d (Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5).
 
-Whoever sets up a system gives its product with `search` (into `image`) and a preconditioner (`residual` to `forces`).
-A turn costs 200 B an unknown and two reductions in float64, whose order is fixed, and the device sees the loop's end.
-Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5.
+The caller provides the matrix product (`search` to `image`) and the preconditioner (`residual` to `forces`). Float64
+sums in fixed order; the loop ends on the device.
 """
 
 from collections.abc import Callable
@@ -30,18 +29,8 @@ from .segment_blocks import SegmentBlocks
 
 @struct
 class Gradients:
-    """What a solve works on; the arrays stay from solve to solve.
-
-    Attributes:
-        solution, residual, search, image: vec3d [m]; image is the product with the search direction.
-        forces: The preconditioned residual, vec3d [m].
-        slopes: (search . image, residual . forces) of this turn, vec2d [1].
-        remains: (residual . forces, 0) after it.
-        running, turns: int32 [1].
-        stuck: Whether a solve ended before its limit, int32 [1].
-        limit: Of residual . forces, in units.
-        unit: What the limit is measured in, vec2d [1], the first number.
-        most: Turns of a solve.
+    """State of a solve, reused between solves. `slopes`: (search . image, residual . forces); `remains`: (residual .
+    forces, 0); `limit` of residual . forces in units of `unit`; `most` iterations.
     """
 
     solution: array(dtype=vec3d)
@@ -70,7 +59,7 @@ class Gradients:
 
 @kernel
 def begin_search_kernel(state: Gradients):
-    """Search along the forces; the first thread says whether there is anything to do."""
+    """Search along the forces; the first thread sets `running`."""
     i = tid()
     state.search[i] = state.forces[i]
     if i == 0:
@@ -83,14 +72,12 @@ def begin_search_kernel(state: Gradients):
 
 @segment_reduction
 def sum_slopes(state: Gradients) -> vec2d:
-    """(search . image, residual . forces)."""
     i = tid()
     return vec2d(dot(state.search[i], state.image[i]), dot(state.residual[i], state.forces[i]))
 
 
 @kernel
 def advance_kernel(state: Gradients):
-    """To the lowest place along the search direction."""
     i = tid()
     step = float64(0.0)
     if state.slopes[0][0] > 0.0:
@@ -101,14 +88,13 @@ def advance_kernel(state: Gradients):
 
 @segment_reduction
 def sum_remains(state: Gradients) -> vec2d:
-    """(residual . forces, 0)."""
     i = tid()
     return vec2d(dot(state.residual[i], state.forces[i]), 0.0)
 
 
 @kernel
 def turn_search_kernel(state: Gradients):
-    """The next search direction; the first thread says whether there is a next turn."""
+    """Next search direction; the first thread sets `running`."""
     i = tid()
     share = float64(0.0)
     if state.slopes[0][1] > 0.0:
@@ -127,19 +113,13 @@ def turn_search_kernel(state: Gradients):
 
 @kernel
 def weigh_by_diagonal_kernel(diagonal: array(dtype=float64), state: Gradients):
-    """The residual by the diagonal of the matrix: Jacobi's preconditioner."""
+    """Jacobi preconditioner."""
     i = tid()
     state.forces[i] = state.residual[i] / diagonal[i]
 
 
 class ConjugateGradients:
-    """Solves systems of one matrix, each from where the last one ended.
-
-    Args:
-        state: The Gradients.
-        map_search: Launches that make `state.image` the product of the matrix and `state.search`.
-        weigh_residual: Launches that make `state.forces` the preconditioned `state.residual`.
-    """
+    """Warm-started solver: `map_search` launches the matrix product, `weigh_residual` the preconditioner."""
 
     def __init__(self, state: Gradients, map_search: Callable[..., Any], weigh_residual: Callable[..., Any]) -> None:
         device = state.solution.device
@@ -149,28 +129,28 @@ class ConjugateGradients:
         self._loop = DeviceLoop(state.running, self._turn)  # recorded once for all solves
 
     def weigh(self) -> None:
-        """The forces of the residual, and what remains."""
+        """Compute the forces and what remains."""
         self._precondition()
         reduce_segments(sum_remains, self.blocks, self.live, [self.state], self.partials, self.state.remains)
 
     def begin(self) -> None:
-        """Weigh the residual, and search along its forces first; launches over arrays that exist already."""
+        """Precondition and set the first search direction; only launches."""
         self.weigh()
         launch(begin_search_kernel, self.state.solution.size, [self.state])
 
     def descend(self) -> None:
-        """Turn until the limit is reached; `weigh` comes before."""
+        """Iterate until the limit; `weigh` comes before."""
         launch(begin_search_kernel, self.state.solution.size, [self.state])
         self._loop.run()
 
     def solve(self) -> None:
-        """Weigh the residual, and turn until the limit times what remained at first is reached: `unit` becomes that."""
+        """Precondition, and iterate until `limit` times the initial value."""
         self.weigh()
         copy(self.state.unit, self.state.remains, count=1)
         self.descend()
 
     def run(self) -> None:
-        """The same where `begin` comes before."""
+        """As `solve`, if `begin` came before."""
         self._loop.run()
 
     def _turn(self) -> None:

@@ -1,9 +1,4 @@
-"""One number that tells whether the points of an array are what they were.
-
-The sum of a mixed 64-bit word a point, which holds its coordinates' bits and its place: a changed bit, or two points
-that change places, go unnoticed once in some 2^64 times. 12 B read a point; whole numbers, so the order of the sum does
-not matter.
-"""
+"""64-bit fingerprint of an array of points: an integer sum of hashed coordinates and positions."""
 
 from ..array_types import Points
 from ..lang import array, atomic_add, float_bits, func, int64, kernel, launch, tid, vec3
@@ -11,30 +6,29 @@ from ..memory import download, zeros
 from .hash_table import mix_bits
 from .runs import Runs, elements_of, row_of
 
-RUN = 256  # points a thread on the CPU: one atomic each
+RUN = 256  # points per thread on the CPU: one atomic each
 LOW_WORD = 0xFFFF_FFFF
 
 
 @func
 def word_of(x: float) -> int64:
-    """The bits of a coordinate."""
     return int64(float_bits(x)) & int64(LOW_WORD)
 
 
 @kernel
 def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=int64)):
-    """Add the mixed words of a thread's points to a row's sum; whole numbers, in any order."""
+    """Add the hashed words of a thread's points to a row's sum."""
     i = tid()
     held = int64(0)
     for k in elements_of(i, runs):
         p = points[k]
         word = mix_bits(word_of(p[0]) | (word_of(p[1]) << 32))
         held += mix_bits(word + (word_of(p[2]) | (int64(k) << 32)))
-    atomic_add(totals, row_of(i, runs), held)
+    atomic_add(totals, row_of(i, runs), held)  # integer sum: order-independent
 
 
 def fingerprint(points: Points) -> int:
-    """The fingerprint of a device array of vec3, an int (one sync)."""
+    """Fingerprint of a device array of vec3, an int (one sync)."""
     runs = Runs(points.size, points.device, RUN)
     totals = zeros(runs.rows, int64, points.device)
     launch(sum_words_kernel, runs.threads, [points, runs, totals])

@@ -1,21 +1,20 @@
-"""An ordered hash table from 64-bit keys to their positions, with one layout for any order of insertion.
+"""Ordered hash table from 64-bit keys to positions, with a layout independent of the order of insertion.
 
-Amble and Knuth, "Ordered hash tables", The Computer Journal 17, 1974: along a probe sequence keys ascend, so a slot
-holds the smallest key that wants it. Insertion is `atomic_min` alone, no compare-and-swap, and the layout does not
-depend on which thread came first. 12 B a slot, at most half of the slots taken.
+Amble and Knuth, "Ordered hash tables", The Computer Journal 17, 1974: keys ascend along a probe sequence, so insertion
+needs only `atomic_min`. 12 B per slot, load up to one half.
 """
 
 from ..array_types import Bytes, Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import empty, full
 
-IN_TURN = 4096  # keys that one core of the CPU inserts sooner than all can be told to, and asked for every position
+IN_TURN = 4096  # keys that one CPU core inserts faster than a parallel launch
 EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 
 
 @func
 def mix_bits(key: int64) -> int64:
-    """Spread a key's bits (the finalizer of MurmurHash3, without its last step)."""
+    """Mix a key's bits (finalizer of MurmurHash3 without its last step)."""
     h = key ^ ((key >> 33) & 0x7FFFFFFF)
     h = h * -49064778989728563
     return h ^ ((h >> 29) & 0x7FFFFFFFF)
@@ -23,21 +22,14 @@ def mix_bits(key: int64) -> int64:
 
 @struct
 class HashTable:
-    """Positions of the keys in a growing list of distinct keys, none of them negative.
-
-    Attributes:
-        keys: int64, one a slot; EMPTY where none is.
-        positions: int32, that of each slot's key in the list.
-        capacity: Slots, a power of two.
-        mask: capacity - 1.
-    """
+    """Positions of distinct non-negative keys: `keys` per slot or EMPTY, `positions`, `mask` = `capacity` - 1."""
 
     keys: array(dtype=int64)
     positions: array(dtype=int32)
     mask: int64
 
     def __init__(self, device: Device, room: int = 0) -> None:
-        """An empty one with room for so many keys without growing."""
+        """An empty table for `room` keys without growing."""
         self.device = device
         self._allocate(max(1024, 1 << (2 * room - 1).bit_length()))
 
@@ -46,7 +38,7 @@ class HashTable:
         self.capacity, self.mask = capacity, capacity - 1
 
     def append(self, all_keys: Keys, count: int, new_count: int) -> None:
-        """Take in the last `new_count` of the first `count` keys of a device array; grows by itself."""
+        """Insert the last `new_count` of the first `count` keys of a device array; grows as needed."""
         if new_count == 0:
             return
         first = count - new_count
@@ -60,14 +52,14 @@ class HashTable:
         launch(store_positions_kernel, count, [all_keys[:count], self])
 
     def find(self, wanted: LongIntegers) -> tuple[Indices, Bytes]:
-        """The position of each key of a device array, int32, -1 where it is not in the list; and uint8, 1 there."""
+        """Position of each key, int32, or -1; and uint8, 1 for missing keys."""
         found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
         launch(find_positions_kernel, wanted.size, [wanted, self, found, missing])
         return found, missing
 
 
 def list_keys(keys: Keys, count: int, room: int = 0) -> HashTable:
-    """A table of the first `count` keys of a device array, with room for more."""
+    """Table of the first `count` keys of a device array, with room for more."""
     table = HashTable(keys.device, room)
     table.append(keys, count, count)
     return table
@@ -75,7 +67,7 @@ def list_keys(keys: Keys, count: int, room: int = 0) -> HashTable:
 
 @func
 def find_slot(key: int64, table: HashTable) -> int:
-    """The first slot of a key's probe that holds it or a larger one: keys ascend along the probe."""
+    """First slot of a key's probe with this key or a larger one."""
     slot = mix_bits(key) & table.mask
     while table.keys[int(slot)] < key:
         slot = (slot + 1) & table.mask
@@ -84,7 +76,6 @@ def find_slot(key: int64, table: HashTable) -> int:
 
 @func
 def find_position(key: int64, table: HashTable) -> int:
-    """The position stored for a key, or -1."""
     slot = find_slot(key, table)
     found = -1
     if table.keys[slot] == key:
@@ -94,15 +85,12 @@ def find_position(key: int64, table: HashTable) -> int:
 
 @func
 def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask: int64):
-    """Put an entry into the first slot of its probe that holds a larger one, and carry that one on.
-
-    What is above its low bits is its key; of entries of one key the smallest stays.
-    """
+    """Insert an entry into its probe, moving larger ones on; the smallest entry per key (above the low bits) stays."""
     carried = entry
     slot = mix_bits(carried >> int64(low_bits)) & mask
     carrying = 1
     while carrying == 1:
-        old = atomic_min(entries, int(slot), carried)  # settles which of two entries stays: the smaller
+        old = atomic_min(entries, int(slot), carried)  # resolves the race for the slot: the smaller entry stays
         if old == int64(EMPTY) or (old >> int64(low_bits)) == (carried >> int64(low_bits)):
             carrying = 0
         else:
@@ -113,20 +101,18 @@ def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask:
 
 @func
 def insert_key(key: int64, table: HashTable):
-    """Put a key into the table."""
     insert_entry(key, 0, table.keys, table.mask)
 
 
 @kernel
 def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
-    """Insert each key."""
     i = tid()
     insert_key(new_keys[i], table)
 
 
 @kernel(for_cpu=True)
 def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
-    """Insert keys one after the other, those that move with their positions: of one thread."""
+    """Insert keys sequentially, moving positions with them; one thread."""
     i = tid()
     for k in range(first + i, count):
         key = keys[k]
@@ -148,7 +134,6 @@ def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, tabl
 
 @kernel
 def store_positions_kernel(all_keys: array(dtype=int64), table: HashTable):
-    """Store each key's position beside it."""
     i = tid()
     table.positions[find_slot(all_keys[i], table)] = i
 
@@ -157,7 +142,7 @@ def store_positions_kernel(all_keys: array(dtype=int64), table: HashTable):
 def find_positions_kernel(
     wanted: array(dtype=int64), table: HashTable, found: array(dtype=int32), missing: array(dtype=uint8)
 ):
-    """The position of each wanted key, or -1; and 1 where it is missing."""
+    """Position of each key, or -1; and 1 where it is missing."""
     i = tid()
     position = find_position(wanted[i], table)
     absent = 0
@@ -169,11 +154,11 @@ def find_positions_kernel(
 
 @kernel
 def number_new_kernel(missing: array(dtype=int32), first: int, found: array(dtype=int32)):
-    """The i-th missing key stands at position first + i."""
+    """The i-th missing key gets position first + i."""
     i = tid()
     found[missing[i]] = first + i
 
 
 def number_new(missing: Integers, first: int, found: Integers) -> None:
-    """Give the keys at the places `missing` the positions from `first` on, in `found`."""
+    """Assign positions from `first` on to the `missing` keys, in `found`."""
     launch(number_new_kernel, missing.size, [missing, first, found])

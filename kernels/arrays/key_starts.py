@@ -1,4 +1,4 @@
-"""Where each number begins in sorted keys. One thread a number, a search by halving: log2(keys) reads of 8 B each."""
+"""Start of each number in sorted keys, by bisection."""
 
 from ..array_types import Indices, Keys
 from ..lang import array, int32, int64, kernel, launch, tid
@@ -6,7 +6,6 @@ from ..lang import array, int32, int64, kernel, launch, tid
 
 @kernel
 def find_key_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
-    """The first of the sorted keys that is at least the thread's number."""
     i = tid()
     low = 0
     high = int(keys.shape[0])
@@ -20,5 +19,5 @@ def find_key_starts_kernel(keys: array(dtype=int64), starts: array(dtype=int32))
 
 
 def find_key_starts(keys: Keys, starts: Indices) -> None:
-    """Fill `starts`, int32 [n + 1]: rows of the sorted int64 keys with key k are starts[k] .. starts[k + 1]."""
+    """Fill `starts`, int32 (n + 1): rows of the sorted int64 keys with key k are starts[k] .. starts[k + 1]."""
     launch(find_key_starts_kernel, starts.size, [keys, starts])

@@ -1,17 +1,13 @@
-"""What the 32 lanes of a CUDA warp hold, together: the least, the most, the sum, the same in all lanes.
-
-Five shuffles a number; three for what eight lanes that follow each other hold. All lanes take part.
-"""
+"""Reductions over the 32 lanes of a CUDA warp, or groups of eight. All lanes must participate and get the result."""
 
 from ..lang import cuda_func, shuffle_xor, vec3
 
-LANE_BITS = 5  # of a lane's number
-EIGHT_BITS = 3  # of its number among eight
+LANE_BITS = 5  # of a lane index
+EIGHT_BITS = 3  # of a lane index within eight
 
 
 @cuda_func
 def least(x: float) -> float:
-    """The least number of the lanes."""
     found = x
     for bit in range(LANE_BITS):
         found = min(found, shuffle_xor(found, 1 << bit))
@@ -20,7 +16,6 @@ def least(x: float) -> float:
 
 @cuda_func
 def most(x: float) -> float:
-    """The greatest number of the lanes."""
     found = x
     for bit in range(LANE_BITS):
         found = max(found, shuffle_xor(found, 1 << bit))
@@ -29,7 +24,6 @@ def most(x: float) -> float:
 
 @cuda_func
 def sum_of_lanes(x: float) -> float:
-    """The sum of the lanes' numbers, the same in all."""
     total = x
     for bit in range(LANE_BITS):
         total += shuffle_xor(total, 1 << bit)
@@ -38,19 +32,17 @@ def sum_of_lanes(x: float) -> float:
 
 @cuda_func
 def least_of_each(p: vec3) -> vec3:
-    """The low corner of the box around the lanes' points."""
+    """Low corner of the lanes' points."""
     return vec3(least(p[0]), least(p[1]), least(p[2]))
 
 
 @cuda_func
 def most_of_each(p: vec3) -> vec3:
-    """The high corner."""
     return vec3(most(p[0]), most(p[1]), most(p[2]))
 
 
 @cuda_func
 def least_of_eight(x: float) -> float:
-    """The least number of eight lanes."""
     found = x
     for bit in range(EIGHT_BITS):
         found = min(found, shuffle_xor(found, 1 << bit))
@@ -59,7 +51,6 @@ def least_of_eight(x: float) -> float:
 
 @cuda_func
 def most_of_eight(x: float) -> float:
-    """The greatest number of eight lanes."""
     found = x
     for bit in range(EIGHT_BITS):
         found = max(found, shuffle_xor(found, 1 << bit))
@@ -68,11 +59,10 @@ def most_of_eight(x: float) -> float:
 
 @cuda_func
 def low_of_eight(p: vec3) -> vec3:
-    """The low corner of the box around eight lanes' points."""
+    """Low corner of eight lanes' points."""
     return vec3(least_of_eight(p[0]), least_of_eight(p[1]), least_of_eight(p[2]))
 
 
 @cuda_func
 def high_of_eight(p: vec3) -> vec3:
-    """The high corner."""
     return vec3(most_of_eight(p[0]), most_of_eight(p[1]), most_of_eight(p[2]))

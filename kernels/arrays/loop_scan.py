@@ -1,8 +1,4 @@
-"""Running sums of counts in a loop of the device, where nothing may be allocated (prefix_sum.py has the others).
-
-A warp sums a tile of counts, warps sum the tiles' sums until one is enough, and on the way back each adds what comes
-before its tile. 4 B read twice and 4 B written a count; three launches up to a million counts, five beyond.
-"""
+"""Prefix sums inside a device loop, without allocation (prefix_sum.py has the others), by tiles."""
 
 import itertools
 
@@ -14,12 +10,12 @@ from ..memory import empty, host_view
 from .lanes import LANE_BITS
 from .select import count_mask_kernel
 
-TILE = 1024  # counts of a warp: 32 a lane
+TILE = 1024  # counts per warp: 32 per lane
 
 
 @kernel
 def sum_tiles_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=int32)):
-    """The sum of each tile, by the first of its 32 threads."""
+    """Sum of each tile, by the first of its 32 threads."""
     i = tid()
     tile = i // WARP
     if i % WARP == 0:
@@ -31,7 +27,6 @@ def sum_tiles_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=i
 
 @sum_tiles_kernel.on_cuda
 def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: array(dtype=int32)):
-    """Neighbouring lanes read neighbouring counts."""
     i = tid()
     tile = i // WARP
     lane = i % WARP
@@ -49,7 +44,7 @@ def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: arra
 
 @kernel
 def scan_tiles_kernel(counts: array(dtype=int32), count: int, before: array(dtype=int32), sums: array(dtype=int32)):
-    """The sums up to and with each count of a tile; `before` are those of tiles, and the first tile reads none."""
+    """Inclusive sums of a tile, on top of the sums `before` of earlier tiles."""
     i = tid()
     tile = i // WARP
     if i % WARP == 0:
@@ -65,7 +60,7 @@ def scan_tiles_kernel(counts: array(dtype=int32), count: int, before: array(dtyp
 def scan_tiles_of_lanes_kernel(
     counts: array(dtype=int32), count: int, before: array(dtype=int32), sums: array(dtype=int32)
 ):
-    """The lanes add up 32 neighbouring counts at a time, in five steps."""
+    """CUDA variant: warp scan of 32 counts in five steps."""
     i = tid()
     tile = i // WARP
     lane = i % WARP
@@ -88,7 +83,7 @@ def scan_tiles_of_lanes_kernel(
 
 
 class LoopScan:
-    """Room for the running sums of up to `most` counts."""
+    """Scratch memory for prefix sums of up to `most` counts."""
 
     def __init__(self, most: int, device: Device) -> None:
         self.levels: list[Integers] = []
@@ -103,7 +98,7 @@ class LoopScan:
             tiles = -(-sizes[-1] // TILE)
             launch(sum_tiles_kernel, tiles * WARP, [lower, sizes[-1], upper])
             sizes.append(tiles)
-        above = rows[-1]  # read by none: there is one tile
+        above = rows[-1]  # not read: there is one tile
         for row, size in zip(reversed(rows), reversed(sizes), strict=True):
             out = sums if row is counts else row
             launch(scan_tiles_kernel, -(-size // TILE) * WARP, [row, size, above, out])
@@ -118,7 +113,7 @@ def list_marked_kernel(
     rows: array(dtype=int32),
     counts: array(dtype=int32),
 ):
-    """The places of the marks in order, whose ranks count from one, and how many there are."""
+    """Positions of the flags in order (ranks count from one), and their count."""
     i = tid()
     if mask[i] != 0:
         rows[ranks[i] - 1] = i
@@ -127,17 +122,14 @@ def list_marked_kernel(
 
 
 class LoopList:
-    """The places of up to `most` marks in ascending order, in a loop of the device; `rows` are int32 [most]."""
+    """Positions of up to `most` flags in ascending order, in a device loop; `rows` int32 (most)."""
 
     def __init__(self, most: int, device: Device) -> None:
         self.rows, self.ranks = empty(most, int32, device), empty(most if device.is_cuda else 0, int32, device)
         self._scan = LoopScan(most, device)
 
     def find(self, mask: Mask, count: int, counts: Integers, place: int) -> None:
-        """List the marks among the first `count` of a uint8 mask [most], zero beyond, and write counts[place].
-
-        On the CPU by NumPy, so in no loop whose launches are kept.
-        """
+        """List the flags among the first `count` of a mask, and write counts[place]; not recordable on the CPU."""
         if not mask.device.is_cuda:
             found = np.flatnonzero(host_view(mask)[:count].view(np.bool_))
             host_view(self.rows)[: len(found)] = found

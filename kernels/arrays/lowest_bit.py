@@ -1,4 +1,4 @@
-"""The lowest bit that any coordinate of a cloud has: all are whole multiples of it (algebra/residues.py)."""
+"""The lowest set bit of all coordinates of a cloud, of which all are integer multiples (algebra/residues.py)."""
 
 import numpy as np
 
@@ -8,13 +8,13 @@ from ..lang import array, atomic_min, bit_count, float_bits, func, int32, kernel
 from ..memory import download, full
 from .runs import Runs, elements_of, row_of
 
-RUN = 1024  # points a thread on the CPU: one atomic each
+RUN = 1024  # points per thread on the CPU: one atomic each
 NO_BIT = 1000
 
 
 @func
 def lowest_bit_of(x: float) -> int:
-    """The exponent of the lowest bit of a coordinate; NO_BIT of zero."""
+    """Exponent of the lowest bit of a coordinate; NO_BIT for zero."""
     bits = float_bits(x)
     field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
     mantissa = bits & MANTISSA_MASK
@@ -28,17 +28,16 @@ def lowest_bit_of(x: float) -> int:
 
 @kernel
 def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(dtype=int32)):
-    """The exponent of the lowest bit that any coordinate of a row has; the atomic settles the minimum."""
     i = tid()
     found = int(NO_BIT)
     for j in elements_of(i, runs):
         p = points[j]
         found = min(found, min(lowest_bit_of(p[0]), min(lowest_bit_of(p[1]), lowest_bit_of(p[2]))))
-    atomic_min(lowest, row_of(i, runs), found)
+    atomic_min(lowest, row_of(i, runs), found)  # minimum: order-independent
 
 
 def find_lowest_bits(points: Points) -> Integers:
-    """What the lowest bit is told from, when it is on the host, by `bit_of`: int32; no sync."""
+    """Partial results, int32, for `bit_of` on the host; no sync."""
     runs = Runs(points.size, points.device, RUN)
     lowest = full(runs.rows, NO_BIT, int32, points.device)
     launch(find_lowest_bit_kernel, runs.threads, [points, runs, lowest])
@@ -46,11 +45,11 @@ def find_lowest_bits(points: Points) -> Integers:
 
 
 def bit_of(found: np.ndarray) -> int:
-    """The exponent of the lowest bit; 0 where all coordinates are zero."""
+    """Exponent of the lowest bit; 0 if all coordinates are zero."""
     bit = int(found.min())
     return 0 if bit == NO_BIT else bit
 
 
 def lowest_bit(points: Points) -> int:
-    """The exponent of the lowest bit of the coordinates of vec3 points, all finite; 0 where all are zero (one sync)."""
+    """Exponent of the lowest bit of finite vec3 points; 0 if all are zero (one sync)."""
     return bit_of(download(find_lowest_bits(points)))  # sync

@@ -1,7 +1,4 @@
-"""Positions in float64 as float32 about an origin, and back, where they lie.
-
-One thread a point. The way there reads 24 B and writes 12; the flag that it may raise is the same in any order.
-"""
+"""Conversion of float64 positions to float32 about an origin, and back, on the device."""
 
 import numpy as np
 
@@ -14,18 +11,17 @@ from .side_by_side import read_together
 
 @kernel
 def find_far_kernel(points: array(dtype=vec3), limit: float, far: array(dtype=int32)):
-    """Raise the flag where a finite point has a coordinate beyond the limit."""
+    """Set the flag if a finite point has a coordinate beyond the limit."""
     i = tid()
     p = points[i]
     if isfinite(p):
         if max(abs(p[0]), max(abs(p[1]), abs(p[2]))) > limit:
-            if far[0] == 0:  # spares the atomic; whoever comes first, the flag ends as 1
+            if far[0] == 0:  # saves atomics; all writers set 1
                 atomic_max(far, 0, 1)
 
 
 @kernel
 def find_far_wide_kernel(points: array(dtype=vec3d), limit: float64, far: array(dtype=int32)):
-    """As find_far_kernel, of points in float64."""
     i = tid()
     p = points[i]
     if isfinite(p):
@@ -36,7 +32,7 @@ def find_far_wide_kernel(points: array(dtype=vec3d), limit: float64, far: array(
 
 @kernel
 def subtract_origin_kernel(points: array(dtype=vec3d), origin: vec3d, lost: array(dtype=int32), out: array(dtype=vec3)):
-    """out = p - origin, rounded once; the flag is raised where a finite point becomes infinite."""
+    """out = p - origin, rounded once; set the flag if a finite point becomes infinite."""
     i = tid()
     p = points[i]
     q = narrow(p - origin)
@@ -48,14 +44,13 @@ def subtract_origin_kernel(points: array(dtype=vec3d), origin: vec3d, lost: arra
 
 @kernel
 def add_origin_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dtype=vec3d)):
-    """out = p + origin."""
     i = tid()
     out[i] = widen(points[i]) + origin
 
 
 @kernel
 def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtype=float32)):
-    """Rays of six numbers with their starts about an origin; one thread a number."""
+    """Rays of six numbers with their starts about an origin; one thread per number."""
     i = tid()
     k = i % 6
     value = rays[i]
@@ -69,16 +64,7 @@ def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtyp
 
 
 def reaches_beyond(points: AnyArray, limit: float, step: int) -> tuple[bool, np.ndarray]:
-    """Look for a finite point with a coordinate beyond a limit, and take a sample (one sync).
-
-    Args:
-        points: Device array of vec3 or vec3d.
-        limit: The limit.
-        step: Every such point is in the sample.
-
-    Returns:
-        (True if there is such a point, the sample [m, 3]).
-    """
+    """(True if a finite point has a coordinate beyond the limit, every `step`-th point); one sync."""
     flag = zeros(1, int32, points.device)
     launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])
     far, sample = read_together([flag, contiguous(points[::step])])  # sync
@@ -86,15 +72,7 @@ def reaches_beyond(points: AnyArray, limit: float, step: int) -> tuple[bool, np.
 
 
 def subtract_origin(points: Positions, origin: np.ndarray) -> tuple[Points, Integers]:
-    """Points in float64 about an origin.
-
-    Args:
-        points: Device array of vec3d.
-        origin: float64 [3].
-
-    Returns:
-        (out, lost): an array of vec3, and int32 [1] on the device: 1 where a finite point became infinite.
-    """
+    """float64 points (vec3d) about an origin: (vec3 array, int32 (1) flag set if a finite point became infinite)."""
     out, lost = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
     launch(subtract_origin_kernel, points.size, [points, vec3d(*np.asarray(origin).tolist()), lost, out])
     return out, lost
@@ -108,7 +86,7 @@ def add_origin(points: Points, origin: np.ndarray) -> Positions:
 
 
 def shift_rays(rays: Doubles, origin: np.ndarray) -> Scalars:
-    """Rays, float64 [6 n] on the device, as float32 with their starts about an origin."""
+    """Rays, float64 (6 n) on the device, as float32 with their starts about an origin."""
     out = empty(rays.size, float32, rays.device)
     launch(shift_rays_kernel, rays.size, [rays, vec3d(*np.asarray(origin).tolist()), out])
     return out

@@ -1,9 +1,5 @@
-"""Stable order of pairs of small numbers, of which few share the first: edges by their vertices, corners by theirs.
-
-On the CPU the pairs are put into runs by their first numbers and each run is ordered by insertion, one thread a run: a
-third of the time of a sort of all keys. In which order threads fill a run does not matter, since it is ordered then. On
-CUDA, where there are few, and where many share a first number, `argsort_keys` does it; the result is the same. 16 B of
-memory a pair and 12 B a first number.
+"""Stable sort of pairs of small numbers of which few share the first. On the CPU pairs are bucketed and each bucket is
+insertion-sorted, three times faster than a full sort; CUDA uses `argsort_keys`.
 """
 
 from ..array_types import Integers, Keys, LongIntegers
@@ -12,15 +8,14 @@ from ..memory import download, empty, zeros
 from .prefix_sum import exclusive_scan
 from .sort import argsort_keys
 
-FEWEST = 1 << 15  # pairs: below that launches cost more than the sort
-LONGEST = 64  # pairs of a run: insertion takes the square of them
+FEWEST = 1 << 15  # pairs: below, launches cost more than the sort
+LONGEST = 64  # pairs of a bucket: insertion sort is quadratic
 
 
 @kernel(for_cpu=True)
 def count_runs_of_pairs_kernel(keys: array(dtype=int64), bits: int, counts: array(dtype=int32)):
-    """How many pairs have each first number; whole numbers add up to the same in any order."""
     i = tid()
-    atomic_add(counts, int(keys[i] >> int64(bits)), 1)
+    atomic_add(counts, int(keys[i] >> int64(bits)), 1)  # integer sum: order-independent
 
 
 @kernel(for_cpu=True)
@@ -31,7 +26,7 @@ def fill_runs_kernel(
     filled: array(dtype=int32),
     order: array(dtype=int32),
 ):
-    """Put each pair into the run of its first number; where in the run is for the next kernel to settle."""
+    """Put each pair into its bucket, in any order."""
     i = tid()
     first = int(keys[i] >> int64(bits))
     place = atomic_add(filled, first, 1)
@@ -42,7 +37,6 @@ def fill_runs_kernel(
 def order_runs_kernel(
     keys: array(dtype=int64), starts: array(dtype=int32), order: array(dtype=int32), ordered: array(dtype=int64)
 ):
-    """Order each run by key, then by number."""
     i = tid()
     head = starts[i]
     for p in range(head, starts[i + 1]):
@@ -63,16 +57,7 @@ def order_runs_kernel(
 
 
 def argsort_pairs(keys: Keys, bits: int, count: int) -> tuple[LongIntegers, Integers]:
-    """The stable order of keys (first << bits) | second.
-
-    Args:
-        keys: int64 device array of shape [n]; left as it is.
-        bits: Bits of the second number; 0 where there is none.
-        count: First numbers are below this.
-
-    Returns:
-        (sorted keys, order), as of `argsort_keys`.
-    """
+    """Stable order of keys (first << bits) | second, with first < count: (sorted keys, order) as of `argsort_keys`."""
     device = keys.device
     if device.is_cuda or keys.size < FEWEST:
         return argsort_keys(keys, bits + max(1, count.bit_length()))

@@ -1,4 +1,4 @@
-"""Sums of counts, and exclusive prefix sums: where each of many variable-sized results goes."""
+"""Sums of counts, and exclusive prefix sums (offsets of variable-sized results)."""
 
 from collections.abc import Sequence
 
@@ -11,12 +11,12 @@ from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, rows_of, upload, zeros
 from .runs import Runs, elements_of, row_of
 
-RUN = 4096  # counts a thread on the CPU: one atomic a run
+RUN = 4096  # counts per thread on the CPU: one atomic per run
 
 
 @func
 def find_owner(offsets: array(dtype=int32), i: int) -> int:
-    """The last place whose offset is not above i: the owner of the i-th of many variable-sized results."""
+    """Last position whose offset is not above i: the owner of the i-th result."""
     low = 0
     high = offsets.shape[0] - 1
     while low < high:
@@ -30,7 +30,6 @@ def find_owner(offsets: array(dtype=int32), i: int) -> int:
 
 @func
 def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
-    """The sum of a thread's counts."""
     part = int64(0)
     for j in elements_of(i, runs):
         part += int64(counts[j])
@@ -39,7 +38,7 @@ def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
 
 @kernel
 def sum_counts_kernel(counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64)):
-    """Add a thread's counts to a row's; integers, so the order of the atomics does not matter."""
+    """Add a thread's counts to a row's; integer atomics are order-independent."""
     i = tid()
     atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
 
@@ -48,7 +47,6 @@ def sum_counts_kernel(counts: array(dtype=int32), runs: Runs, totals: array(dtyp
 def start_offsets_kernel(
     counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64), offsets: array(dtype=int32)
 ):
-    """As `sum_counts_kernel`; and the first offset."""
     i = tid()
     if i == 0:
         offsets[0] = 0
@@ -57,39 +55,26 @@ def start_offsets_kernel(
 
 @kernel
 def note_offsets_kernel(offsets: array(dtype=int32), places: array(dtype=int32), noted: array(dtype=int64)):
-    """The offsets at some places, beside totals that the host reads."""
+    """Copy the offsets at some positions next to the totals for the host."""
     i = tid()
     noted[i] = int64(offsets[places[i]])
 
 
 @kernel
 def copy_middle_kernel(offsets: array(dtype=int32), place: int, totals: array(dtype=int64)):
-    """The offset in the middle, beside totals that the host reads."""
+    """Copy the middle offset next to the totals for the host."""
     i = tid()
     totals[place + i] = int64(offsets[offsets.shape[0] // 2])
 
 
 def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
-    """Offsets of runs of the given lengths.
-
-    Args:
-        counts: int32 device array of shape [n], none negative.
-
-    Returns:
-        (offsets, total): int32 device array of shape [n + 1], and the sum as a Python number (one sync).
-
-    Raises:
-        ValueError: The sum passes 2^31 - 1.
-    """
+    """(offsets (n + 1), total): exclusive prefix sums of int32 counts; one sync. Raises ValueError above 2^31 - 1."""
     offsets, parts = scan_unread(counts)
     return offsets, _checked(total_of(download(parts)))  # sync
 
 
 def scan_unread(counts: Integers) -> tuple[Integers, LongIntegers]:
-    """As `exclusive_scan`, but nobody waits: the offsets, and what the host tells the sum from, by `total_of`.
-
-    Where that passes 2^31 - 1 the offsets are of no use.
-    """
+    """As `exclusive_scan` without sync: the offsets, and parts for `total_of`. Offsets are invalid above 2^31 - 1."""
     device, n = counts.device, counts.size
     if n == 0:
         return zeros(1, int32, device), zeros(1, int64, device)
@@ -107,22 +92,12 @@ def scan_unread(counts: Integers) -> tuple[Integers, LongIntegers]:
 
 
 def total_of(parts: np.ndarray) -> int:
-    """The sum, of what the host has read about a scan."""
+    """The sum from the parts that the host has read."""
     return int(parts.sum())
 
 
 def scan_two(counts: Integers) -> tuple[Integers, int, int]:
-    """As `exclusive_scan` of counts whose halves are of two kinds, and where the second kind begins; one sync.
-
-    Args:
-        counts: int32 device array of shape [2 * n], none negative.
-
-    Returns:
-        (offsets, first, total): int32 device array of shape [2 * n + 1], the sums of the first half and of all.
-
-    Raises:
-        ValueError: The sum passes 2^31 - 1.
-    """
+    """As `exclusive_scan` of counts (2 n): (offsets (2 n + 1), sum of the first half, total)."""
     n = counts.size
     if not counts.device.is_cuda or n == 0:
         offsets, total = exclusive_scan(counts)
@@ -137,7 +112,7 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
 
 
 def offsets_of(counts: Integers) -> Integers:
-    """As `exclusive_scan` where the sum is known, and below 2^31: the offsets alone, and no wait."""
+    """Offsets only, without sync, if the sum is known to be below 2^31."""
     offsets = zeros(counts.size + 1, int32, counts.device)
     if not counts.size:
         return offsets
@@ -151,17 +126,8 @@ def offsets_of(counts: Integers) -> Integers:
 def scan_together(
     parts: Sequence[tuple[Integers, Sequence[int]]], beside: Integers | None = None
 ) -> list[tuple[Integers, list[int]]]:
-    """As `exclusive_scan` of several arrays, read at some places each; one sync for all of them.
-
-    Args:
-        parts: Counts, int32 device arrays of one device, and the places 0 .. n whose offsets the host wants.
-        beside: Other numbers that the host wants, an int32 device array.
-
-    Returns:
-        For each its offsets, int32 [n + 1], and those at its places; then `beside` and its numbers, if given.
-
-    Raises:
-        ValueError: A sum passes 2^31 - 1.
+    """As `exclusive_scan` of several arrays with one sync. `parts`: (counts, positions whose offsets the host needs),
+    `beside`: an int32 array to read too. Returns (offsets (n + 1), host offsets) per part, then (`beside`, its values).
     """
     device = parts[0][0].device
     if not device.is_cuda:
@@ -199,18 +165,18 @@ def _checked(total: int) -> int:
 
 
 def inclusive_scan(counts: Array, sums: Array) -> None:
-    """sums[i] = counts[0] + ... + counts[i], by Warp's scan on CUDA; int32 device arrays [n], which may be the same."""
-    with turn_on(counts.device), counts.device.context_guard:  # Warp scans on whichever GPU is current
+    """sums[i] = counts[0] + ... + counts[i] by Warp's scan on CUDA; int32 device arrays (n), which may be the same."""
+    with turn_on(counts.device), counts.device.context_guard:  # Warp scans on the current GPU
         wp.utils.array_scan(counts, sums, inclusive=True)
 
 
 def sum_counts(counts: Integers) -> int:
-    """The sum of an int32 device array as a Python number, in 64 bits: 32 could wrap back to a positive number."""
+    """Sum of an int32 device array in 64 bits, since 32 could overflow."""
     return sum_each(counts)[0]  # sync
 
 
 def sum_each(*counts: Integers) -> list[int]:
-    """As `sum_counts` of several arrays of one size; one sync for all of them."""
+    """As `sum_counts` of several arrays of one size; one sync for all."""
     runs, device = Runs(counts[0].size, counts[0].device, RUN), counts[0].device
     totals = zeros(len(counts) * runs.rows, int64, device)
     for k, part in enumerate(counts):

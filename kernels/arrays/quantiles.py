@@ -1,8 +1,4 @@
-"""Quantiles and medians of the numbers of an array that count: exactly NumPy's, found where the array is.
-
-On CUDA one sort of 63 bits and a thread a quantile; 24 B a number beside the sort, and one wait for the results. The
-numbers may not be negative, so that their bits order as they do. On the CPU NumPy's own selection.
-"""
+"""Quantiles and medians of non-negative numbers, bitwise as NumPy's; on CUDA by one sort and one sync."""
 
 from collections.abc import Sequence
 
@@ -14,12 +10,11 @@ from ..memory import download, empty, upload
 from .side_by_side import part_of
 from .sort import SortKeys, put_key
 
-NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above the bits of every number, so those that do not count come last
+NO_NUMBER = 0x7FFF_FFFF_FFFF_FFFF  # above the bits of every number, so excluded ones are sorted last
 
 
 @kernel
 def encode_doubles_kernel(values: array(dtype=float64), bits: array(dtype=int64), above_zero: int, keys: SortKeys):
-    """The bits of numbers that count."""
     i = tid()
     key = int64(NO_NUMBER)
     if isfinite(values[i]) and values[i] >= 0.0:
@@ -30,7 +25,6 @@ def encode_doubles_kernel(values: array(dtype=float64), bits: array(dtype=int64)
 
 @func
 def count_numbers(keys: array(dtype=int64), size: int) -> int:
-    """How many of sorted keys are numbers that count."""
     low = 0
     high = size
     while low < high:
@@ -51,7 +45,7 @@ def pick_quantiles_kernel(
     is_median: int,
     found: array(dtype=float64),
 ):
-    """Each quantile, in a line between the two numbers about it; behind them how many numbers count."""
+    """Each quantile, interpolated linearly; then the count of valid numbers."""
     i = tid()
     count = count_numbers(keys, values.shape[0])
     if i == shares.shape[0]:
@@ -97,12 +91,7 @@ def _counted(values: Doubles, above_zero: bool) -> np.ndarray:
 
 
 def quantiles_of(values: Doubles, shares: Sequence[float]) -> list[float]:
-    """`np.quantile` of the finite numbers of an array, to the last bit; none where there is no number. One sync.
-
-    Args:
-        values: float64 device array, whose numbers below zero do not count.
-        shares: 0 .. 1.
-    """
+    """`np.quantile` of the finite non-negative numbers of a float64 array, bitwise, or empty. One sync."""
     if values.device.is_cuda and values.size:
         count, found = _pick(values, shares, False, False)
         return found if count else []
@@ -111,7 +100,7 @@ def quantiles_of(values: Doubles, shares: Sequence[float]) -> list[float]:
 
 
 def median_above_zero(values: Doubles) -> float | None:
-    """`np.median` of the finite numbers above zero of an array, to the last bit; None where there is none. One sync."""
+    """`np.median` of the finite positive numbers of an array, bitwise, or None. One sync."""
     if values.device.is_cuda and values.size:
         count, (median,) = _pick(values, [0.5], True, True)
         return median if count else None

@@ -1,29 +1,27 @@
-"""Random numbers as a function of (seed, counter, stream): the same whatever the order or number of threads.
+"""Counter-based random numbers: a function of (seed, counter, stream), independent of threads.
 
-Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011: ten rounds of two products of
-32 bits a call, no memory, no state. The counter is usually the index of the element; the stream tells apart the
-numbers that one element needs. The words are the same in both compilers and on every device. The floats made from
-them by log and cos may differ in the last bit between devices, not from run to run.
+Philox4x32-10 of Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC 2011. The words are bitwise identical
+on all devices; floats made with log and cos may differ in the last bit between devices.
 """
 
 from ..lang import cos, float32, func, int64, log, sin, sqrt, uint32, uint64, vec2, vec4, vector
 
 vec4u = vector(4, uint32)
 
-MULTIPLIER_0 = 0xD2511F53  # the constants of the paper's reference implementation, Random123
+MULTIPLIER_0 = 0xD2511F53  # constants of the paper's reference implementation, Random123
 MULTIPLIER_1 = 0xCD9E8D57
 WEYL_0 = 0x9E3779B9
 WEYL_1 = 0xBB67AE85
 LOW_WORD = 0xFFFFFFFF
 ROUNDS = 10
 
-UNIT = 1.0 / 16777216.0  # 2^-24: a float32 holds the 24 upper bits of a word exactly
+UNIT = 1.0 / 16777216.0  # 2^-24: float32 represents the upper 24 bits of a word exactly
 TWO_PI = 6.283185307179586
 
 
 @func
 def philox(x0: uint64, x1: uint64, x2: uint64, x3: uint64, k0: uint64, k1: uint64) -> vec4u:
-    """The Philox4x32-10 block of a counter (x0, x1, x2, x3) and a key (k0, k1), each a word below 2^32."""
+    """Philox4x32-10 block of a counter (x0, x1, x2, x3) and a key (k0, k1) of 32-bit words."""
     c0 = x0
     c1 = x1
     c2 = x2
@@ -52,7 +50,7 @@ def random_bits(seed: int, counter: int, stream: int) -> vec4u:
 
 @func
 def random_below(words: vec4u, count: int) -> int:
-    """A random number in 0..count-1 from 64 random bits: none is likelier than another by more than 2^-32."""
+    """Random number in 0..count-1 from 64 random bits; bias below 2^-32."""
     size = uint64(int64(count))
     low = (uint64(words[1]) * size) >> 32
     return int((uint64(words[0]) * size + low) >> 32)
@@ -66,7 +64,6 @@ def unit_float(word: uint32) -> float:
 
 @func
 def random_uniform(seed: int, counter: int, stream: int) -> vec4:
-    """Four independent numbers, uniform in [0, 1)."""
     words = random_bits(seed, counter, stream)
     return vec4(unit_float(words[0]), unit_float(words[1]), unit_float(words[2]), unit_float(words[3]))
 
@@ -74,5 +71,5 @@ def random_uniform(seed: int, counter: int, stream: int) -> vec4:
 @func
 def gaussian_pair(u: float, v: float) -> vec2:
     """Two independent standard normal numbers from two uniform ones (Box and Muller 1958); |x| < 5.8."""
-    radius = sqrt(-2.0 * log(1.0 - u))  # 1 - u lies in (0, 1], where the logarithm is finite
+    radius = sqrt(-2.0 * log(1.0 - u))  # 1 - u is in (0, 1], where the logarithm is finite
     return vec2(radius * cos(TWO_PI * v), radius * sin(TWO_PI * v))

@@ -1,8 +1,4 @@
-"""Rows that a user names by number, where the numbers lie: their limits, those that count from the end, pairs of them.
-
-One thread a number. Limits are settled by atomics over whole numbers, whose outcome is the same in any order; a plain
-read beside them spares the atomic where it would change nothing.
-"""
+"""Row numbers given by users, on the device: limits, negative numbers, pairs. Integer atomics, order-independent."""
 
 import numpy as np
 
@@ -12,13 +8,13 @@ from ..memory import download, empty, fill_column, upload, zeros
 from .select import positions_of
 from .unique import UniqueKeys, count_runs_kernel
 
-NOTHING = (2**63 - 1, -(2**63))  # the limits of no numbers
-ABOVE = 2**32  # times the first number of a pair, which stands above the second in 64 bits
+NOTHING = (2**63 - 1, -(2**63))  # limits of an empty array
+ABOVE = 2**32  # factor of the first number of a pair in a 64-bit key
 
 
 @kernel
 def find_limits_kernel(numbers: array(dtype=int64), first: int, step: int, limits: array(dtype=int64)):
-    """The least and the largest of every step-th number from the first on."""
+    """Minimum and maximum of every step-th number from the first on."""
     i = tid()
     number = numbers[first + i * step]
     if number < limits[0]:
@@ -29,7 +25,6 @@ def find_limits_kernel(numbers: array(dtype=int64), first: int, step: int, limit
 
 @kernel
 def resolve_rows_kernel(numbers: array(dtype=int64), count: int64, rows: array(dtype=int32)):
-    """Numbers below zero count from the end."""
     i = tid()
     number = numbers[i]
     if number < 0:
@@ -45,7 +40,7 @@ def place_partners_kernel(
     partners: array(dtype=int32),
     paired: array(dtype=uint8),
 ):
-    """The partner of each row, and whether it has one: found in another order of the rows, each named once."""
+    """Partner of each row and whether it has one, from another order of the rows."""
     i = tid()
     partner = found[i]
     is_paired = 0
@@ -59,14 +54,13 @@ def place_partners_kernel(
 
 @kernel
 def pack_pairs_kernel(pairs: array(dtype=int32, ndim=2), keys: array(dtype=int64)):
-    """Both numbers of a pair in one, the first above the second; neither is negative."""
+    """Pack a pair of non-negative numbers into one key, the first above the second."""
     i = tid()
     keys[i] = int64(pairs[i, 0]) * int64(ABOVE) + int64(pairs[i, 1])
 
 
 @kernel
 def unpack_pairs_kernel(keys: array(dtype=int64), pairs: array(dtype=int32, ndim=2)):
-    """The pairs of packed numbers."""
     i = tid()
     pairs[i, 0] = int(keys[i] // int64(ABOVE))
     pairs[i, 1] = int(keys[i] % int64(ABOVE))
@@ -74,7 +68,6 @@ def unpack_pairs_kernel(keys: array(dtype=int64), pairs: array(dtype=int32, ndim
 
 @kernel
 def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32), pairs: array(dtype=int32, ndim=2)):
-    """Pairs (row, partner) of chosen rows."""
     i = tid()
     row = rows[i]
     pairs[i, 0] = row
@@ -82,7 +75,7 @@ def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32)
 
 
 def limits_of(numbers: LongIntegers, first: int = 0, step: int = 1) -> tuple[int, int]:
-    """The least and the largest of every step-th of some int64 device numbers (one sync); at least one is needed."""
+    """Minimum and maximum of every step-th int64 device number (one sync); at least one is needed."""
     limits = upload(np.array(NOTHING, np.int64), int64, numbers.device)
     launch(find_limits_kernel, (numbers.size - first + step - 1) // step, [numbers, first, step, limits])
     low, high = download(limits)  # sync
@@ -97,14 +90,14 @@ def resolve_rows(numbers: LongIntegers, count: int) -> Indices:
 
 
 def run_lengths(offsets: Indices) -> Integers:
-    """The lengths of runs, int32 [n], from their offsets, int32 [n + 1]."""
+    """Lengths of runs, int32 (n), from their offsets, int32 (n + 1)."""
     lengths = empty(offsets.size - 1, int32, offsets.device)
     launch(count_runs_kernel, lengths.size, [offsets, lengths])
     return lengths
 
 
 def pair_up(left: Integers, right: Integers) -> Array2[int32]:
-    """Pairs of the numbers of two int32 arrays, int32 [n, 2]."""
+    """Pairs of the numbers of two int32 arrays, int32 (n, 2)."""
     pairs = empty((left.size, 2), int32, left.device)
     for column, numbers in enumerate((left, right)):
         fill_column(pairs, column, numbers)
@@ -112,7 +105,7 @@ def pair_up(left: Integers, right: Integers) -> Array2[int32]:
 
 
 def distinct_pairs(pairs: Array2[int32]) -> Array2[int32]:
-    """Pairs of int32 [m, 2], none negative, each once and in order. One sync."""
+    """Sorted unique pairs of int32 (m, 2), none negative. One sync."""
     keys = empty(pairs.shape[0], int64, pairs.device)
     launch(pack_pairs_kernel, keys.size, [pairs, keys])
     found = UniqueKeys(keys)
@@ -122,17 +115,7 @@ def distinct_pairs(pairs: Array2[int32]) -> Array2[int32]:
 
 
 def list_partners(count: int, rows: Indices, found: Integers, places: Integers) -> Array2[int32]:
-    """Pairs by row, of rows in another order and what each was paired with.
-
-    Args:
-        count: Of all rows.
-        rows: int32 [n], of 0 .. count-1, none twice.
-        found: int32 [n], the partner of each of them; -1 for none.
-        places: int32, what partners are called, by number; empty where they keep their numbers.
-
-    Returns:
-        int32 [pairs, 2]. One sync.
-    """
+    """Pairs (row, partner) by row, one sync; `found` partners or -1 of `rows`, renamed by `places` if not empty."""
     partners, paired = empty(count, int32, rows.device), zeros(count, uint8, rows.device)
     launch(place_partners_kernel, rows.size, [rows, found, places, partners, paired])
     kept = positions_of(paired)

@@ -1,8 +1,4 @@
-"""Medians over runs of numbers: one sort of (run, number) pairs for all runs together.
-
-A number's bits are turned so that they order as the number does, and stand below the number of its run in a 64-bit
-key. 12 B written a number beside the sort. Of a run of m sorted numbers the median is that at position m // 2.
-"""
+"""Medians over runs of numbers by one sort of (run, number) keys. The median of m sorted numbers is that at m // 2."""
 
 import numpy as np
 
@@ -12,14 +8,14 @@ from ..memory import download, empty
 from .sort import SortKeys, put_key
 
 MAGNITUDE = 0x7FFF_FFFF  # the bits below the sign
-LOWEST = 0x8000_0000  # turns signed into unsigned order
+LOWEST = 0x8000_0000  # converts signed to unsigned order
 LOW_WORD = 0xFFFF_FFFF
 KEY_BITS = 32  # bits of a number
 
 
 @func
 def turn_bits(bits: int) -> int:
-    """Bits of a float as an integer that orders as the float does, and back."""
+    """Bits of a float as an integer of the same order, and back."""
     turned = bits
     if bits < 0:
         turned = bits ^ MAGNITUDE
@@ -28,7 +24,6 @@ def turn_bits(bits: int) -> int:
 
 @kernel
 def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: SortKeys):
-    """The run above the number."""
     i = tid()
     number = int64(turn_bits(float_bits(values[i]))) + int64(LOWEST)
     put_key(i, (int64(runs[i]) << int64(KEY_BITS)) | number, keys)
@@ -36,7 +31,7 @@ def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32)
 
 @kernel
 def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), found: array(dtype=float32)):
-    """The first numbers of all sorted runs, then those in the middle, then the last ones."""
+    """First numbers of all sorted runs, then the middle ones, then the last."""
     i = tid()
     runs = starts.shape[0] - 1
     first = starts[i]
@@ -48,7 +43,7 @@ def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), fo
 
 
 def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars:
-    """The least numbers of all runs, then the medians, then the largest; as of `order_statistics`, but no sync."""
+    """As `order_statistics` in one array, without sync."""
     device, count = values.device, starts.size - 1
     keys = SortKeys(values.size, device)
     launch(encode_numbers_kernel, values.size, [values, runs, keys])
@@ -59,15 +54,6 @@ def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars
 
 
 def order_statistics(values: Scalars, runs: Integers, starts: Indices) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The least, the median and the largest number of each run.
-
-    Args:
-        values: float32 device array of shape [m], none NaN.
-        runs: int32 device array of shape [m], the run of each number, ascending.
-        starts: int32 device array of shape [r + 1], where the runs begin; none empty.
-
-    Returns:
-        (lows, medians, highs): float32 NumPy arrays of shape [r].
-    """
+    """(lows, medians, highs) of nonempty runs, NumPy float32 (r); values without NaN, by ascending run."""
     lows, medians, highs = download(find_statistics(values, runs, starts)).reshape(3, starts.size - 1)  # sync
     return lows, medians, highs

@@ -1,4 +1,4 @@
-"""Sums and means over runs of rows: one thread a run and column, summed in float64 in the rows' own order."""
+"""Sums and means over runs of rows, one thread per run and column, in float64 and row order."""
 
 from ..array_types import Array2, Indices, Vectors
 from ..lang import array, float64, int32, isfinite, kernel, launch, tid, vec3, vec3d
@@ -9,7 +9,7 @@ from ..memory import empty
 def average_vec3_kernel(
     values: array(dtype=vec3), order: array(dtype=int32), starts: array(dtype=int32), means: array(dtype=vec3)
 ):
-    """The mean of the finite vectors of each run; NaN where none is finite."""
+    """Mean of the finite vectors of each run; NaN if none is finite."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
@@ -30,7 +30,7 @@ def sum_columns_kernel(
     mean: int,
     totals: array(dtype=float64, ndim=2),
 ):
-    """The sum of each column over each run, or the mean over its finite rows: NaN where none is finite."""
+    """Sum of each column over each run, or mean over its finite rows (NaN if none)."""
     i = tid()
     run = i // columns
     column = i % columns
@@ -53,20 +53,19 @@ def sum_columns_kernel(
 
 @kernel
 def first_rows_kernel(order: array(dtype=int32), starts: array(dtype=int32), rows: array(dtype=int32)):
-    """The first row of each run."""
     i = tid()
     rows[i] = order[starts[i]]
 
 
 def average_vec3(values: Vectors, order: Indices, starts: Indices) -> Vectors:
-    """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape [runs]."""
+    """Means of vec3 rows over runs `order[starts[i]:starts[i + 1]]`, shape (runs)."""
     means = empty(starts.size - 1, vec3, values.device)
     launch(average_vec3_kernel, means.size, [values, order, starts, means])
     return means
 
 
 def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: bool = False) -> Array2[float64]:
-    """Sums (or means over the finite rows) of a float64 device array of shape [n, c] over runs, shape [runs, c]."""
+    """Sums (or means over finite rows) of a float64 device array (n, c) over runs, shape (runs, c)."""
     columns = values.shape[1]
     totals = empty((starts.size - 1, columns), float64, values.device)
     launch(sum_columns_kernel, totals.size, [values, order, starts, columns, int(mean), totals])
@@ -74,7 +73,6 @@ def sum_columns(values: Array2[float64], order: Indices, starts: Indices, mean: 
 
 
 def first_rows(order: Indices, starts: Indices) -> Indices:
-    """The first row of each run, int32 [runs]."""
     rows = empty(starts.size - 1, int32, order.device)
     launch(first_rows_kernel, rows.size, [order, starts, rows])
     return rows

@@ -1,10 +1,6 @@
-"""Running sums of float64 numbers in a fixed order: the same bits on every device, and never falling.
+"""Monotonic running sums of non-negative float64 numbers, bitwise identical on every device.
 
-Numbers are cut into runs whose length depends on their count alone. A thread sums each run, one thread the runs, and a
-thread writes each run's sums on top of those before it. 8 B read twice and 8 B written a number.
-
-The last sum of a run is the same addition as the one that the next run begins with, so it has the same bits: no sum is
-below the one before, and a number that is zero never raises it.
+Runs depend only on the count. A run's last sum is the same addition as the next run's start, so sums never decrease.
 """
 
 import math
@@ -13,12 +9,11 @@ from ..array_types import Doubles
 from ..lang import array, float64, kernel, launch, tid
 from ..memory import empty
 
-SHORTEST_RUN = 64  # numbers: below it a thread is not worth its launch
+SHORTEST_RUN = 64  # numbers per thread: fewer are not worth a launch
 
 
 @kernel
 def sum_runs_kernel(values: array(dtype=float64), run: int, sums: array(dtype=float64)):
-    """The sum of each run."""
     i = tid()
     total = float64(0.0)
     for j in range(i * run, i * run + min(run, values.shape[0] - i * run)):
@@ -28,7 +23,7 @@ def sum_runs_kernel(values: array(dtype=float64), run: int, sums: array(dtype=fl
 
 @kernel
 def start_runs_kernel(sums: array(dtype=float64), starts: array(dtype=float64)):
-    """The sum of all before each run, and of all, by one thread."""
+    """Sum of all before each run, and of all, by one thread."""
     i = tid()
     total = float64(0.0)
     for r in range(i, sums.shape[0]):
@@ -41,7 +36,6 @@ def start_runs_kernel(sums: array(dtype=float64), starts: array(dtype=float64)):
 def write_running_sums_kernel(
     values: array(dtype=float64), run: int, starts: array(dtype=float64), running: array(dtype=float64)
 ):
-    """running[j] is the sum of values[0 .. j]."""
     i = tid()
     part = float64(0.0)
     for j in range(i * run, i * run + min(run, values.shape[0] - i * run)):
@@ -50,7 +44,7 @@ def write_running_sums_kernel(
 
 
 def running_sums(values: Doubles) -> Doubles:
-    """The sums of float64 values [n], none negative, up to and with each; float64 [n]."""
+    """Inclusive sums of non-negative float64 values (n)."""
     device, count = values.device, values.size
     run = max(SHORTEST_RUN, math.isqrt(count))
     runs = -(-count // run)

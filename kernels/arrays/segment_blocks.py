@@ -1,4 +1,4 @@
-"""Segments of elements cut into blocks, the unit of a reduction over many segments at once."""
+"""Segments of elements cut into blocks, the unit of a segmented reduction."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,18 +9,7 @@ from ..memory import upload_together
 
 
 class SegmentBlocks:
-    """The blocks of segments of elements: none crosses from one segment into the next.
-
-    Args:
-        firsts: The first element of each segment, int [s].
-        counts: Elements of each segment, int [s]; 0 is allowed.
-
-    Attributes:
-        firsts, lasts: Elements of each block, int32 device arrays [b]; the last is excluded.
-        owners: The segment of each block, int32 [b].
-        starts: The first block of each segment, and the number of blocks, int32 [s + 1].
-        count: Blocks in all. element_count: elements up to the end of the last segment.
-    """
+    """Blocks of segments; none crosses a boundary. `owners`: their segments; `starts`: first block per segment."""
 
     def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)

@@ -14,7 +14,6 @@ from .side_by_side import read_together
 
 @kernel
 def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
-    """1 where the mask is set."""
     i = tid()
     kept = 0
     if mask[i] != 0:
@@ -24,7 +23,7 @@ def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
 
 @kernel
 def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32), positions: array(dtype=int32)):
-    """The positions of the set elements, in order; their ranks count from one."""
+    """Positions of the set elements in order; ranks count from one."""
     i = tid()
     if mask[i] != 0:
         positions[ranks[i] - 1] = i
@@ -32,21 +31,19 @@ def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32)
 
 @kernel
 def number_rows_kernel(rows: array(dtype=int32), numbers: array(dtype=int32)):
-    """numbers[rows[i]] = i: where each row stands among those that are listed, each once; of others nothing is said."""
+    """numbers[rows[i]] = i for distinct rows; other numbers are undefined."""
     i = tid()
     numbers[rows[i]] = i
 
 
 @kernel
 def gather_vec3_kernel(values: array(dtype=vec3), rows: array(dtype=int32), out: array(dtype=vec3)):
-    """out[i] = values[rows[i]]."""
     i = tid()
     out[i] = values[rows[i]]
 
 
 @kernel
 def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
-    """1 where the mask is 0."""
     i = tid()
     value = 0
     if mask[i] == 0:
@@ -55,14 +52,13 @@ def invert_mask_kernel(mask: array(dtype=uint8), inverted: array(dtype=uint8)):
 
 
 def invert_mask(mask: Mask) -> Mask:
-    """The mask of the other elements."""
     inverted = empty(mask.size, uint8, mask.device)
     launch(invert_mask_kernel, mask.size, [mask, inverted])
     return inverted
 
 
 def _ranks_of(mask: Mask) -> Integers:
-    """How many elements are set up to each, itself included; of a GPU's mask that has any."""
+    """Inclusive counts of set elements, for a nonempty GPU mask."""
     ranks = empty(mask.size, int32, mask.device)
     launch(count_mask_kernel, mask.size, [mask, ranks])
     inclusive_scan(ranks, ranks)
@@ -70,10 +66,7 @@ def _ranks_of(mask: Mask) -> Integers:
 
 
 def positions_of(mask: Mask, count: int | None = None) -> Indices:
-    """The positions where a uint8 device mask of shape [n] is not zero, as int32, ascending.
-
-    One sync, or none where it is known that there are `count`.
-    """
+    """Positions, int32 ascending, where a uint8 device mask is not zero. One sync, or none if `count` is given."""
     device = mask.device
     if not device.is_cuda or not mask.size:
         return upload(np.flatnonzero(download(mask).view(np.bool_)).astype(np.int32), int32, device)
@@ -87,18 +80,17 @@ def positions_of(mask: Mask, count: int | None = None) -> Indices:
 
 @kernel
 def copy_last_kernel(ranks: array(dtype=int32), place: int, counts: array(dtype=int32)):
-    """How many elements are set: the last rank."""
     i = tid()
     counts[place + i] = ranks[ranks.shape[0] - 1]
 
 
 def positions_of_each(*masks: Mask) -> list[Indices]:
-    """As `positions_of` of several masks of one device; one sync for all of them."""
+    """As `positions_of` of several masks on one device; one sync for all."""
     return positions_beside(masks, ())[0]
 
 
 def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple[list[Indices], list[np.ndarray]]:
-    """As `positions_of` of several masks of one device, and other arrays as NumPy; one sync for all of them."""
+    """As `positions_of` of several masks on one device, and other arrays as NumPy; one sync for all."""
     device = masks[0].device
     if not device.is_cuda:
         return [positions_of(mask) for mask in masks], read_together(beside) if beside else []
@@ -117,7 +109,7 @@ def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple
 
 @kernel
 def gather_counts_kernel(ranks: array(dtype=int32), firsts: array(dtype=int32), counts: array(dtype=int32)):
-    """How many elements are set before each of some positions; ranks count those up to each."""
+    """Set elements before each of some positions; ranks are inclusive."""
     i = tid()
     count = 0
     if firsts[i] > 0:
@@ -126,8 +118,7 @@ def gather_counts_kernel(ranks: array(dtype=int32), firsts: array(dtype=int32), 
 
 
 def positions_and_starts(mask: Mask, firsts: np.ndarray) -> tuple[Indices, np.ndarray]:
-    """As `positions_of`, and how many of them stand before each of some positions, the last of which is n: int64 on the
-    host (one sync)."""
+    """As `positions_of`, and the counts before some positions (the last is n): int64 on the host (one sync)."""
     device = mask.device
     if not device.is_cuda or not mask.size:
         positions = positions_of(mask)
@@ -141,12 +132,7 @@ def positions_and_starts(mask: Mask, firsts: np.ndarray) -> tuple[Indices, np.nd
 
 
 def gather_rows(values: Array, rows: Indices) -> Array:
-    """values[rows] on the device, for vec3 arrays and for arrays of scalars with one or two axes.
-
-    Args:
-        values: Device array of shape [n] or [n, c].
-        rows: int32 device array of shape [m], every entry in 0..n-1.
-    """
+    """values[rows] on the device, for vec3 arrays and scalar arrays (n) or (n, c). `rows` int32 in 0..n-1."""
     device = values.device
     if values.dtype == vec3:
         out: Any = empty(rows.size, vec3, device)

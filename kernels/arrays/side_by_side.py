@@ -1,8 +1,4 @@
-"""Small arrays side by side in one allocation: they go to a device in one copy, and come back from it in one wait.
-
-An array of its own costs an allocation, a copy and, when it is read, a wait for the device, whatever its size; what a
-thread of one job notes is some ten numbers in as many arrays.
-"""
+"""Small arrays packed into one allocation: one copy to the device, one sync to read them back."""
 
 import itertools
 import math
@@ -19,13 +15,13 @@ from ..language.device_arrays import seen_as
 from ..language.device_lock import turn_on
 from ..memory import contiguous, copy, download, empty, upload, write
 
-ALIGNMENT = 256  # bytes: that of an allocation of its own
+ALIGNMENT = 256  # bytes, as of separate allocations
 
 
 def part_of(
     whole: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
 ) -> DeviceArray[Element, Any]:
-    """The memory of a device array from a byte on, as elements of another type; it keeps that array."""
+    """View of a device array from a byte offset on as another type; keeps the array alive."""
     seen: Any = seen_as(whole, first, dtype, shape)
     if seen is not None:
         return seen
@@ -36,13 +32,13 @@ def part_of(
 
 
 def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
-    """As `download` gives each of some arrays of one device, by one wait: from a GPU parts of one copy."""
+    """`download` of several arrays on one device with one sync."""
     if len(arrays) == 1 or not arrays[0].device.is_cuda:
         return [download(values) for values in arrays]
     types = [np.dtype(wp.dtype_to_numpy(getattr(values.dtype, "_wp_scalar_type_", values.dtype))) for values in arrays]
     shapes = [(*values.shape, *getattr(values.dtype, "_shape_", ())) for values in arrays]
     sizes = [math.prod(shape) * kind.itemsize for shape, kind in zip(shapes, types, strict=True)]
-    order = sorted(range(len(arrays)), key=lambda k: -types[k].itemsize)  # so that all stand on bytes of their own size
+    order = sorted(range(len(arrays)), key=lambda k: -types[k].itemsize)  # largest elements first, for alignment
     firsts = dict(zip(order, itertools.accumulate((sizes[k] for k in order), initial=0), strict=False))
     whole = empty(sum(sizes), uint8, arrays[0].device)
     for k, size in enumerate(sizes):
@@ -54,15 +50,7 @@ def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
 
 
 class SideBySide:
-    """Arrays that stand behind each other in one.
-
-    Args:
-        values: NumPy arrays and the types of their elements, by name; vectors and matrices take the last axes.
-        device: Where they go.
-
-    Attributes:
-        arrays: The device arrays by name. Each keeps the memory of all.
-    """
+    """Arrays packed into one allocation, by name with element types; each device view keeps it alive."""
 
     def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
         self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
@@ -83,7 +71,7 @@ class SideBySide:
         return content
 
     def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
-        """Write other values of the same shapes over all arrays, in one copy."""
+        """Overwrite all arrays with values of the same shapes in one copy."""
         write(self._whole, self._content(values))
 
     def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
@@ -92,7 +80,7 @@ class SideBySide:
         return part_of(self._whole, first, dtype, shape[: len(shape) - width] if width else shape)
 
     def download(self, *names: str) -> dict[str, np.ndarray]:
-        """The named arrays, or all, as NumPy by name: views on the CPU, one wait for a GPU."""
+        """The named arrays, or all, as NumPy by name: views on the CPU, one sync on a GPU."""
         whole = download(self._whole)  # sync
         chosen = {}
         for name in names or self._places:

@@ -1,8 +1,7 @@
-"""Stable order of 64-bit keys: the primitive under voxel grids, search trees and unique keys.
+"""Stable sort of 64-bit keys.
 
-On CUDA Warp's radix sort (24 B read and written a pass of 8 bits). On the CPU the keys are packed with their positions
-into one word and sorted by NumPy's vector sort where both fit into 63 bits, since that is twice as fast as a radix
-sort of pairs there; else Warp's radix sort. All are stable, so equal keys keep their order and the result is unique.
+CUDA: Warp's radix sort. CPU: NumPy's vectorized sort of keys packed with positions if both fit into 63 bits (twice as
+fast), else Warp's radix sort.
 """
 
 import itertools
@@ -15,18 +14,16 @@ from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, rows_of
 
-LEAST_RUN = 128  # keys in the mean: shorter runs are sorted sooner all at once than in turn from Python
+LEAST_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
 @kernel
 def fill_positions_kernel(positions: array(dtype=int32)):
-    """positions[i] = i."""
     i = tid()
     positions[i] = i
 
 
 def positions(count: int, device: Device) -> Indices:
-    """0, 1, 2, ... as an int32 device array [count]."""
     places = empty(count, int32, device)
     launch(fill_positions_kernel, count, [places])
     return places
@@ -34,14 +31,7 @@ def positions(count: int, device: Device) -> Indices:
 
 @struct
 class SortKeys:
-    """Keys that a kernel makes in order to have them sorted: `put_key` in the kernel, then `sort` on the host.
-
-    On CUDA it fills what the radix sort works on, so that nothing is copied or numbered before.
-
-    Attributes:
-        keys: int64, one a position; on CUDA room for as many behind them.
-        positions: int32, likewise; on the CPU there are none.
-    """
+    """Keys written with `put_key`, then sorted with `sort`, without a copy on CUDA, where they include scratch."""
 
     keys: array(dtype=int64)
     positions: array(dtype=int32)
@@ -52,7 +42,7 @@ class SortKeys:
         self.keys, self.positions = empty(room or count, int64, device), empty(room, int32, device)
 
     def sort(self, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[LongIntegers, Integers]:
-        """(sorted keys, order) of the keys, which are gone then; as of `argsort_keys`."""
+        """(sorted keys, order) as of `argsort_keys`; consumes the keys."""
         if not self.device.is_cuda or not self.count:
             return argsort_keys(self.keys, bit_count, starts)
         _sort_pairs(self.keys, self.positions, self.count, bit_count)
@@ -61,7 +51,6 @@ class SortKeys:
 
 @func
 def put_key(i: int, key: int64, into: SortKeys):
-    """Set the key of a position."""
     into.keys[i] = key
     if i < into.positions.shape[0]:
         into.positions[i] = i
@@ -69,23 +58,14 @@ def put_key(i: int, key: int64, into: SortKeys):
 
 @kernel
 def copy_pairs_kernel(keys: array(dtype=int64), pair_keys: array(dtype=int64), pair_values: array(dtype=int32)):
-    """The same keys, and their positions."""
     i = tid()
     pair_keys[i] = keys[i]
     pair_values[i] = i
 
 
 def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[Keys, Integers]:
-    """The stable order of keys that are not negative.
-
-    Args:
-        keys: int64 device array of shape [n]; left as it is.
-        bit_count: Bits that the keys use; fewer sort faster.
-        starts: Where runs of keys begin, on the host, ascending from 0 to n, if it is known that all keys of a run are
-            smaller than those of the next: on the CPU they are sorted one by one.
-
-    Returns:
-        (sorted keys, order): int64 [n] and int32 [n], with `sorted = keys[order]`. 40 B of memory a key.
+    """Stable order of non-negative keys (unchanged): (sorted keys int64 (n), order int32 (n)); 40 B per key. `starts`:
+    boundaries of runs with ascending key ranges, if known; the CPU sorts them separately.
     """
     count, device = keys.size, keys.device
     if count == 0:
@@ -110,5 +90,5 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
 
 
 def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:
-    with turn_on(keys.device), keys.device.context_guard:  # Warp sorts on whichever GPU is current
+    with turn_on(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
         wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)

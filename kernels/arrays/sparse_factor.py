@@ -1,10 +1,6 @@
-"""Sparse symmetric systems on the host: the factors L D L^T, and solutions from them, bitwise the same everywhere.
+"""Sparse L D L^T factorization on the host, bitwise reproducible across processors, unlike SuperLU with BLAS.
 
-One thread works down the columns, since each needs those before it; SuperLU, which works on blocks, hands them to BLAS,
-whose sums depend on the processor. The pattern is analyzed once and serves any numbers. An entry of L costs 12 B, and
-a multiplication and a subtraction for each entry below it in its column.
-
-Source: Davis, "Algorithm 849: A concise sparse Cholesky factorization package", ACM TOMS 2005.
+Davis, "Algorithm 849: A concise sparse Cholesky factorization package", ACM TOMS 2005. One thread.
 """
 
 import numpy as np
@@ -15,21 +11,9 @@ from ..memory import download, empty, upload
 
 @struct
 class SparseFactor:
-    """The factors of a symmetric matrix in compressed columns, of which the upper triangle counts.
-
-    Args:
-        starts: Where each column begins among the entries, and their number, [n + 1].
-        rows: The row of each entry.
-
-    Attributes:
-        starts, rows: As given, int32 on the CPU.
-        parents: Of each column in the elimination tree; -1: none. int32 [n].
-        counts: Entries of L below the diagonal of each column so far, int32 [n].
-        firsts: Where each column of L begins, int32 [n].
-        below, lower: Rows and values of L's entries.
-        diagonal: D, float64 [n].
-        marks, order, stack: int32 [n], and `column`, float64 [n]: what a column is made in.
-        failed: 1 where a number of D is zero, int32 [1].
+    """Factors of a symmetric matrix in compressed columns (`starts`, `rows`; the upper triangle is read). `parents`:
+    elimination tree; `counts`, `firsts`: columns of L; `below`, `lower`: its rows and values; `diagonal`: D; `marks`,
+    `order`, `stack`, `column`: scratch; `failed`: D has a zero.
     """
 
     starts: array(dtype=int32)
@@ -61,28 +45,20 @@ class SparseFactor:
         self.below, self.lower = empty(total, int32, "cpu"), empty(total, float64, "cpu")
 
     def factor(self, values: np.ndarray) -> None:
-        """Factor the matrix with these values of its entries.
-
-        Raises:
-            RuntimeError: It is singular.
-        """
+        """Factor the matrix with these entry values. Raises RuntimeError if it is singular."""
         launch(factor_columns_kernel, 1, [self, self.size, upload(values, float64, "cpu")])
         if download(self.failed)[0]:
             raise RuntimeError("the matrix is singular")
 
     def solve(self, right: np.ndarray) -> np.ndarray:
-        """The solution for a right side [n], or for each column of [n, k], of the matrix that was factored last."""
+        """Solve for a right side (n) or (n, k) with the last factorization."""
         columns = upload(np.atleast_2d(right.T), float64, "cpu")
         launch(substitute_kernel, len(columns), [self, self.size, columns])
         return np.array(download(columns)).T.reshape(right.shape)
 
 
 def solve_symmetric(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """The solution of a symmetric system without a pattern, [n] or [n, k] as the right side.
-
-    Raises:
-        RuntimeError: It is singular.
-    """
+    """Solve a symmetric system, (n) or (n, k) as the right side. Raises RuntimeError if it is singular."""
     count = len(matrix)
     factor = SparseFactor(np.arange(count + 1) * count, np.tile(np.arange(count), count))
     factor.factor(matrix.ravel())
@@ -91,7 +67,7 @@ def solve_symmetric(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
 
 @kernel(for_cpu=True)
 def count_entries_kernel(factor: SparseFactor, count: int):
-    """The elimination tree, and how many entries each column of L has."""
+    """Elimination tree and entry count of each column of L."""
     thread = tid()
     for k in range(thread, count):
         factor.parents[k] = -1
@@ -110,7 +86,7 @@ def count_entries_kernel(factor: SparseFactor, count: int):
 
 @kernel(for_cpu=True)
 def factor_columns_kernel(factor: SparseFactor, count: int, values: array(dtype=float64)):
-    """A row of L after the other: those of its entries, in the order of the tree, from a sparse triangular solve."""
+    """Compute L row by row with sparse triangular solves."""
     thread = tid()
     factor.failed[0] = 0
     for j in range(thread, count):
@@ -157,7 +133,7 @@ def factor_columns_kernel(factor: SparseFactor, count: int, values: array(dtype=
 
 @kernel(for_cpu=True)
 def substitute_kernel(factor: SparseFactor, count: int, x: array(dtype=float64, ndim=2)):
-    """L D L^T x = b in each row, with b in it at first."""
+    """Solve L D L^T x = b in place for each row."""
     i = tid()
     for j in range(count):
         value = x[i, j]

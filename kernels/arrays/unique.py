@@ -1,8 +1,4 @@
-"""Unique keys with counts: sort, mark where a key differs from the one before, compact.
-
-On CUDA three launches and a scan follow the sort, 40 B a key, and one read tells how many keys there are and which is
-the last.
-"""
+"""Unique keys with counts: sort, flag changes, compact; on CUDA three launches, a scan and one sync."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -21,7 +17,6 @@ from .sort import argsort_keys
 
 @kernel(for_cpu=True)
 def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8)):
-    """1 where a sorted key differs from the one before."""
     i = tid()
     first = 1
     if i > 0:
@@ -32,7 +27,7 @@ def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8))
 
 @kernel
 def mark_heads_kernel(keys: array(dtype=int64), ranks: array(dtype=int32)):
-    """1 where a sorted key differs from the one before; behind all marks the last key, its low half first."""
+    """1 where a sorted key differs from the previous one; then the last key, low half first."""
     i = tid()
     first = 1
     if i > 0:
@@ -48,7 +43,7 @@ def mark_heads_kernel(keys: array(dtype=int64), ranks: array(dtype=int32)):
 def write_heads_kernel(
     sorted_keys: array(dtype=int64), ranks: array(dtype=int32), keys: array(dtype=int64), starts: array(dtype=int32)
 ):
-    """Each key and where it begins, by its rank; ranks are the sums of the marks. And the end of all."""
+    """Each key and its start by rank (prefix sums of the flags), and the end."""
     i = tid()
     before = 0
     if i > 0:
@@ -62,23 +57,14 @@ def write_heads_kernel(
 
 @kernel
 def count_runs_kernel(starts: array(dtype=int32), counts: array(dtype=int32)):
-    """The length of each run."""
     i = tid()
     counts[i] = starts[i + 1] - starts[i]
 
 
 @struct
 class UniqueKeys:
-    """The distinct keys of an array, ascending, and where each one came from.
-
-    Attributes:
-        count: Distinct keys m.
-        beside: The numbers that came to the host beside it.
-        keys: int64 [m].
-        order: int32 [n], positions by key; those of one key in their own order.
-        starts: int32 [m + 1], where each key's positions begin in `order`.
-        told: Where they are padded, int32 device array [3]: how many are distinct and the last of them, its low half
-            first; None where `count` is their number.
+    """Distinct ascending `keys` (m), `order` of positions by key (stable), `starts` (m + 1) in it; `beside`: extra
+    numbers read. If padded, `told` has the distinct count and the last key, low half first, on the device.
     """
 
     keys: array(dtype=int64)
@@ -93,11 +79,8 @@ class UniqueKeys:
         beside: Integers | None = None,
         padded: bool = False,
     ) -> None:
-        """Find the distinct ones among int64 keys of `bit_count` bits, none negative; one sync.
-
-        `in_order` is what `argsort_keys` would give, where another sort gave it already; `beside` are int32 numbers
-        that the host wants, too. Where it may be `padded`, nobody waits: on CUDA `count` is that of all keys, and what
-        stands behind the distinct ones has no positions, and any key.
+        """Find the distinct of non-negative int64 keys; one sync. `in_order`: known result of `argsort_keys`. With
+        `padded` there is no sync: on CUDA `count` is that of all keys, and the padding has no positions.
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
@@ -126,18 +109,17 @@ class UniqueKeys:
         self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
 
     def cut(self, count: int) -> None:
-        """No longer padded: so many are distinct."""
+        """Set the distinct count of padded keys."""
         self.count, self.told = count, None
         self.keys, self.starts = rows_of(self.keys, 0, count), rows_of(self.starts, 0, count + 1)
 
     def counts(self) -> Integers:
-        """How often each key occurs, int32 [m]."""
         counts = empty(self.count, int32, self.starts.device)
         launch(count_runs_kernel, self.count, [self.starts, counts])
         return counts
 
     def drop_last(self, key: int) -> None:
-        """Forget one key where it is the last of all; its positions stay at the end of `order`."""
+        """Remove a key if it is the last; its positions stay at the end of `order`."""
         if not self.count:
             return
         last = self._last if self._last is not None else int(download(self.keys[self.count - 1 :])[0])
@@ -148,7 +130,7 @@ class UniqueKeys:
 
 
 def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:
-    """Cut padded ones to their distinct keys, and fetch arrays `beside` them, as `download` gives each; one sync."""
+    """Cut padded ones to their distinct keys, and download arrays `beside` them; one sync."""
     padded = [(group, group.told) for group in groups if group.told is not None]
     found = read_together([*(told for _, told in padded), *beside]) if padded or beside else []
     for (group, _), told in zip(padded, found, strict=False):
@@ -159,13 +141,7 @@ def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArra
 def write_heads(
     sorted_keys: Keys, beside: Integers | None = None, *, padded: bool = False
 ) -> tuple[Keys, Integers, Integers]:
-    """The distinct ones of at least one sorted key of a GPU: nothing waits for their number.
-
-    Returns:
-        (keys, starts, told): as those of UniqueKeys, but with room for n of them; and int32 [3], their number and the
-        last key, its low half first; behind them what is wanted `beside`.
-        `padded`: starts beyond those of keys are n.
-    """
+    """(keys, starts, told) of sorted GPU keys as in UniqueKeys, without sync; `told` is followed by `beside`."""
     n, device = sorted_keys.size, sorted_keys.device
     ranks = empty(n + 2 + (0 if beside is None else beside.size), int32, device)
     if beside is not None:

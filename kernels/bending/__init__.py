@@ -1,1 +1,1 @@
-"""Bodies that bend: deformation graphs, what brings them onto a surface, and coherent point drift."""
+"""Non-rigid registration: deformation graphs, correspondences, coherent point drift."""

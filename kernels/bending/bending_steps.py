@@ -1,12 +1,8 @@
-"""Gauss-Newton steps that bend a body onto a surface.
+"""Gauss-Newton steps of non-rigid registration by a deformation graph.
 
-A row is a point p of the body and the place q that it should come to, with the normal n of the surface there: it costs
-a ((p' - q) n)^2 + b |p' - q|^2 (point to plane, point to point). Neighbouring nodes are tied as rigidly as each one's
-rotation allows: s / degree |R_j (g_k - g_j) + c_j - c_k|^2. Unknowns are a small rotation and a shift of each node. The
-normal equations are solved by conjugate gradients whose preconditioner inverts each node's 6x6 block; the matrix is
-never written down: products go from nodes to rows and are gathered back, those of one node as a segment, so all sums
-have a fixed order. A turn reads some 350 B a row. Sumner, Schmid and Pauly 2007, section 4; Li, Sumner and Pauly,
-"Global correspondence optimization for non-rigid registration of depth scans", SGP 2008.
+A row costs a ((p' - q) n)^2 + b |p' - q|^2; nodes are regularized by s / degree |R_j (g_k - g_j) + c_j - c_k|^2
+(Sumner, Schmid and Pauly 2007, section 4; Li, Sumner and Pauly, "Global correspondence optimization for non-rigid
+registration of depth scans", SGP 2008). Matrix-free conjugate gradients, block-Jacobi preconditioner.
 """
 
 import numpy as np
@@ -45,10 +41,8 @@ from ..memory import download, empty, full, zeros
 from ..meshes.vertex_neighbors import VertexNeighbors
 from .deformation_graph import MEMBERS, DeformationGraph, Influence, bent_place
 
-DAMPING = (
-    1.0e-9  # of the diagonal: holds parts of a body that no row reaches, and moves the rest by no digit that counts
-)
-TOLERANCE = 1.0e-6  # of a solve: what remains of the right side in the preconditioner's norm
+DAMPING = 1.0e-9  # of the diagonal: fixes parts of a body without rows, negligible elsewhere
+TOLERANCE = 1.0e-6  # of a solve: remaining fraction of the right side in the preconditioner's norm
 MOST_TURNS = 2000
 pull_sums = vector(6, float64)
 pull_block = vector(21, float64)
@@ -56,16 +50,7 @@ pull_block = vector(21, float64)
 
 @struct
 class BendingRows:
-    """What each point of the body is asked to do.
-
-    Attributes:
-        targets: Where it should be, vec3d [n].
-        normals: Of the surface there, vec3 [n].
-        plane_weights, point_weights: What its two distances cost, float64 [n]; 0 where it has no pair.
-        arms: Its node's rotation of what lies between, vec3d [MEMBERS n].
-        forces: The pull at the point, vec3d [n].
-        order: Ends of rows by their nodes, int32 [MEMBERS n].
-    """
+    """Data terms: weights 0 without a pair; `arms`: rotated node offsets; `forces`: gradients; `order` by node."""
 
     targets: array(dtype=vec3d)
     normals: array(dtype=vec3)
@@ -76,7 +61,6 @@ class BendingRows:
     order: array(dtype=int32)
 
     def __init__(self, influence: Influence, graph: DeformationGraph) -> None:
-        """Rows without pairs; one sync."""
         self.count, device = influence.count, influence.points.device
         self.targets, self.normals = zeros(self.count, vec3d, device), zeros(self.count, vec3, device)
         self.plane_weights, self.point_weights = zeros(self.count, float64, device), zeros(self.count, float64, device)
@@ -91,7 +75,7 @@ class BendingRows:
 
 @kernel
 def key_ends_kernel(influence: Influence, node_count: int, keys: array(dtype=int64)):
-    """The node at each end of each row, behind all nodes where it weighs nothing."""
+    """Node of each row end; behind all nodes if its weight is zero."""
     i = tid()
     key = int64(node_count)
     if influence.shares[i] > 0.0:
@@ -101,14 +85,14 @@ def key_ends_kernel(influence: Influence, node_count: int, keys: array(dtype=int
 
 @func
 def pull_of(i: int, d: vec3d, rows: BendingRows) -> vec3d:
-    """Half the slope of what a row costs where it is off by d."""
+    """Half the gradient of a row with residual d."""
     n = widen(rows.normals[i])
     return (rows.plane_weights[i] * dot(n, d)) * n + rows.point_weights[i] * d
 
 
 @kernel
 def begin_rows_kernel(graph: DeformationGraph, influence: Influence, rows: BendingRows):
-    """The arms of each row and its pull, with the graph as it is."""
+    """Arms and gradients of each row for the current graph."""
     i = tid()
     force = vec3d(0.0, 0.0, 0.0)
     if isfinite(influence.points[i]):
@@ -123,7 +107,7 @@ def begin_rows_kernel(graph: DeformationGraph, influence: Influence, rows: Bendi
 
 @kernel
 def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: BendingRows):
-    """The pull that a step changes each row by: two vectors a node (rotation, shift)."""
+    """Change of the rows' gradients under a step: two vectors per node (rotation, shift)."""
     i = tid()
     d = vec3d(0.0, 0.0, 0.0)
     n = int(MEMBERS)
@@ -137,7 +121,6 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
 
 @segment_reduction
 def sum_node_pulls(influence: Influence, rows: BendingRows) -> pull_sums:
-    """What a row's pull comes to at one of its nodes."""
     i = tid()
     end = rows.order[i]
     f = influence.shares[end] * rows.forces[end // MEMBERS]
@@ -147,7 +130,7 @@ def sum_node_pulls(influence: Influence, rows: BendingRows) -> pull_sums:
 
 @func
 def add_square(block: pull_block, arm: vec3d, n: vec3d, weight: float64) -> pull_block:
-    """A block with the products of the slopes of n (p' - q), the upper triangle."""
+    """Add the products of the derivatives of n (p' - q) to the upper triangle of a block."""
     m = cross(arm, n)
     g = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
     total = block
@@ -162,7 +145,6 @@ def add_square(block: pull_block, arm: vec3d, n: vec3d, weight: float64) -> pull
 
 @func
 def add_squares(block: pull_block, arm: vec3d, weight: float64) -> pull_block:
-    """The same of all three axes."""
     total = add_square(block, arm, vec3d(1.0, 0.0, 0.0), weight)
     total = add_square(total, arm, vec3d(0.0, 1.0, 0.0), weight)
     return add_square(total, arm, vec3d(0.0, 0.0, 1.0), weight)
@@ -170,7 +152,6 @@ def add_squares(block: pull_block, arm: vec3d, weight: float64) -> pull_block:
 
 @segment_reduction
 def sum_node_squares(influence: Influence, rows: BendingRows) -> pull_block:
-    """The products of a row's slopes by one of its nodes."""
     i = tid()
     end = rows.order[i]
     row = end // MEMBERS
@@ -181,14 +162,7 @@ def sum_node_squares(influence: Influence, rows: BendingRows) -> pull_block:
 
 @struct
 class NodeSystem:
-    """What a step works on, beside the rows.
-
-    Attributes:
-        around: The neighbours of each node.
-        sums, squares: Of the rows' ends, by node.
-        factors: Of each node's block.
-        lifts: The damping, vec3d [2 m].
-    """
+    """Node data of a step: neighbors `around`; `sums`, `squares` by node; block `factors`; damping `lifts` (2 m)."""
 
     around: VertexNeighbors
     sums: array(dtype=pull_sums)
@@ -205,19 +179,18 @@ class NodeSystem:
 
 @func
 def tie_at(i: int, stiffness: float64, around: VertexNeighbors) -> float64:
-    """What each tie of a node costs."""
     return stiffness / float64(max(around.starts[i + 1] - around.starts[i], 1))
 
 
 @func
 def arm_between(i: int, k: int, graph: DeformationGraph) -> vec3d:
-    """From node i to k, as the rotation of i has it."""
+    """Offset from node i to k rotated by i."""
     return graph.rotations[i] @ (widen(graph.nodes[k]) - widen(graph.nodes[i]))
 
 
 @kernel
 def pull_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: NodeSystem, residual: array(dtype=vec3d)):
-    """The right side of each node: minus half the slope of rows and ties."""
+    """Right side of each node: minus half the gradient."""
     i = tid()
     s = system.sums[i]
     turn = vec3d(s[0], s[1], s[2])
@@ -242,7 +215,6 @@ def gather_nodes_kernel(
     system: NodeSystem,
     images: array(dtype=vec3d),
 ):
-    """The product of the matrix and a step, at each node."""
     i = tid()
     s = system.sums[i]
     a = system.lifts[2 * i]
@@ -267,7 +239,6 @@ def gather_nodes_kernel(
 
 @kernel
 def factor_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: NodeSystem):
-    """The damping of each node and the factors of its block."""
     i = tid()
     total = system.squares[i] * float64(1.0)
     own = tie_at(i, stiffness, system.around)
@@ -293,7 +264,6 @@ def factor_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: Nod
 
 @kernel
 def weigh_nodes_kernel(system: NodeSystem, residual: array(dtype=vec3d), forces: array(dtype=vec3d)):
-    """The residual at each node, by its block."""
     i = tid()
     a = residual[2 * i]
     b = residual[2 * i + 1]
@@ -304,7 +274,6 @@ def weigh_nodes_kernel(system: NodeSystem, residual: array(dtype=vec3d), forces:
 
 @kernel
 def take_step_kernel(steps: array(dtype=vec3d), graph: DeformationGraph):
-    """Turn and shift each node."""
     i = tid()
     half = 0.5 * steps[2 * i]
     pose = rotation_about(half[0], half[1], half[2], 1.0)
@@ -319,14 +288,13 @@ def take_step_kernel(steps: array(dtype=vec3d), graph: DeformationGraph):
 
 @reduction
 def sum_shifts(steps: array(dtype=vec3d)) -> vec2d:
-    """(squared shift, 1) of a node."""
     i = tid()
     s = steps[2 * i + 1]
     return vec2d(dot(s, s), 1.0)
 
 
 class BendingSteps:
-    """Takes steps of a graph whose rows and stiffness may change in between."""
+    """Steps of a graph whose rows and stiffness may change between them."""
 
     def __init__(self, graph: DeformationGraph, influence: Influence, around: VertexNeighbors) -> None:
         device, self.graph, self.influence = graph.nodes.device, graph, influence
@@ -337,7 +305,7 @@ class BendingSteps:
         self.turns = 0
 
     def take(self, stiffness: float) -> float:
-        """One step; the root of the mean squared shift of the nodes [m]. Two syncs."""
+        """One step; returns the RMS shift of the nodes [m]. Two syncs."""
         graph, rows, system, count = self.graph, self.rows, self.system, self.graph.count
         launch(begin_rows_kernel, rows.count, [graph, self.influence, rows])
         self._gather()

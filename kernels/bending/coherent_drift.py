@@ -1,12 +1,9 @@
-"""Soft correspondences of two point sets: every point of one pulls at every point of the other, as a Gaussian weighs.
+"""Coherent point drift: soft correspondences between two point sets (Myronenko and Song, "Point set registration:
+coherent point drift", PAMI 2010, eqs. 6 and 7).
 
-Moved points y_m are the centres of a mixture with the variance s^2, targets x_n its samples, and c is what a uniform
-share of outliers adds: p_mn = e_mn / (sum_k e_kn + c), e_mn = exp(-|x_n - y_m|^2 / 2 s^2). One pass over the targets
-finds the sums below the line, one over the sources what each is pulled to: sum_n p_mn and sum_n p_mn x_n. Nothing of
-size M N is kept. A Gaussian counts no more beyond FARTHEST, where it is 2e-19, so that once s is small both passes walk
-trees and meet near points only. 40 operations a pair; on the CPU a thread takes eight points, whose Gaussians are
-computed side by side in vector registers, each sum in its own order as if alone.
-Source: Myronenko and Song, "Point set registration: coherent point drift", PAMI 2010, eqs. 6 and 7.
+p_mn = e_mn / (sum_k e_kn + c), e_mn = exp(-|x_n - y_m|^2 / 2 s^2). Two passes give the denominators, sum_n p_mn and
+sum_n p_mn x_n without an M x N matrix. Gaussians end at FARTHEST (2e-19), so small s uses trees. The CPU vectorizes
+eight points per thread, each sum in its own order.
 """
 
 import numpy as np
@@ -33,15 +30,15 @@ from ..memory import empty
 from ..search.bucket_walk import points_in_reach
 from ..search.point_tree import PointTree, find_bucket
 
-FARTHEST = 43.0  # of the exponent
+FARTHEST = 43.0  # maximum exponent
 INVERSE_LOG2 = 1.4426950408889634
-LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that whole multiples of it are exact
+LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that integer multiples are exact
 LOG2_LOW = 1.90821492927058770002e-10
-MOST_HALVINGS = 62.5  # of a Gaussian that counts
+MOST_HALVINGS = 62.5  # of a Gaussian before it is cut off
 EXPONENT_BIAS, EXPONENT_PLACE = 127, 23  # of a float32
-LANES = 8  # points a thread of the CPU
-REACH_SLACK = 1.001  # of a squared reach in float32, so that a tree leaves nothing out
-octet = vector(8, float64)  # a number for each of a thread's points
+LANES = 8  # points per CPU thread
+REACH_SLACK = 1.001  # factor of a squared radius in float32, so that a tree omits nothing
+octet = vector(8, float64)  # one number per point of a thread
 pulls = vector(4, float64)  # sum of p, sum of p x
 place_sums = vector(4, float64)
 pull_moments = vector(22, float64)
@@ -49,7 +46,7 @@ pull_moments = vector(22, float64)
 
 @func
 def falloff(x: float64) -> float64:
-    """exp(-x) for x >= 0, to 2e-16 and with the same bits everywhere; 0 beyond FARTHEST. Without a branch."""
+    """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free; 0 beyond FARTHEST."""
     turns = x * float64(INVERSE_LOG2) + 0.5
     n = int(turns if turns < float64(MOST_HALVINGS) else float64(MOST_HALVINGS))
     k = float64(n)
@@ -66,13 +63,12 @@ def falloff(x: float64) -> float64:
     s = s * r + 0.5
     s = s * r + 1.0
     s = s * r + 1.0
-    value = s * float64(bits_float((EXPONENT_BIAS - n) << EXPONENT_PLACE))  # s / 2^n, exactly
+    value = s * float64(bits_float((EXPONENT_BIAS - n) << EXPONENT_PLACE))  # s / 2^n, exact
     return value if x <= float64(FARTHEST) else float64(0.0)
 
 
 @func
 def inverse_of(total: float64, uniform: float64) -> float64:
-    """One over the sum below the line; 0 where nothing is."""
     inverse = float64(0.0)
     if total + uniform > 0.0:
         inverse = 1.0 / (total + uniform)
@@ -81,13 +77,11 @@ def inverse_of(total: float64, uniform: float64) -> float64:
 
 @func
 def falloff_between(dx: float64, dy: float64, dz: float64, scale: float64) -> float64:
-    """The Gaussian of a difference, as of a vector's dot product with itself."""
     return falloff(scale * (dx * dx + dy * dy + dz * dz))
 
 
 @func
 def pull_between(y: vec3d, x: vec3d, scale: float64, inverse: float64) -> pulls:
-    """What a target pulls at a source."""
     d = x - y
     p = falloff(scale * dot(d, d)) * inverse
     return pulls(p, p * x[0], p * x[1], p * x[2])
@@ -103,10 +97,7 @@ def weigh_targets_kernel(
     inverses: array(dtype=float64),
     shares: array(dtype=float64),
 ):
-    """One over the sum below the line of each target, and the share of it that is no outlier; 0 where nothing is.
-
-    LANES targets a thread; the last thread's may be the last target more than once.
-    """
+    """Inverse denominator and inlier probability of each target; LANES targets per thread, the last one may repeat."""
     i = tid()
     last = targets.shape[0] - 1
     x = octet(0.0)
@@ -140,7 +131,6 @@ def weigh_target_kernel(
     inverses: array(dtype=float64),
     shares: array(dtype=float64),
 ):
-    """A target a thread."""
     i = tid()
     x = targets[i]
     total = float64(0.0)
@@ -161,7 +151,7 @@ def pull_sources_kernel(
     inverses: array(dtype=float64),
     sums: array(dtype=pulls),
 ):
-    """What pulls at each source, LANES of them a thread."""
+    """Weighted sums at each source, LANES per thread."""
     i = tid()
     last = moved.shape[0] - 1
     x = octet(0.0)
@@ -200,7 +190,6 @@ def pull_source_kernel(
     inverses: array(dtype=float64),
     sums: array(dtype=pulls),
 ):
-    """A source a thread."""
     i = tid()
     y = moved[i]
     total = pulls(0.0)
@@ -220,7 +209,6 @@ def weigh_near_targets_kernel(
     inverses: array(dtype=float64),
     shares: array(dtype=float64),
 ):
-    """The same of sources in reach."""
     i = tid()
     x = targets[i]
     p = narrow(x)
@@ -243,7 +231,6 @@ def pull_near_sources_kernel(
     inverses: array(dtype=float64),
     sums: array(dtype=pulls),
 ):
-    """The same of targets in reach."""
     i = tid()
     y = moved[i]
     q = narrow(y)
@@ -256,21 +243,18 @@ def pull_near_sources_kernel(
 
 @kernel
 def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, places: array(dtype=vec3d)):
-    """A p + t in float64."""
     i = tid()
     places[i] = A @ widen(points[i]) + t
 
 
 @kernel
 def map_places_kernel(places: array(dtype=vec3d), A: mat33d, t: vec3d, moved: array(dtype=vec3d)):
-    """A y + t."""
     i = tid()
     moved[i] = A @ places[i] + t
 
 
 @reduction
 def sum_places(places: array(dtype=vec3d)) -> place_sums:
-    """Sum and squares of places."""
     i = tid()
     p = places[i]
     return place_sums(p[0], p[1], p[2], dot(p, p))
@@ -278,14 +262,14 @@ def sum_places(places: array(dtype=vec3d)) -> place_sums:
 
 @reduction
 def sum_targets(places: array(dtype=vec3d), shares: array(dtype=float64)) -> vec2d:
-    """How much of the targets is no outlier, and their squares so weighed."""
+    """Inlier weight of the targets, weighted positions and squares."""
     i = tid()
     return vec2d(shares[i], shares[i] * dot(places[i], places[i]))
 
 
 @reduction
 def sum_pulls(places: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_moments:
-    """Of sources: sum of p; p y; p x; (p x) y^T by rows; p y y^T, its upper triangle."""
+    """Sums over sources of p; p y; p x; (p x) y^T by rows; p y y^T, upper triangle."""
     i = tid()
     y = places[i]
     s = sums[i]
@@ -300,33 +284,24 @@ def sum_pulls(places: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_mome
 
 @kernel
 def narrow_places_kernel(places: array(dtype=vec3d), out: array(dtype=vec3)):
-    """Places in float32, for a tree."""
     i = tid()
     out[i] = narrow(places[i])
 
 
 def place_points(points: Points, A: np.ndarray, t: np.ndarray) -> Positions:
-    """A p + t in float64."""
     places = empty(points.size, vec3d, points.device)
     launch(place_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), places])
     return places
 
 
 def tree_over(places: Positions) -> PointTree:
-    """A PointTree over float64 places."""
     points = empty(places.size, vec3, places.device)
     launch(narrow_places_kernel, places.size, [places, points])
     return PointTree(points)
 
 
 class Drift:
-    """The soft correspondences of sources that move and targets that stay.
-
-    Attributes:
-        inverses: One over the sum below the line of each target, float64 [n].
-        shares: How much of each target is no outlier, float64 [n].
-        sums: What pulls at each source: sum of p, and of p x, `pulls` [m].
-    """
+    """Soft correspondences: inverse denominators and inlier `shares` of targets (n); `sums` of p and p x (m)."""
 
     def __init__(self, targets: Positions, source_count: int) -> None:
         device = targets.device
@@ -335,7 +310,7 @@ class Drift:
         self.sums = empty(source_count, pulls, device)
 
     def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
-        """The correspondences at a variance; by trees where a Gaussian reaches less far than `near`."""
+        """Correspondences at a variance; by trees if the Gaussian's range is below `near`."""
         targets, scale = self.targets, 0.5 / variance
         reach = FARTHEST / scale * REACH_SLACK
         found: list[Doubles] = [self.inverses, self.shares]

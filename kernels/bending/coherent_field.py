@@ -1,9 +1,5 @@
-"""Smooth fields of motion: sums of Gaussians about points, by a factor of their matrix of few rows.
-
-G_ij = exp(-|y_i - y_j|^2 / 2 b^2) is L^T L to what is left of its diagonal, L being [k, m]: Cholesky's method that
-takes the point of the largest remainder next, until the largest is below a limit. A wide Gaussian needs some hundred
-rows for any number of points. O(k m) memory, O(k^2 m) time.
-Source: Fine and Scheinberg 2001 (incomplete Cholesky with pivots); Myronenko and Song 2010, section 5.
+"""Smooth motion fields as sums of Gaussians, by a pivoted incomplete Cholesky factor L (k, m) of G_ij = exp(-|y_i -
+y_j|^2 / 2 b^2). O(k m) memory, O(k^2 m) time (Fine and Scheinberg 2001; Myronenko and Song 2010, section 5).
 """
 
 import numpy as np
@@ -34,13 +30,12 @@ from ..linear_algebra import solve
 from ..memory import download, empty, upload, zeros
 from .coherent_drift import falloff, pulls
 
-WIDE = 4  # products of a row that a thread sums side by side
-LOOKED_AT = 32  # rows between two looks at what is left
+WIDE = 4  # products of a row summed together by a thread
+LOOKED_AT = 32  # rows between two checks of the remainder
 
 
 @func
 def gaussian(p: vec3d, q: vec3d, scale: float64) -> float64:
-    """exp(-scale |p - q|^2)."""
     d = p - q
     return falloff(scale * dot(d, d))
 
@@ -54,10 +49,7 @@ def factor_row_kernel(
     left: array(dtype=float64),
     pivots: array(dtype=int64),
 ):
-    """One row of the factor, by the pivot that stands at its place; what it leaves of the diagonal, and the next pivot.
-
-    Ties go to the larger index, whatever the order of the threads.
-    """
+    """One factor row, the remaining diagonal, and the next pivot; ties go to the larger index."""
     i = tid()
     p = key_index(pivots[row])
     own = float64(1.0)
@@ -82,7 +74,7 @@ def square_rows_kernel(
     points: int,
     out: array(dtype=float64, ndim=2),
 ):
-    """L diag(sum of p) L^T, on and below the diagonal: WIDE numbers of a row a thread."""
+    """Lower triangle of L diag(sum of p) L^T, WIDE numbers per thread."""
     i = tid()
     across = (count + WIDE - 1) // WIDE
     row = i // across
@@ -109,7 +101,7 @@ def pull_rows_kernel(
     points: int,
     out: array(dtype=vec3d),
 ):
-    """L (P x - diag(sum of p) y), a row a thread."""
+    """L (P x - diag(sum of p) y), one row per thread."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for m in range(points):
@@ -122,7 +114,6 @@ def pull_rows_kernel(
 def pick_corner_kernel(
     rows: array(dtype=float64, ndim=2), chosen: array(dtype=int32), count: int, out: array(dtype=float64, ndim=2)
 ):
-    """The rows at the pivots' places."""
     i = tid()
     out[i // count, i % count] = rows[i // count, chosen[i % count]]
 
@@ -154,7 +145,7 @@ def move_points_kernel(
     scale: float64,
     moved: array(dtype=vec3),
 ):
-    """Where a field takes points: unit (p + shift) is the place that the field knows. Not finite ones stay."""
+    """Displace points; the field's coordinates are unit (p + shift). Non-finite points stay."""
     i = tid()
     p = widen(points[i])
     moved[i] = points[i]
@@ -167,20 +158,10 @@ def move_points_kernel(
 
 
 class CoherentField:
-    """The factor of a Gaussian matrix over places.
-
-    Attributes:
-        rows: The factor, float64 [k, m].
-        count: k.
-        pivots: The places that it was made of, int [k].
-    """
+    """Factor of a Gaussian matrix: `rows` float64 (k, m), `count` k, `pivots` int (k)."""
 
     def __init__(self, places: Positions, width: float, limit: float, most: int) -> None:
-        """A sync every LOOKED_AT rows.
-
-        Raises:
-            ValueError: More rows than `most` would be needed.
-        """
+        """Factor it, with a sync every LOOKED_AT rows. Raises ValueError if more than `most` rows are needed."""
         device, size = places.device, places.size
         most = min(most, size)
         self.places, self.scale = places, 0.5 / (width * width)
@@ -205,10 +186,7 @@ class CoherentField:
         self.pivots = (keys & 0xFFFFFFFF)[: self.count]
 
     def step(self, sums: Doubles, damping: float, moved: Positions) -> np.ndarray:
-        """Move the places to where the pulls balance the field's own stiffness; the coefficients of the rows [k, 3].
-
-        One sync. The system of k unknowns is solved on the host, in float64.
-        """
+        """Move the positions to equilibrium; returns the row coefficients (k, 3). Float64 on the host, one sync."""
         device, count, size = self.places.device, self.count, self.places.size
         square = zeros((count, count), float64, device)
         across = -(-count // WIDE)
@@ -223,14 +201,14 @@ class CoherentField:
         return values
 
     def weights_of(self, values: np.ndarray) -> np.ndarray:
-        """What the Gaussian of each pivot counts where rows have these coefficients: float64 [k, 3]."""
+        """Gaussian weights of the pivots for row coefficients: float64 (k, 3)."""
         corner = empty((self.count, self.count), float64, self.places.device)
         chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
         launch(pick_corner_kernel, self.count * self.count, [self.rows, chosen, self.count, corner])
         return solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
 
     def centers(self) -> np.ndarray:
-        """The places of the pivots, float64 [k, 3]; one sync."""
+        """Positions of the pivots, float64 (k, 3); one sync."""
         chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
         return np.array(download(gather_rows(self.places, chosen)), np.float64).reshape(-1, 3)
 
@@ -238,7 +216,6 @@ class CoherentField:
 def move_points(
     points: Points, shift: np.ndarray, unit: float, centers: np.ndarray, weights: np.ndarray, scale: float
 ) -> Points:
-    """Points under a field of Gaussians, about their own origin."""
     device = points.device
     moved = empty(points.size, vec3, device)
     places, counts = upload(centers, vec3d, device), upload(weights, vec3d, device)

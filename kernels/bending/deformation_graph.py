@@ -1,11 +1,8 @@
-"""A body bent by nodes on it, each with a rotation and a place: what they make of points, normals and volumes.
+"""Embedded deformation of points, normals and volumes (Sumner, Schmid and Pauly, "Embedded deformation for shape
+manipulation", SIGGRAPH 2007, eqs. 1 to 3) with rotations instead of affine maps.
 
-A point p goes to the mean of where the nodes about it would take it, R (p - g) + c for a node that stood at g and
-stands at c, as they weigh: (1 - d / D)^2 for a node at the distance d, with D the distance of the nearest one that
-counts no more. So the bend is smooth where p comes nearer to another node. Nodes that bend the same points are
-neighbours. Sumner, Schmid and Pauly, "Embedded deformation for shape manipulation", SIGGRAPH 2007, eqs. 1 to 3;
-rotations instead of affine maps held near them. A point takes a search for five nodes and some 150 operations, and
-80 B beside it.
+A point moves by the weighted mean of R (p - g) + c over near nodes, with weights (1 - d / D)^2, D being the distance of
+the first excluded node. Nodes with common points are neighbors.
 """
 
 from typing import Any
@@ -38,23 +35,15 @@ from ..meshes.vertex_neighbors import VertexNeighbors
 from ..search.point_tree import PointTree
 from ..search.tree_search import search_nearest
 
-MEMBERS = 4  # nodes that bend a point, as in the paper
-LISTED = 5  # and the next one, where their weight ends
-PAIRS = 6  # of the members
-WIDE = 2.0  # where there are fewer nodes than that: weights end at so many distances of the farthest
+MEMBERS = 4  # nodes that influence a point, as in the paper
+LISTED = 5  # plus the next one, where the weight becomes zero
+PAIRS = 6  # pairs of members
+WIDE = 2.0  # with fewer nodes, weights vanish at this multiple of the farthest distance
 
 
 @struct
 class DeformationGraph:
-    """Nodes, and where they went.
-
-    Attributes:
-        nodes: Where they stood, vec3 [m], about the origin of the body.
-        rotations: How they turned, mat33d [m].
-        centers: Where they stand, vec3d [m], about the origin of what the body is brought to.
-        listed: Nodes that are found for a point: LISTED, or all there are.
-        tree: The PointTree over the nodes.
-    """
+    """Nodes and their motion: `nodes` about the body's origin, `centers` about the target's."""
 
     nodes: array(dtype=vec3)
     rotations: array(dtype=mat33d)
@@ -69,14 +58,7 @@ class DeformationGraph:
 
 @struct
 class Influence:
-    """Which nodes bend each of some points, and how much.
-
-    Attributes:
-        points: vec3 [n].
-        near: The nearest nodes of each, int32 [n listed].
-        places: The nodes that bend it, int32 [MEMBERS n].
-        shares: What they weigh, 1 together; 0 for those that are missing, and of points that are not finite.
-    """
+    """Nodes of points: `near` (n listed); influencing `places` (MEMBERS n); `shares`: weights, 0 if missing."""
 
     points: array(dtype=vec3)
     near: array(dtype=int32)
@@ -93,27 +75,25 @@ class Influence:
 
 @func
 def distance_between(p: vec3d, q: vec3d) -> float64:
-    """|p - q| [m]."""
     d = p - q
     return sqrt(dot(d, d))
 
 
 @func
 def end_of_weights(p: vec3d, first: int, near: array(dtype=int32), graph: DeformationGraph) -> float64:
-    """The distance at which nodes count no more for a place."""
+    """Distance of zero weight."""
     farthest = distance_between(p, widen(graph.nodes[near[first + graph.listed - 1]]))
     return farthest if graph.listed == LISTED else float64(WIDE) * farthest
 
 
 @func
 def members_of(listed: int) -> int:
-    """How many nodes bend a point, of those that are listed."""
     return min(listed, MEMBERS)
 
 
 @kernel
 def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
-    """The nodes that bend a point, and their shares; the nearest alone where all are equally far."""
+    """Nodes of a point and their weights; only the nearest if all are equally far."""
     i = tid()
     p = widen(influence.points[i])
     first = graph.listed * i
@@ -141,7 +121,6 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
 
 @func
 def bent_place(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
-    """Where a finite point goes."""
     p = widen(influence.points[i])
     total = vec3d(0.0, 0.0, 0.0)
     n = int(MEMBERS)
@@ -155,7 +134,6 @@ def bent_place(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
 
 @func
 def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
-    """The Jacobian of the bend at a finite point: the nodes' rotations as they weigh, and how the weights change."""
     p = widen(influence.points[i])
     here = bent_place(i, graph, influence)
     zero = float64(0.0)
@@ -168,7 +146,7 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
     if beyond > 0.0:
         end_slope = (end / (beyond * beyond)) * (p - last)
     total = float64(0.0)
-    drift = vec3d(0.0, 0.0, 0.0)  # of the sum of the weights
+    drift = vec3d(0.0, 0.0, 0.0)  # gradient of the sum of weights
     pulls = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
     for k in range(members_of(graph.listed)):
         node = influence.near[first + k]
@@ -191,7 +169,6 @@ def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
 
 @func
 def volume_of(slope: mat33d) -> float64:
-    """The determinant."""
     x = vec3d(slope[0, 0], slope[0, 1], slope[0, 2])
     y = vec3d(slope[1, 0], slope[1, 1], slope[1, 2])
     z = vec3d(slope[2, 0], slope[2, 1], slope[2, 2])
@@ -200,7 +177,7 @@ def volume_of(slope: mat33d) -> float64:
 
 @func
 def turned_normal(slope: mat33d, normal: vec3d) -> vec3d:
-    """A normal under the cofactors of a Jacobian, which turn it with its surface; of its own length."""
+    """Normal under the cofactors of a Jacobian, with its length kept."""
     x = vec3d(slope[0, 0], slope[0, 1], slope[0, 2])
     y = vec3d(slope[1, 0], slope[1, 1], slope[1, 2])
     z = vec3d(slope[2, 0], slope[2, 1], slope[2, 2])
@@ -214,7 +191,6 @@ def turned_normal(slope: mat33d, normal: vec3d) -> vec3d:
 
 @kernel
 def bend_points_kernel(graph: DeformationGraph, influence: Influence, moved: array(dtype=vec3)):
-    """Where each point goes; points that are not finite stay what they are."""
     i = tid()
     p = influence.points[i]
     q = p + vec3(0.0, 0.0, 0.0)
@@ -225,7 +201,6 @@ def bend_points_kernel(graph: DeformationGraph, influence: Influence, moved: arr
 
 @kernel
 def bend_wide_kernel(graph: DeformationGraph, influence: Influence, origin: vec3d, moved: array(dtype=vec3d)):
-    """The same in float64, from an origin on."""
     i = tid()
     p = influence.points[i]
     q = widen(p)
@@ -238,7 +213,6 @@ def bend_wide_kernel(graph: DeformationGraph, influence: Influence, origin: vec3
 def bend_normals_kernel(
     graph: DeformationGraph, influence: Influence, normals: array(dtype=vec3), bent: array(dtype=vec3)
 ):
-    """Each normal as the surface turns at its point."""
     i = tid()
     n = normals[i]
     m = n + vec3(0.0, 0.0, 0.0)
@@ -251,38 +225,37 @@ def bend_normals_kernel(
 
 @kernel
 def measure_volumes_kernel(graph: DeformationGraph, influence: Influence, volumes: array(dtype=float32)):
-    """What becomes of a unit of volume at each point; below 0 where the bend folds over, NaN of no point."""
+    """Volume ratio at each point; negative if the deformation folds over, NaN for invalid points."""
     i = tid()
     p = influence.points[i]
-    volume = p[0] + p[1] + p[2]  # not a number, or infinite: no volume
+    volume = p[0] + p[1] + p[2]  # NaN or infinite: no volume
     if isfinite(p):
         volume = float(volume_of(slope_at(i, graph, influence)))
     volumes[i] = volume
 
 
 def bend_points(graph: DeformationGraph, influence: Influence) -> Points:
-    """Where points go, vec3 about the origin of the graph's centres."""
+    """Deformed points, vec3 about the origin of the graph's centers."""
     moved = empty(influence.count, vec3, influence.points.device)
     launch(bend_points_kernel, influence.count, [graph, influence, moved])
     return moved
 
 
 def bend_wide(graph: DeformationGraph, influence: Influence, origin: Any) -> Positions:
-    """Where points go, vec3d, from an origin [3] on."""
     moved = empty(influence.count, vec3d, influence.points.device)
     launch(bend_wide_kernel, influence.count, [graph, influence, vec3d(*origin), moved])
     return moved
 
 
 def bend_normals(graph: DeformationGraph, influence: Influence, normals: Vectors) -> Vectors:
-    """The normals at points that are not bent yet, as the surface turns."""
+    """Deformed normals at undeformed points."""
     bent = empty(influence.count, vec3, influence.points.device)
     launch(bend_normals_kernel, influence.count, [graph, influence, normals, bent])
     return bent
 
 
 def measure_volumes(graph: DeformationGraph, influence: Influence) -> Scalars:
-    """What becomes of a unit of volume at each point, float32 [n]."""
+    """Volume ratios, float32 (n)."""
     volumes = empty(influence.count, float32, influence.points.device)
     launch(measure_volumes_kernel, influence.count, [graph, influence, volumes])
     return volumes
@@ -290,7 +263,7 @@ def measure_volumes(graph: DeformationGraph, influence: Influence) -> Scalars:
 
 @kernel
 def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int64)):
-    """The pairs of nodes that bend a point, the lower one first; a key above all for those that are none."""
+    """Keys of node pairs that share a point, lower first; the maximum for none."""
     i = tid()
     none = (int64(1) << int64(2 * bits)) - 1
     at = PAIRS * i
@@ -308,20 +281,18 @@ def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int6
 
 @kernel
 def split_neighbors_kernel(keys: array(dtype=int64), bits: int, lows: array(dtype=int32), highs: array(dtype=int32)):
-    """The two nodes of a key."""
     i = tid()
     lows[i] = int(keys[i] >> int64(bits))
     highs[i] = int(keys[i] & ((int64(1) << int64(bits)) - 1))
 
 
 class NodePairs:
-    """Nodes that bend the same points: `lows`, `highs` (int32 [e], ascending) and `count`."""
+    """Nodes with common points: `lows`, `highs` (int32 (e), ascending) and `count`."""
 
     lows: Indices
     highs: Indices
 
     def __init__(self, graph: DeformationGraph, influence: Influence) -> None:
-        """One sync."""
         device, bits = graph.nodes.device, max(1, graph.count.bit_length())
         keys = empty(PAIRS * influence.count, int64, device)
         launch(key_neighbors_kernel, influence.count, [influence, bits, keys])
@@ -333,13 +304,12 @@ class NodePairs:
 
 
 def neighbors_of(graph: DeformationGraph, influence: Influence) -> VertexNeighbors:
-    """The neighbours of each node, ascending."""
     return VertexNeighbors(NodePairs(graph, influence), graph.count)
 
 
 @kernel
 def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, strains: array(dtype=float64)):
-    """How far the neighbours of a node stand from where its rotation has them, beside their distance; -1 of none."""
+    """Relative deviation of a node's neighbors from its rotation; -1 without neighbors."""
     i = tid()
     found = float64(0.0)
     length = float64(0.0)
@@ -356,7 +326,7 @@ def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, stra
 
 
 def measure_strain(graph: DeformationGraph, around: VertexNeighbors) -> Doubles:
-    """How much the graph is stretched at each node, float64 [m]: 0 where it only bends; -1 without neighbours."""
+    """Strain of the graph at each node, float64 (m): 0 for pure bending, -1 without neighbors."""
     strains = empty(graph.count, float64, graph.nodes.device)
     launch(measure_strain_kernel, graph.count, [graph, around, strains])
     return strains

@@ -1,9 +1,6 @@
-"""Which place of a surface each point of a bent body should come to, and which points of a surface are its border.
-
-A point takes the nearest point of the surface, unless that is too far, its normal another one's, or on the border: what
-lies beyond the border of a surface that was seen in part would else be pulled onto it. On the border the middle of a
-point's neighbours lies aside of it, along the surface: by 0.42 of how far they reach on a straight border, by 0.1 or so
-inside. 100 operations a point.
+"""Correspondences between a deformed body and a surface, and boundary points of a surface. Pairs are rejected by
+distance, normal, or if on the boundary. On a straight boundary the neighbors' center is offset along the surface by
+0.42 of their radius, inside by about 0.1.
 """
 
 from ..algebra.transform import widen
@@ -15,18 +12,13 @@ from ..search.point_tree import PointTree
 from ..search.tree_search import search_nearest
 from .bending_steps import BendingRows
 
-BORDER = 0.3  # of the reach: between the two
-AROUND = 20  # neighbours; of fewer than half of them nothing is said
+BORDER = 0.3  # of the neighborhood radius: between boundary and interior
+AROUND = 20  # neighbors; points with fewer than half of them are not classified
 
 
 @struct
 class Surface:
-    """What a body is brought to.
-
-    Attributes:
-        points, normals: vec3 [m].
-        borders: 1 where a point lies on the border, int32 [m].
-    """
+    """Target surface: `points`, `normals` vec3 (m); `borders` int32 (m), 1 on the boundary."""
 
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
@@ -38,13 +30,7 @@ class Surface:
 
 @struct
 class PairRule:
-    """Which pairs count.
-
-    Attributes:
-        least_cosine: Of the angle between normals; of either sign where they have no sides.
-        sided: Whether they have.
-        plane_weight, point_weight: What a pair costs.
-    """
+    """Pair options: `least_cosine` between normals, either sign unless `sided`; `plane_weight`, `point_weight`."""
 
     least_cosine: float64
     sided: int
@@ -65,7 +51,7 @@ def find_borders_kernel(
     counts: array(dtype=int32),
     borders: array(dtype=int32),
 ):
-    """1 where the middle of the neighbours lies aside."""
+    """1 if the neighbors' center is offset."""
     i = tid()
     found = 0
     count = counts[i]
@@ -94,7 +80,7 @@ def pair_points_kernel(
     partners: array(dtype=int32),
     distances: array(dtype=float64),
 ):
-    """The partner of each point that has one, its row, and how far off it is; -1 and -1 of the others."""
+    """Partner of each point, its row, and the distance; -1 for none."""
     i = tid()
     partner = key_index(nearest[i])
     kept = 0
@@ -126,7 +112,7 @@ def pair_points_kernel(
 def measure_residuals_kernel(
     moved: array(dtype=vec3), partners: array(dtype=int32), surface: Surface, residuals: array(dtype=float64)
 ):
-    """How far each point lies from its partner's plane; -1 without one."""
+    """Distance of each point from its partner's plane; -1 without one."""
     i = tid()
     residual = float64(-1.0)
     if partners[i] >= 0:
@@ -137,7 +123,6 @@ def measure_residuals_kernel(
 
 @kernel
 def pin_rows_kernel(first: int, targets: array(dtype=vec3d), weight: float64, rows: BendingRows):
-    """The rows of landmarks, which stand behind all others."""
     i = tid()
     rows.targets[first + i] = targets[i]
     rows.normals[first + i] = vec3(0.0, 0.0, 0.0)
@@ -146,7 +131,6 @@ def pin_rows_kernel(first: int, targets: array(dtype=vec3d), weight: float64, ro
 
 
 def find_borders(tree: PointTree, normals: Vectors) -> Integers:
-    """Which points lie on the border of their surface, int32 [n]."""
     near: tuple[Array2[int32], Array2[float32], Integers] = search_nearest(tree, tree.source, AROUND)
     borders = empty(tree.source.size, int32, tree.device)
     launch(find_borders_kernel, borders.size, [tree.source, normals, *near, borders])

@@ -1,1 +1,1 @@
-"""Pictures: points, lines and triangles in a z-buffer, their light and colour, text."""
+"""Rendering: points, lines and triangles in a z-buffer, shading, text."""

@@ -1,15 +1,7 @@
-"""Strokes, shapes and letters painted into a picture.
+"""Strokes, shapes and glyphs in an image.
 
-What is painted together is first covered and then blended. Covering writes to each cell of a sheet how much of it lies
-inside, 0 to 255, by an atomic maximum: strokes that cross do not darken each other, and the outcome is the same in any
-order. Blending mixes the colours in whole numbers and clears the sheet. Distances take
-+ - * / sqrt in float32 alone, so pictures are the same bits on every device.
-
-Centres of cells lie at whole numbers, so a line of 1 pixel along a row of cells fills that row and no other.
-
-A thread takes a stroke and walks along its longer side, some 2 width + 8 cells a step; or a row of a letter; or a cell
-of a shape. Blending reads 4 B a cell and 6 B more where it is covered. Letters come as coverage, from a table of those
-drawn beforehand (app/pictures/lettering.py): no device has to know a font.
+Coverage (0 to 255) is accumulated by atomic maximum, so crossing strokes do not darken, then blended in integers.
+Float32 + - * / sqrt only: bitwise identical on every device. Cell centers are at integers.
 """
 
 import numpy as np
@@ -18,18 +10,12 @@ from ..array_types import Bytes
 from ..lang import array, atomic_max, ceil, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec4
 from ..memory import upload, zeros
 
-FULL = 255  # the coverage of a cell that lies inside
+FULL = 255  # coverage of a cell entirely inside
 
 
 @struct
 class Sheet:
-    """A picture, and how much of its cells is covered.
-
-    Attributes:
-        width, height: Cells.
-        picture: uint8 [3 * height * width]: red, green, blue.
-        words: int32 [height * width]: coverage; 0 between two paintings.
-    """
+    """Image of `width` x `height` cells: `picture` uint8 RGB; coverage `words` int32, 0 between paintings."""
 
     width: int
     height: int
@@ -43,12 +29,7 @@ class Sheet:
 
 @struct
 class Paint:
-    """What covered cells are painted with.
-
-    Attributes:
-        red, green, blue: 0 to 255.
-        opacity: 0 to 255.
-    """
+    """Color and `opacity`, 0 to 255 each."""
 
     red: int
     green: int
@@ -56,20 +37,19 @@ class Paint:
     opacity: int
 
     def __init__(self, color: tuple[int, int, int], opacity: int) -> None:
-        """From bytes (red, green, blue)."""
         self.red, self.green, self.blue = color
         self.opacity = opacity
 
 
 @func
 def share_inside(depth: float) -> float:
-    """How much of a cell lies inside an edge, from the depth [px] of its centre."""
+    """Coverage of a cell whose center is `depth` [px] inside an edge."""
     return min(max(depth + 0.5, 0.0), 1.0)
 
 
 @func
 def cover_cell(column: int, row: int, share: float, sheet: Sheet):
-    """Cover a cell by a share of it. The atomic settles a race: the greatest coverage wins."""
+    """Cover a cell by a fraction (atomic maximum)."""
     coverage = int(share * 255.0 + 0.5)
     if coverage > 0:
         cell = row * sheet.width + column
@@ -79,7 +59,6 @@ def cover_cell(column: int, row: int, share: float, sheet: Sheet):
 
 @func
 def distance_to_segment(p: vec2, a: vec2, b: vec2) -> float:
-    """The distance of a point from a segment, which may be a point."""
     dx = b[0] - a[0]
     dy = b[1] - a[1]
     sqlength = dx * dx + dy * dy
@@ -93,7 +72,7 @@ def distance_to_segment(p: vec2, a: vec2, b: vec2) -> float:
 
 @kernel
 def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: float, sheet: Sheet):
-    """Cover the cells within half a width of a segment; its ends are round."""
+    """Cover the cells within half a width of a segment, with round ends."""
     i = tid()
     s = segments[i]
     a = vec2(s[0], s[1])
@@ -134,7 +113,7 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
 
 @kernel
 def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, atlas: array(dtype=uint8), sheet: Sheet):
-    """Cover the cells of letters, one thread a row of a letter: place in the atlas, width, height, column, row."""
+    """Cover the cells of glyphs, one thread per row: atlas offset, width, height, column, row."""
     i = tid()
     at = 5 * (i // rows)
     line = i % rows
@@ -150,13 +129,12 @@ def cover_glyphs_kernel(glyphs: array(dtype=int32), rows: int, atlas: array(dtyp
 
 @func
 def share_of_span(center: float, low: float, high: float) -> float:
-    """How much of a cell lies between two places along an axis."""
     return min(max(min(center + 0.5, high) - max(center - 0.5, low), 0.0), 1.0)
 
 
 @kernel
 def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4, sheet: Sheet):
-    """Cover the cells between two boxes (left, top, right, bottom), the inner of which may be empty."""
+    """Cover the cells between two boxes (left, top, right, bottom); the inner may be empty."""
     i = tid()
     column = left + i % columns
     row = top + i // columns
@@ -169,13 +147,11 @@ def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4
 
 @func
 def blend_byte(old: uint8, added: int, share: int) -> uint8:
-    """A mixture in whole numbers; the share is of FULL * FULL."""
     return uint8((int(old) * (FULL * FULL - share) + added * share + FULL * FULL // 2) // (FULL * FULL))
 
 
 @func
 def blend_cell(cell: int, coverage: int, paint: Paint, picture: array(dtype=uint8)):
-    """Paint a cell by its coverage."""
     share = coverage * paint.opacity
     picture[3 * cell] = blend_byte(picture[3 * cell], paint.red, share)
     picture[3 * cell + 1] = blend_byte(picture[3 * cell + 1], paint.green, share)
@@ -184,7 +160,6 @@ def blend_cell(cell: int, coverage: int, paint: Paint, picture: array(dtype=uint
 
 @kernel
 def blend_kernel(left: int, top: int, columns: int, paint: Paint, sheet: Sheet):
-    """Paint the covered cells of a box, and clear them."""
     i = tid()
     cell = (top + i // columns) * sheet.width + left + i % columns
     coverage = sheet.words[cell]
@@ -195,7 +170,7 @@ def blend_kernel(left: int, top: int, columns: int, paint: Paint, sheet: Sheet):
 
 @kernel
 def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Paint, sheet: Sheet):
-    """Paint the cells within so many cells of covered ones; the coverage stays."""
+    """Blend the cells within `radius` cells of covered ones; coverage stays."""
     i = tid()
     column = left + i % columns
     row = top + i // columns
@@ -216,7 +191,7 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
 def copy_image_kernel(
     image: array(dtype=uint8), image_width: int, x: int, y: int, left: int, top: int, columns: int, sheet: Sheet
 ):
-    """Copy the cells of a box from an image whose first pixel lies at column x, row y."""
+    """Copy the cells of a box from an image with its first pixel at column x, row y."""
     i = tid()
     column = left + i % columns
     row = top + i // columns
@@ -227,28 +202,21 @@ def copy_image_kernel(
 
 
 def clip_box(sheet: Sheet, left: int, top: int, right: int, bottom: int) -> tuple[int, int, int, int]:
-    """The cells of a box, ends included, that lie on the sheet: (left, top, columns, rows)."""
+    """Clip a box (inclusive) to the sheet: (left, top, columns, rows)."""
     left, top = max(left, 0), max(top, 0)
     columns, rows = min(right, sheet.width - 1) - left + 1, min(bottom, sheet.height - 1) - top + 1
     return left, top, max(columns, 0), max(rows, 0)
 
 
 def cover_segments(sheet: Sheet, segments: np.ndarray, width: float) -> None:
-    """Cover segments, float32 [n, 4] (x, y, x, y) [px]; thinner than a pixel they are fainter."""
+    """Cover segments, float32 (n, 4) (x, y, x, y) [px]; thinner than a pixel they are fainter."""
     half, strength = max(width, 1.0) / 2, min(width, 1.0)
     table = upload(segments, vec4, sheet.words.device)
     launch(cover_segments_kernel, len(segments), [table, float(half), float(strength), sheet])
 
 
 def cover_glyphs(sheet: Sheet, glyphs: np.ndarray, atlas: Bytes) -> None:
-    """Cover letters.
-
-    Args:
-        sheet: The Sheet.
-        glyphs: int32 [n, 5] on the host: where the letter begins in the atlas, its width and height, and the column and
-            row of its first cell.
-        atlas: uint8 device array of coverages, row by row of each letter.
-    """
+    """Cover glyphs, int32 (n, 5) on the host: offset in the coverage `atlas`, width, height, first column and row."""
     rows = int(glyphs[:, 2].max())
     table = upload(glyphs.ravel(), int32, sheet.words.device)
     launch(cover_glyphs_kernel, rows * len(glyphs), [table, rows, atlas, sheet])
@@ -260,24 +228,24 @@ def cover_box(
     outer: tuple[float, float, float, float],
     inner: tuple[int, int, int, int],
 ) -> None:
-    """Cover what lies in a box and outside another, in floats; `box` as of `clip_box`."""
+    """Cover a box minus another, in floats; `box` as of `clip_box`."""
     left, top, columns, rows = box
     launch(cover_box_kernel, columns * rows, [left, top, columns, vec4(*outer), vec4(*inner), sheet])
 
 
 def blend(sheet: Sheet, box: tuple[int, int, int, int], paint: Paint) -> None:
-    """Paint what is covered in a box, and clear it."""
+    """Blend the covered cells in a box, and clear them."""
     left, top, columns, rows = box
     launch(blend_kernel, columns * rows, [left, top, columns, paint, sheet])
 
 
 def blend_halo(sheet: Sheet, box: tuple[int, int, int, int], radius: int, paint: Paint) -> None:
-    """Paint a seam of so many cells around what is covered in a box; the coverage stays."""
+    """Blend a halo of `radius` cells around the covered cells in a box; coverage stays."""
     left, top, columns, rows = box
     launch(blend_halo_kernel, columns * rows, [left, top, columns, radius, paint, sheet])
 
 
 def copy_image(sheet: Sheet, box: tuple[int, int, int, int], image: Bytes, image_width: int, x: int, y: int) -> None:
-    """Copy what an image, uint8 device array of rows of that width, has in a box."""
+    """Copy the box's part of an image, a uint8 device array with rows of that width."""
     left, top, columns, rows = box
     launch(copy_image_kernel, columns * rows, [image, image_width, x, y, left, top, columns, sheet])

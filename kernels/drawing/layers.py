@@ -1,16 +1,8 @@
-"""Layers of a picture, for what is seen through: depth peeling (Everitt, "Interactive order-independent transparency",
-NVIDIA 2001).
+"""Transparency by depth peeling (Everitt, "Interactive order-independent transparency", NVIDIA 2001).
 
-A layer is a z-buffer of what is seen first behind the layer before it and before all that is solid. Words of a z-buffer
-are a strict order of depth and index, so no element is seen in two layers, none is lost among those of equal depth, and
-layers are the same in any order of the threads. One more pass over the triangles a layer; 24 B a cell.
-A cell on the edge of two triangles is drawn in one of them (triangles.py).
-
-Points of a cloud overlap, so its discs are no layers of their own: it is drawn once into a buffer of its own, of which
-each layer takes what lies there.
-
-A picture without a background is found from the same one before black and before white (Smith and Blinn, "Blue screen
-matting", SIGGRAPH 1996, section 5: triangulation), so that letters, drawn later, are in it.
+A layer is a z-buffer of the first elements behind the previous layer and before all solid ones. Words strictly order
+depth and index, so no element is lost or repeated. Point discs overlap, so a cloud is drawn once into its own buffer.
+Images without background are recovered from renderings on black and white (Smith and Blinn, SIGGRAPH 1996, section 5).
 """
 
 from ..array_types import Array1, Bytes
@@ -18,12 +10,12 @@ from ..lang import array, atomic_max, int32, int64, kernel, launch, tid, uint8
 from ..memory import clone, download, empty, full, zeros
 from .z_buffer import DepthBuffer
 
-LAYERS = 16  # what lies behind that many is left out: at 20 % it would add 3 % of the light
+LAYERS = 16  # further layers are skipped: at 20 % opacity they would add 3 % of the light
 
 
 @kernel
 def take_words_kernel(own: DepthBuffer, layer: DepthBuffer):
-    """Keep the nearer of a layer's content and what is in another buffer, if that lies behind the layer before."""
+    """Keep the nearer of a layer's content and another buffer's, if that is behind the previous layer."""
     i = tid()
     word = own.words[i]
     if word > layer.behind[i] and word < layer.words[i]:
@@ -32,16 +24,15 @@ def take_words_kernel(own: DepthBuffer, layer: DepthBuffer):
 
 @kernel
 def find_more_kernel(layer: DepthBuffer, solid: DepthBuffer, found: array(dtype=int32)):
-    """Whether a layer holds anything before what is solid."""
+    """Flag a layer that holds anything before what is solid."""
     i = tid()
     if layer.words[i] != solid.words[i]:
-        # whichever comes first, it is found
-        atomic_max(found, 0, 1)
+        atomic_max(found, 0, 1)  # all writers write 1
 
 
 @kernel
 def join_mattes_kernel(on_black: array(dtype=uint8), on_white: array(dtype=uint8), picture: array(dtype=uint8)):
-    """Colours and opacity of a pixel that is seen before black and before white."""
+    """Color and opacity of a pixel from renderings on black and on white."""
     i = tid()
     gap = 0
     for k in range(3):
@@ -56,7 +47,7 @@ def join_mattes_kernel(on_black: array(dtype=uint8), on_white: array(dtype=uint8
 
 
 def before_all(solid: DepthBuffer) -> Array1[int64]:
-    """Words that lie before every other: what the first layer is behind."""
+    """Words before every other, as the background of the first layer."""
     return full(solid.width * solid.height, -1, int64, solid.words.device)
 
 
@@ -66,19 +57,17 @@ def start_layer(solid: DepthBuffer, behind: Array1[int64]) -> DepthBuffer:
 
 
 def take_words(own: DepthBuffer, layer: DepthBuffer) -> None:
-    """Draw what another buffer holds into a layer."""
     launch(take_words_kernel, layer.words.size, [own, layer])
 
 
 def has_more(layer: DepthBuffer, solid: DepthBuffer) -> bool:
-    """Whether a layer holds anything."""
     found = zeros(1, int32, layer.words.device)
     launch(find_more_kernel, layer.words.size, [layer, solid, found])
     return bool(download(found)[0])  # sync
 
 
 def join_mattes(on_black: Bytes, on_white: Bytes) -> Bytes:
-    """A picture without a background, uint8 [4 * pixels]; its colours are not multiplied by its opacity."""
+    """RGBA without background, uint8 (4 pixels), not premultiplied."""
     picture = empty(on_black.size // 3 * 4, uint8, on_black.device)
     launch(join_mattes_kernel, on_black.size // 3, [on_black, on_white, picture])
     return picture

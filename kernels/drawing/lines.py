@@ -1,9 +1,4 @@
-"""Lines drawn into a z-buffer, so many cells wide, with round ends.
-
-One thread a line is clipped to what the camera sees, then walks along its longer side in the picture: 24 B read a line,
-8 B a cell. The reciprocal of depth is linear in the picture. A line that lies in a surface would lie before it in some
-cells and behind it in others; so lines are drawn a little nearer than they are, by a share of their depth.
-"""
+"""Lines with width and round ends in a z-buffer, drawn slightly nearer so that lines on surfaces stay visible."""
 
 from typing import TYPE_CHECKING
 
@@ -15,18 +10,13 @@ from .z_buffer import NEAR, DepthBuffer, View, project, to_camera
 if TYPE_CHECKING:
     from ..algebra.camera import Camera
 
-LIFT = 2.0e-4  # of the depth that lines are drawn nearer; and ...
-LIFT_SLOPE = 3.0  # ... tangent of the angle to the picture up to which a surface does not cover half of a line's width
+LIFT = 2.0e-4  # fraction of the depth by which lines are drawn nearer; and ...
+LIFT_SLOPE = 3.0  # ... tangent of the surface slope up to which half of a line's width stays visible
 
 
 @struct
 class Pen:
-    """How lines are drawn.
-
-    Attributes:
-        radius: Half the width [cells].
-        closer: What depths are multiplied by.
-    """
+    """Line style: `radius`, half the width [cells]; `closer`, factor of depths."""
 
     radius: float
     closer: float
@@ -38,7 +28,7 @@ class Pen:
 
 @func
 def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
-    """How far a point of the camera's frame lies on the inner side of plane k of what the picture shows."""
+    """Distance of a camera-frame point to the inner side of frustum plane k."""
     inside = q[2] - NEAR
     x = float(view.camera.fx) * q[0] + float(view.camera.cx) * q[2]
     y = float(view.camera.fy) * q[1] + float(view.camera.cy) * q[2]
@@ -55,7 +45,7 @@ def depth_inside(k: int, q: vec3, margin: float, view: View) -> float:
 
 @func
 def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
-    """The shares of a line between which it may be seen (Liang and Barsky 1984); in wrong order for none."""
+    """Visible parameter range of a line (Liang and Barsky 1984); reversed if none."""
     first = 0.0
     last = 1.0
     planes = int(5)
@@ -73,7 +63,7 @@ def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
 
 @func
 def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
-    """Draw a line between projected ends: along columns where it is flat, else along rows."""
+    """Draw a line between projected ends along its longer axis."""
     dx = b[0] - a[0]
     dy = b[1] - a[1]
     is_steep = 0
@@ -126,7 +116,6 @@ def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
 def draw_lines_kernel(
     points: array(dtype=vec3), lines: array(dtype=int32), view: View, pen: Pen, start: int, buffer: DepthBuffer
 ):
-    """Write the depth and index of each line to the cells within half its width."""
     i = tid()
     p = to_camera(points[lines[2 * i]], view)
     q = to_camera(points[lines[2 * i + 1]], view)
@@ -140,14 +129,5 @@ def draw_lines_kernel(
 
 
 def draw_lines(points: Points, lines: Integers, view: View, buffer: DepthBuffer, *, pen: Pen, start: int = 0) -> None:
-    """Draw lines into a z-buffer.
-
-    Args:
-        points: Device array of vec3.
-        lines: int32 [2 m], two points each.
-        view: The View of these points.
-        buffer: The DepthBuffer, of the view's size.
-        pen: The Pen.
-        start: The index of the first line in the buffer.
-    """
+    """Draw lines into a z-buffer. `lines` int32 (2 m), two points each; `start` index of the first line."""
     launch(draw_lines_kernel, lines.size // 2, [points, lines, view, pen, start, buffer])

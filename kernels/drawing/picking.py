@@ -1,17 +1,8 @@
-"""Which of many points a click means, and which of them are seen inside a polygon drawn on the screen.
+"""Picking: the point selected by a click, and the points inside a screen polygon.
 
-A click means the point in front that lies nearest to it. Two passes: the first finds the least depth z0 within the
-reach of the click; the second the least of
-
-    d^2 + (s / STEEPNESS)^2,    s = (z - z0) f / z0
-
-over the points in reach, d being the distance on the screen [px] and s how far the point lies behind the foremost one,
-in lengths that are a pixel wide there. So a point right under the click wins against nearer ones beside it on the same
-surface, up to steep ones, and what lies behind the surface does not. Both passes keep the least of 64-bit words, the
-number's bits above the point's index: the same point in any order of threads, ties to the smaller index.
-
-A thread a point and pass: 12 B read, some 30 operations in float64, so that a view of a large cloud from nearby is
-exact to what the cloud holds. Next to no atomics: only points in reach of the click offer themselves.
+The first pass finds the least depth z0 within the click radius, the second the minimum of d^2 + (s / STEEPNESS)^2 with
+s = (z - z0) f / z0, where d is the screen distance [px] and s the depth behind the foremost point in pixel widths.
+Float64; atomic minima over (number, index) words, ties to the smaller index.
 """
 
 from collections.abc import Sequence
@@ -27,12 +18,12 @@ from ..extent.polygons import crossings_below
 from ..lang import Kernel, array, float64, func, int64, isfinite, kernel, launch, struct, tid, uint8, vec2d, vec3, vec3d
 from ..memory import download, empty, full
 
-STEEPNESS = 10.0  # a surface that rises by this many lengths a length on the screen (84 degrees) still counts as one
+STEEPNESS = 10.0  # maximum slope relative to the screen (84 degrees) of a continuous surface
 
 
 @func
 def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
-    """Column, row and depth of a point; of one that is not before the camera, or not finite, the depth 0."""
+    """Column, row and depth of a point; depth 0 if it is behind the camera or not finite."""
     q = transform_point(widen(p), T_camera_points)
     seen = vec3d(0.0, 0.0, 0.0)
     if isfinite(q) and q[2] > 0.0:
@@ -44,7 +35,7 @@ def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
 
 @func
 def shown(i: int, hidden: array(dtype=uint8)) -> int:
-    """1 unless the point is marked as hidden; no marks at all hide none."""
+    """1 unless the point is hidden; an empty mask hides none."""
     visible = 1
     if hidden.shape[0] > 0:
         if int(hidden[i]) != 0:
@@ -54,13 +45,7 @@ def shown(i: int, hidden: array(dtype=uint8)) -> int:
 
 @struct
 class Click:
-    """Where the user clicked, and what may be meant.
-
-    Attributes:
-        place: Column and row [px].
-        sqradius: How far from it a point may be seen, squared [px^2].
-        hidden: uint8 [n], not 0 where a point is hidden; empty where none is.
-    """
+    """Click position `place` [px], squared radius `sqradius` [px^2], and `hidden` uint8 (n), empty for none."""
 
     place: vec2d
     sqradius: float64
@@ -72,7 +57,7 @@ class Click:
 
 @func
 def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
-    """How far from the click a seen point lies, squared [px^2]; -1 where it cannot be meant."""
+    """Squared distance [px^2] from the click of a visible point; -1 if it cannot be selected."""
     found = float64(-1.0)
     if p[2] > 0.0:
         x = p[0] - click.place[0]
@@ -88,7 +73,7 @@ def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
 def find_foremost_kernel(
     points: array(dtype=vec3), T_camera_points: Transform, camera: Camera, click: Click, word: array(dtype=int64)
 ):
-    """Keep the least depth within the radius of the click; the atomic of offer_cell settles who comes first."""
+    """Least depth within the radius of the click (atomic minimum)."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
     if sqdist_to_click(i, p, click) >= 0.0:
@@ -104,7 +89,7 @@ def find_meant_kernel(
     foremost: float64,
     word: array(dtype=int64),
 ):
-    """Keep the point that the click means, given the least depth."""
+    """Select the point of the click, given the least depth."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
     sqdist = sqdist_to_click(i, p, click)
@@ -121,7 +106,7 @@ def mask_seen_kernel(
     corners: array(dtype=vec2d),
     mask: array(dtype=uint8),
 ):
-    """1 where a point before the camera is seen inside the polygon, by the even-odd rule."""
+    """1 for points before the camera inside the polygon, by the even-odd rule."""
     i = tid()
     p = see_point(points[i], T_camera_points, camera)
     inside = 0
@@ -140,7 +125,7 @@ def mask_clipped_kernel(
     offset: float64,
     mask: array(dtype=uint8),
 ):
-    """1 for a point outside a box, behind a plane, or not finite."""
+    """1 for points outside a box, behind a plane, or not finite."""
     i = tid()
     p = transform_point(widen(points[i]), T_world_points)
     outside = 1
@@ -153,7 +138,7 @@ def mask_clipped_kernel(
 
 
 def _least(kernel_of_pass: Kernel, points: Points, arguments: Sequence[Any]) -> tuple[float, int] | None:
-    """The least word that a pass finds, as (number, index), or None; 1 sync."""
+    """The least (number, index) of a pass, or None; one sync."""
     word = full(1, NO_KEY, int64, points.device)
     launch(kernel_of_pass, points.size, [points, *arguments, word])
     found = download(word)  # sync
@@ -170,19 +155,7 @@ def find_foremost(
     radius: float,
     hidden: Mask | None = None,
 ) -> float | None:
-    """The least depth [m] of the points seen within a radius of a click.
-
-    Args:
-        points: Device array of vec3 [m].
-        T_camera_points: float64 [4, 4], any affine map from the points' coordinates to the camera's.
-        camera: A Camera, or what has its attributes.
-        click: Column and row [px].
-        radius: [px].
-        hidden: uint8 [n] on the device, not 0 where a point is hidden; None hides none.
-
-    Returns:
-        The depth, or None where no point is in reach.
-    """
+    """Least depth [m] of the points within `radius` [px] of a click, or None; any affine `T_camera_points`."""
     found = _least(find_foremost_kernel, points, _click(points, T_camera_points, camera, click, radius, hidden))
     return None if found is None else found[0]
 
@@ -196,15 +169,7 @@ def find_meant(
     foremost: float,
     hidden: Mask | None = None,
 ) -> tuple[float, int] | None:
-    """The point that a click means.
-
-    Args:
-        points, T_camera_points, camera, click, radius, hidden: As of `find_foremost`.
-        foremost: What it found, or the least of what it found for several clouds.
-
-    Returns:
-        (cost [px^2], index), the less the better, to compare among clouds; None where no point is in reach.
-    """
+    """The selected point (cost [px^2], index), or None; `foremost` is the least `find_foremost` over the clouds."""
     given = _click(points, T_camera_points, camera, click, radius, hidden)
     return _least(find_meant_kernel, points, [*given, float(foremost)])
 
@@ -222,15 +187,7 @@ def _click(
 
 
 def mask_seen(points: Points, T_camera_points: np.ndarray, camera: CameraLike, corners: Array1[vec2d]) -> Mask:
-    """Mark the points that are seen inside a polygon on the screen.
-
-    Args:
-        points, T_camera_points, camera: As of `find_foremost`.
-        corners: Device array of vec2d [px].
-
-    Returns:
-        uint8 device array of shape [n].
-    """
+    """Mask, uint8 (n), of points inside a screen polygon with `corners` vec2d [px]."""
     mask = empty(points.size, uint8, points.device)
     launch(mask_seen_kernel, points.size, [points, Transform(T_camera_points), camera, corners, mask])
     return mask
@@ -239,18 +196,7 @@ def mask_seen(points: Points, T_camera_points: np.ndarray, camera: CameraLike, c
 def mask_clipped(
     points: Points, T_world_points: np.ndarray, low: np.ndarray, high: np.ndarray, normal: np.ndarray, offset: float
 ) -> Mask:
-    """Mark the points that clip planes hide.
-
-    Args:
-        points: Device array of vec3 [m].
-        T_world_points: float64 [4, 4], from the points' coordinates to the world's.
-        low, high: float64 [3], the ends of the box; may be infinite.
-        normal: float64 [3], of the plane; zeros with an offset of -inf hide nothing.
-        offset: What lies along the normal at less than this is hidden.
-
-    Returns:
-        uint8 device array of shape [n].
-    """
+    """Mask, uint8 (n), of points hidden by clip planes: outside `low`..`high`, or below `offset` along `normal`."""
     mask = empty(points.size, uint8, points.device)
     ends = [vec3d(*low), vec3d(*high), vec3d(*normal), float(offset)]
     launch(mask_clipped_kernel, points.size, [points, Transform(T_world_points), *ends, mask])

@@ -1,8 +1,4 @@
-"""What pictures ask of positions before anything is drawn: how far they reach along directions, their normals as lines,
-and the same positions about another origin.
-
-One thread a point, but for the extremes, where a thread takes a run and settles it by atomics on whole numbers.
-"""
+"""Preparation of positions for rendering: extents along directions, normals as lines, changes of origin."""
 
 import numpy as np
 
@@ -20,7 +16,6 @@ DIRECTIONS = 5  # of `find_extremes`
 def find_extremes_kernel(
     points: array(dtype=vec3), directions: array(dtype=vec3), runs: Runs, extremes: array(dtype=int32)
 ):
-    """How far the finite points of a thread reach along five directions."""
     i = tid()
     d0 = directions[0]
     d1 = directions[1]
@@ -41,13 +36,12 @@ def find_extremes_kernel(
             most3 = max(most3, dot(p, d3))
             most4 = max(most4, dot(p, d4))
     if most0 > -float(INFINITY):
-        # whichever thread comes first, the largest stays
         first = row_of(i, runs) * DIRECTIONS
-        atomic_max(extremes, first, ordered_bits(most0))
-        atomic_max(extremes, first + 1, ordered_bits(most1))
-        atomic_max(extremes, first + 2, ordered_bits(most2))
-        atomic_max(extremes, first + 3, ordered_bits(most3))
-        atomic_max(extremes, first + 4, ordered_bits(most4))
+        atomic_max(extremes, first, ordered_bits(most0))  # maximum: order-independent
+        atomic_max(extremes, first + 1, ordered_bits(most1))  # maximum: order-independent
+        atomic_max(extremes, first + 2, ordered_bits(most2))  # maximum: order-independent
+        atomic_max(extremes, first + 3, ordered_bits(most3))  # maximum: order-independent
+        atomic_max(extremes, first + 4, ordered_bits(most4))  # maximum: order-independent
 
 
 @kernel
@@ -58,7 +52,6 @@ def make_normal_lines_kernel(
     ends: array(dtype=vec3),
     lines: array(dtype=int32),
 ):
-    """A line of a size from each point along its normal."""
     i = tid()
     p = points[i]
     n = normals[i]
@@ -80,18 +73,12 @@ def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, start: i
 
 @kernel
 def shift_indices_kernel(indices: array(dtype=int32), step: int, start: int, out: array(dtype=int32)):
-    """out[start + i] = indices[i] + step."""
     i = tid()
     out[start + i] = indices[i] + step
 
 
 def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
-    """How far the finite points, one at least, reach along directions: the largest products, float64 [5] on the host.
-
-    Args:
-        points: Device array of vec3.
-        directions: Device array of vec3 [5].
-    """
+    """Largest products of the finite points (at least one) with directions vec3 (5): float64 (5) on the host."""
     runs = Runs(points.size, points.device, RUN)
     extremes = full(runs.rows * DIRECTIONS, NOTHING, int32, points.device)
     launch(find_extremes_kernel, runs.threads, [points, directions, runs, extremes])
@@ -100,17 +87,17 @@ def find_extremes(points: Points, directions: Vectors) -> np.ndarray:
 
 
 def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Points, Indices]:
-    """Lines from points along their normals: (vec3 [2 n], int32 [2 n])."""
+    """Lines from points along their normals: (vec3 (2 n), int32 (2 n))."""
     ends, lines = empty(2 * points.size, vec3, points.device), empty(2 * points.size, int32, points.device)
     launch(make_normal_lines_kernel, points.size, [points, normals, float(size), ends, lines])
     return ends, lines
 
 
 def place_points(points: Points, A: np.ndarray, t: np.ndarray, out: Vectors, start: int) -> None:
-    """Write A p + t for all points to an array, from a place on; A [3, 3] and t [3] in float64."""
+    """Write A p + t for all points from `start` on; A (3, 3) and t (3) in float64."""
     launch(place_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
 
 
 def shift_indices(indices: Indices, step: int, out: Integers, start: int) -> None:
-    """Write indices plus a step to an array, from a place on."""
+    """Write indices plus a step to an array from `start` on."""
     launch(shift_indices_kernel, indices.size, [indices, step, start, out])

@@ -1,10 +1,5 @@
-"""A mesh straight from above: the triangle seen at each cell's centre of a grid, its height and its colour.
-
-One thread a cell and a ray down, whose first triangle is the highest there (rays/ray_hits.py). The height is that of
-the triangle at the ray, in float64 from its stored corners, and not the ray's parameter, whose float32 would count from
-above everything. Cells that see nothing are NaN in height and nothing in alpha: no cell is made of its neighbours.
-
-Between the walks 16 B a cell lie on the device, of a strip of rows at a time; 8 B of it come to the host.
+"""Orthographic top view of a mesh: triangle, height and color at each cell center, by vertical rays. Heights are
+float64 from the stored corners. Empty cells are NaN in height and 0 in alpha. Processed in strips of rows.
 """
 
 from ..algebra.transform import widen
@@ -40,14 +35,7 @@ OPAQUE = 255
 
 @struct
 class PlanCells:
-    """A grid of square cells, row by row from its high y.
-
-    Attributes:
-        left, top: Its low x and high y, about the origin of the vertices [m].
-        cell: The side of a cell [m].
-        columns: Cells in a row.
-        above: Where rays begin: no vertex is higher.
-    """
+    """Square cells, row by row from the high y; `left`, `top` about the origin, `cell`, ray start `above` [m]."""
 
     left: float64
     top: float64
@@ -61,12 +49,7 @@ class PlanCells:
 
 @struct
 class SeenTriangles:
-    """What cells see.
-
-    Attributes:
-        triangles: int32, NO_ID for nothing.
-        weights: vec2, of the triangle's second and third corner.
-    """
+    """Visible `triangles` int32 (NO_ID for none) and `weights` vec2 of the second and third corner."""
 
     triangles: array(dtype=int32)
     weights: array(dtype=vec2)
@@ -77,7 +60,6 @@ class SeenTriangles:
 
 @kernel
 def look_down_kernel(cells: PlanCells, first_row: int, trees: SceneTrees, seen: SeenTriangles):
-    """The highest triangle at the centre of each cell, from a row on."""
     i = tid()
     row = first_row + i // cells.columns
     column = i % cells.columns
@@ -100,7 +82,7 @@ def measure_heights_kernel(
     origin: float64,
     heights: array(dtype=float32),
 ):
-    """The height of what each cell sees; NaN of nothing."""
+    """Height seen by each cell; NaN for none."""
     i = tid()
     height = float(NAN)
     if seen.triangles[i] >= 0:
@@ -117,7 +99,7 @@ def measure_heights_kernel(
 def color_cells_kernel(
     seen: SeenTriangles, surface: Surface, materials: array(dtype=int32), number: int, colors: array(dtype=uint8)
 ):
-    """Red, green, blue and an alpha of 255 of the cells that see a triangle of a material; the others stay."""
+    """RGBA with alpha 255 for cells that see a triangle of a material; others stay."""
     i = tid()
     triangle = seen.triangles[i]
     wanted = 0
@@ -134,7 +116,6 @@ def color_cells_kernel(
 
 
 def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) -> SeenTriangles:
-    """What the cells of some rows see."""
     count = rows * cells.columns
     seen = SeenTriangles(count, trees.device)
     launch(look_down_kernel, count, [cells, first_row, trees, seen])
@@ -142,20 +123,14 @@ def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) ->
 
 
 def heights_of(seen: SeenTriangles, vertices: Points, triangles: Array1[vec3i], origin: float) -> Scalars:
-    """The heights of what is seen, float32 [n], of vertices about an origin of that height; NaN of nothing."""
+    """Heights, float32 (n), of vertices about an origin; NaN for none."""
     heights = empty(seen.triangles.size, float32, vertices.device)
     launch(measure_heights_kernel, heights.size, [seen, vertices, triangles, origin, heights])
     return heights
 
 
 def colors_of(seen: SeenTriangles, surfaces: list[tuple[int, Surface]], materials: Indices | Integers) -> Bytes:
-    """The colours of what is seen, uint8 [4 n], red, green, blue and alpha.
-
-    Args:
-        seen: What is seen.
-        surfaces: Numbers of materials, and the look of the triangles that have it; a negative number for all.
-        materials: int32, the number of each triangle; of any size where all have one look.
-    """
+    """Colors seen, uint8 (4 n) RGBA. `surfaces`: (material number or negative for all, appearance) pairs."""
     device, count = seen.triangles.device, seen.triangles.size
     colors = zeros(CHANNELS * count, uint8, device)
     for number, surface in surfaces:

@@ -1,10 +1,5 @@
-"""Points drawn into a z-buffer as round splats.
-
-Few points: one thread a point visits the cells of its disc. Many: each point goes to the cell of its middle alone, in
-a buffer of its own (12 B read a point, 8 B of one cell), and only the point that is foremost there is drawn as a disc.
-The points left out lie behind a disc of the same or a larger size whose middle is in the same cell, so that at most a
-sliver of a cell's width is lost; 20 points a cell then cost little more than one. A thread a cell draws these discs, so
-that threads side by side write side by side.
+"""Points as round splats in a z-buffer. With many points, only the foremost point per center cell is drawn as a disc,
+at a loss of at most a sliver of a cell, so 20 points per cell cost little more than one.
 """
 
 import numpy as np
@@ -31,23 +26,17 @@ from ..lang import (
 from ..memory import download, full, zeros
 from .z_buffer import DepthBuffer, View, is_before, project, to_camera
 
-MOST_RADIUS = 512.0  # [cells] of a disc: a point right before the camera does not take the time of all others
-FEW_POINTS = 0.03125  # points a cell up to which each draws its own disc
-SAMPLE = 1 << 18  # points that are looked at for a size that closes gaps
-SQUARE = 32  # [cells] side of the squares that are counted in
-LAYER = 1.04  # of the nearest depth in a square: what lies farther back belongs to another surface
-FAR_BITS = 0x7F7F_FFFF  # of the largest float32
+MOST_RADIUS = 512.0  # [cells] limits the time of a disc right in front of the camera
+FEW_POINTS = 0.03125  # points per cell up to which each draws its own disc
+SAMPLE = 1 << 18  # points sampled to find the size that closes gaps
+SQUARE = 32  # [cells] side of the counting squares
+LAYER = 1.04  # of the nearest depth in a square: farther points belong to another surface
+FAR_BITS = 0x7F7F_FFFF  # bits of the largest float32
 
 
 @struct
 class Splat:
-    """The size of discs [cells]: reach / depth, within bounds.
-
-    Attributes:
-        radius: The least.
-        reach: [cells x units of depth].
-        most: The most.
-    """
+    """Disc size [cells]: `reach` / depth, clamped to `radius`..`most`."""
 
     radius: float
     reach: float
@@ -59,13 +48,12 @@ class Splat:
 
 @func
 def radius_at(depth: float, splat: Splat) -> float:
-    """The radius of a disc [cells]."""
     return min(max(splat.radius, splat.reach / depth), splat.most)
 
 
 @func
 def draw_disc(x: float, y: float, depth: float, index: int, splat: Splat, buffer: DepthBuffer):
-    """Offer a disc's cells, the one of its middle in any case."""
+    """Draw a disc's cells, always including the center cell."""
     radius = radius_at(depth, splat)
     middle_column = int(floor(x + 0.5))
     middle_row = int(floor(y + 0.5))
@@ -83,7 +71,7 @@ def draw_disc(x: float, y: float, depth: float, index: int, splat: Splat, buffer
 
 @func
 def is_near_picture(p: vec3, reach: float, buffer: DepthBuffer) -> int:
-    """1 for a projected point whose disc may touch the picture."""
+    """1 for a projected point whose disc may touch the image."""
     near = 0
     if p[0] > -reach - 1.0 and p[1] > -reach - 1.0:
         if p[0] < float(buffer.width) + reach and p[1] < float(buffer.height) + reach:
@@ -93,7 +81,6 @@ def is_near_picture(p: vec3, reach: float, buffer: DepthBuffer) -> int:
 
 @kernel
 def draw_points_kernel(points: array(dtype=vec3), view: View, splat: Splat, start: int, buffer: DepthBuffer):
-    """Write the depth and index of each point to the cells of its disc."""
     i = tid()
     q = to_camera(points[i], view)
     if is_before(q) == 1:
@@ -104,7 +91,6 @@ def draw_points_kernel(points: array(dtype=vec3), view: View, splat: Splat, star
 
 @kernel
 def mark_middles_kernel(points: array(dtype=vec3), view: View, start: int, middles: DepthBuffer):
-    """Write the depth and index of each point to the cell of its middle."""
     i = tid()
     q = to_camera(points[i], view)
     if is_before(q) == 1:
@@ -117,7 +103,7 @@ def mark_middles_kernel(points: array(dtype=vec3), view: View, start: int, middl
 
 @kernel
 def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffer):
-    """Draw the discs of the points that are foremost in the cells of their middles, around these cells."""
+    """Draw the discs of the foremost points around their center cells."""
     i = tid()
     word = middles.words[i]
     if word != int64(NO_KEY):
@@ -131,12 +117,12 @@ def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffe
             line = other * buffer.width
             for place in range(max(column - half, 0), min(column + half + 1, buffer.width)):
                 if word < buffer.words[line + place]:
-                    atomic_min(buffer.words, line + place, word)  # the least stays, in any order
+                    atomic_min(buffer.words, line + place, word)  # minimum: order-independent
 
 
 @func
 def square_of(q: vec3, view: View) -> int:
-    """The square of the picture that a point of the camera's frame is seen in, or -1."""
+    """Image square of a camera-frame point, or -1."""
     square = -1
     if is_before(q) == 1:
         p = project(q, view)
@@ -149,44 +135,34 @@ def square_of(q: vec3, view: View) -> int:
 
 @kernel
 def find_nearest_kernel(points: array(dtype=vec3), stride: int, view: View, nearest: array(dtype=int32)):
-    """The bits of the least depth in each square of the picture, of every so-many-th point."""
+    """Least depth bits in each square, over every `stride`-th point."""
     i = tid()
     q = to_camera(points[i * stride], view)
     square = square_of(q, view)
     if square >= 0:
-        # whichever comes first, the least stays
-        atomic_min(nearest, square, float_bits(q[2]))
+        atomic_min(nearest, square, float_bits(q[2]))  # minimum: order-independent
 
 
 @kernel
 def count_in_squares_kernel(
     points: array(dtype=vec3), stride: int, view: View, nearest: array(dtype=int32), counts: array(dtype=int32)
 ):
-    """Count every so-many-th point in its square, where it is hardly behind the nearest there."""
+    """Count every `stride`-th point in its square if it is near the foremost depth."""
     i = tid()
     q = to_camera(points[i * stride], view)
     square = square_of(q, view)
     if square >= 0:
         if q[2] <= LAYER * bits_float(nearest[square]):
-            # whole numbers: the sum is the same in any order
-            atomic_add(counts, square, 1)
+            atomic_add(counts, square, 1)  # integer sum: order-independent
 
 
 def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat, start: int = 0) -> None:
-    """Draw points as discs into a z-buffer.
-
-    Args:
-        points: Device array of vec3; what is not finite or behind the camera is left out.
-        view: The View of these points.
-        buffer: The DepthBuffer, of the view's size.
-        splat: The Splat.
-        start: The index of the first point in the buffer.
-    """
+    """Draw points as discs into a z-buffer, if finite and before the camera; `start` is the first index."""
     cells = buffer.width * buffer.height
     if points.size <= FEW_POINTS * cells:
         launch(draw_points_kernel, points.size, [points, view, splat, start, buffer])
         return
-    if splat.reach == 0 and splat.radius <= 0.5:  # [cells] a disc is its middle
+    if splat.reach == 0 and splat.radius <= 0.5:  # [cells] the disc is its center cell
         launch(mark_middles_kernel, points.size, [points, view, start, buffer])
         return
     middles = DepthBuffer(buffer.width, buffer.height, points.device)
@@ -195,11 +171,7 @@ def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat
 
 
 def count_in_squares(points: Points, view: View) -> tuple[np.ndarray, np.ndarray]:
-    """About how many points of the foremost layer lie in each square of SQUARE x SQUARE cells of the picture.
-
-    Returns:
-        (counts, depths): float64 on the host, of squares that have any, and the least depth in each. Two syncs.
-    """
+    """Counts of foremost points (estimated) and least depths of occupied squares: float64 on the host. Two syncs."""
     squares = -(-view.camera.width // SQUARE) * -(-view.camera.height // SQUARE)
     counts = zeros(squares, int32, points.device)
     nearest = full(squares, FAR_BITS, int32, points.device)

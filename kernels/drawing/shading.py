@@ -1,16 +1,9 @@
-"""From a z-buffer to a picture: colours, light, and the mean over the cells of each pixel.
+"""Shading: from z-buffer to image.
 
-A pixel is the mean of its `SAMPLES` x `SAMPLES` cells. Each part of a scene adds the colours of its cells to an array
-of light, one thread a pixel of the rectangle that the part lies in, one part after the other; what is left is
-background. Reads 8 B a cell and what the element seen there holds; cells of a pixel that show the same element are lit
-once. One lamp is at the camera and one above left of it, by Lambert's cosine, and a share of the light comes from
-everywhere.
-
-Points without normals get their relief from the depths around them: eye-dome lighting (Boucheny, thesis, Grenoble
-2009, chapter 4), a cell being the darker the more its neighbours lie before it. Edges of triangles are drawn by the
-distance from them in the picture (Baerentzen et al., "Single-pass wireframe rendering", SIGGRAPH 2006).
-
-Only + - * / and sqrt are used, so that pictures have the same bits everywhere.
+A pixel averages `SAMPLES` x `SAMPLES` cells. Each scene part adds its colors to a light array; the rest is background.
+A headlight, a lamp above left (Lambert), and ambient light. Points without normals use eye-dome lighting (Boucheny,
+thesis, Grenoble 2009, chapter 4). Triangle edges by image distance (Baerentzen et al., "Single-pass wireframe
+rendering", SIGGRAPH 2006). Only + - * / and sqrt: bitwise identical everywhere.
 """
 
 from ..array_types import Bytes, Scalars, Vectors
@@ -19,25 +12,19 @@ from ..lang import array, dot, float32, func, int64, kernel, launch, length, loo
 from ..memory import empty, zeros
 from .z_buffer import DepthBuffer, View, ray_through
 
-SAMPLES = 2  # cells a pixel and axis
+SAMPLES = 2  # cells per pixel and axis
 AMBIENT = 0.34
 HEADLIGHT = 0.36
 KEYLIGHT = 0.38
-KEY_X, KEY_Y, KEY_Z = 0.45, 0.65, 0.612  # away from the lamp above left, in the camera's frame: x right, y down
-RELIEF = 45.0  # strength of eye-dome lighting, of the logarithm of the depth
-RELIEF_LIMIT = 0.025  # ... of which a neighbour counts at most this much, so that outlines stay grey
+KEY_X, KEY_Y, KEY_Z = 0.45, 0.65, 0.612  # lamp above left, in the camera frame: x right, y down
+RELIEF = 45.0  # strength of eye-dome lighting, per logarithm of depth
+RELIEF_LIMIT = 0.025  # ... maximum contribution of a neighbor, so that outlines stay gray
 RELIEF_REACH = 3  # [cells]
 
 
 @struct
 class Region:
-    """The elements of a part and the rectangle of the picture that they lie in.
-
-    Attributes:
-        start, stop: The indices of the part in the z-buffer.
-        left, top: The first column and row [px].
-        wide: Columns of the rectangle.
-    """
+    """Indices `start`..`stop` of a part in the z-buffer, and its rectangle: `left`, `top`, `wide` columns [px]."""
 
     start: int
     stop: int
@@ -46,7 +33,7 @@ class Region:
     wide: int
 
     def __init__(self, start: int, stop: int, rectangle: tuple[int, int, int, int]) -> None:
-        """Of a rectangle (left, top, right, bottom) [px], right and bottom not in it."""
+        """From a rectangle (left, top, right, bottom) [px], right and bottom exclusive."""
         left, top, right, bottom = rectangle
         self.start, self.stop, self.left, self.top, self.wide = start, stop, left, top, max(right - left, 0)
         self.pixels = self.wide * max(bottom - top, 0)
@@ -54,15 +41,7 @@ class Region:
 
 @struct
 class Veil:
-    """How much of the light of a part reaches the camera where others lie before it that are seen through.
-
-    Parts are shaded from the front to the back, so that a cell's share is that of all before it.
-
-    Attributes:
-        opacity: Of the part, 0 to 1.
-        left: float [cells]: the share that has come past what was shaded so far; of size 0 where nothing is seen
-            through.
-    """
+    """Transparency: `opacity` 0 to 1; `left` (cells), light left by the parts in front, empty if all is opaque."""
 
     opacity: float
     left: array(dtype=float)
@@ -73,7 +52,7 @@ class Veil:
 
 @func
 def seen_share(cell: int, veil: Veil) -> float:
-    """The share of a part's light that a cell shows; what lies behind gets that much less."""
+    """Fraction of a part's light that a cell shows; reduces the remainder."""
     share = 1.0
     if veil.left.shape[0] > 0:
         left = veil.left[cell]
@@ -84,11 +63,7 @@ def seen_share(cell: int, veil: Veil) -> float:
 
 @func
 def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
-    """The light on a surface, both sides of which are lit: from the camera, from above left of it, from everywhere.
-
-    The normal counts to the side that `facing` points to, away from the camera; so a smooth surface darkens up to its
-    outline.
-    """
+    """Two-sided light: headlight, lamp and ambient. The normal is oriented along `facing`, away from the camera."""
     size = length(normal)
     reach = length(ray)
     cosine = 0.5
@@ -104,28 +79,28 @@ def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
 
 @func
 def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
-    """The share of light that reaches a cell past its neighbours, as far as they show elements below an index."""
+    """Eye-dome factor of a cell from neighbors with elements below an index."""
     depth = key_number(buffer.words[cell])
     hidden = 0.0
     middle_column = cell % buffer.width
     middle_row = cell // buffer.width
     for k in range(8):
-        place = k + k // 4  # the 8 cells around the middle of a square of 9
+        place = k + k // 4  # the 8 cells around the center of a 3 x 3 square
         column = middle_column + (place % 3 - 1) * RELIEF_REACH
         row = middle_row + (place // 3 - 1) * RELIEF_REACH
         if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
             word = buffer.words[row * buffer.width + column]
             if word != int64(NO_KEY) and key_index(word) < stop:
                 other = key_number(word)
-                rise = 2.0 * (depth - other) / (depth + other)  # the difference of logarithms but for its cube
+                rise = 2.0 * (depth - other) / (depth + other)  # difference of logarithms to third order
                 hidden = hidden + min(max(rise, 0.0), RELIEF_LIMIT)
     x = RELIEF * hidden * 0.125
-    return 1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * 0.041666667))))  # exp(-x) to 1 %: x is below 1.13
+    return 1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * 0.041666667))))  # exp(-x) to 1 % for x below 1.13
 
 
 @func
 def clamp_color(color: vec3) -> vec3:
-    """A colour within 0..1; of what is not a number, 0."""
+    """Color clamped to 0..1; NaN becomes 0."""
     r = min(max(color[0], 0.0), 1.0)
     g = min(max(color[1], 0.0), 1.0)
     b = min(max(color[2], 0.0), 1.0)
@@ -134,19 +109,16 @@ def clamp_color(color: vec3) -> vec3:
 
 @func
 def color_byte(value: float) -> uint8:
-    """A share of 255, rounded."""
     return uint8(int(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
 
 @func
 def pixel_of(i: int, region: Region, buffer: DepthBuffer) -> int:
-    """The pixel of a thread."""
     return (region.top + i // region.wide) * (buffer.width // SAMPLES) + region.left + i % region.wide
 
 
 @loop
 def cells_of(pixel: int, buffer: DepthBuffer) -> int:
-    """The cells of a pixel of the picture."""
     columns = buffer.width // SAMPLES
     first = (pixel // columns) * SAMPLES * buffer.width + (pixel % columns) * SAMPLES
     for k in range(SAMPLES * SAMPLES):
@@ -156,7 +128,6 @@ def cells_of(pixel: int, buffer: DepthBuffer) -> int:
 
 @func
 def element_at(cell: int, region: Region, buffer: DepthBuffer) -> int:
-    """The element of a part that a cell shows, or -1."""
     element = -1
     word = buffer.words[cell]
     if word != int64(NO_KEY):
@@ -181,7 +152,7 @@ def shade_points_kernel(
     veil: Veil,
     light: array(dtype=vec3),
 ):
-    """Add the colours of the cells that show points; what is around them in another buffer shades them."""
+    """Add the colors of cells that show points, shaded by the cells around them."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
@@ -214,7 +185,6 @@ def shade_points_kernel(
 def shade_lines_kernel(
     buffer: DepthBuffer, region: Region, colors: array(dtype=vec3), plain: vec3, veil: Veil, light: array(dtype=vec3)
 ):
-    """Add the colours of the cells that show lines."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
     total = vec3(0.0, 0.0, 0.0)
@@ -236,7 +206,6 @@ def finish_picture_kernel(
     background: vec3,
     picture: array(dtype=uint8),
 ):
-    """The mean over the cells of each pixel, the background in those where nothing is seen."""
     i = tid()
     total = light[i]
     for cell in cells_of(i, buffer):
@@ -254,7 +223,7 @@ def finish_picture_kernel(
 def read_depth_kernel(
     buffer: DepthBuffer, unit: float, first_line: int, last_line: int, closer: float, depths: array(dtype=float)
 ):
-    """The depth of each pixel: of the cells within 1 % of the nearest, the harmonic mean; 0 where nothing is seen."""
+    """Depth of each pixel: harmonic mean of cells within 1 % of the nearest; 0 if empty."""
     i = tid()
     nearest = int64(NO_KEY)
     for cell in cells_of(i, buffer):
@@ -277,7 +246,7 @@ def read_depth_kernel(
 
 
 def start_light(buffer: DepthBuffer) -> Vectors:
-    """The array that parts add their light to: vec3 [pixels]."""
+    """Light array of all parts: vec3 (pixels)."""
     return zeros((buffer.width // SAMPLES) * (buffer.height // SAMPLES), vec3, buffer.words.device)
 
 
@@ -296,19 +265,8 @@ def shade_points(
     around: DepthBuffer,
     veil: Veil,
 ) -> None:
-    """Add the light of points.
-
-    Args:
-        buffer, view: As of `draw_points`; the size is a multiple of SAMPLES.
-        region: The Region of the points.
-        light: As of `start_light`.
-        colors, normals: vec3, one a point, or of size 0.
-        plain: The colour of points that have none.
-        shaded: Whether light falls at an angle; where it does not, what lies behind its neighbours is darker.
-        lit: Whether it falls on normals.
-        last_point: The index behind that of the last point of all, which alone cast such shades.
-        around: The buffer in which they lie; that of a cloud alone where it is seen through.
-        veil: What is before them.
+    """Add the light of points. Unless `shaded`, eye-dome lighting is used, cast by points up to `last_point` in the
+    buffer `around` (a transparent cloud has its own). `lit`: use normals.
     """
     lit = shaded and lit and normals.size > 0
     look = [colors, normals, plain, int(lit), int(shaded and not lit), last_point, around, veil]
@@ -318,28 +276,18 @@ def shade_points(
 def shade_lines(
     buffer: DepthBuffer, region: Region, light: Vectors, *, colors: Vectors, plain: vec3, veil: Veil
 ) -> None:
-    """Add the light of lines, each in its colour, or a plain one, behind a veil."""
     launch(shade_lines_kernel, region.pixels, [buffer, region, colors, plain, veil, light])
 
 
 def finish_picture(buffer: DepthBuffer, light: Vectors, left: Scalars, background: vec3) -> Bytes:
-    """The picture, uint8 [3 * pixels] on the device, of the light of all parts before a background.
-
-    Args:
-        buffer, light: As of `shade_points`.
-        left: As of a `Veil`.
-        background: Red, green and blue.
-    """
+    """Final image, uint8 (3 pixels), of the light before a background (RGB); `left` as of a `Veil`."""
     picture = empty(3 * light.size, uint8, light.device)
     launch(finish_picture_kernel, light.size, [buffer, light, left, background, picture])
     return picture
 
 
 def read_depth(buffer: DepthBuffer, unit: float, *, lines: tuple[int, int] = (0, 0), closer: float = 1.0) -> Scalars:
-    """The depth of each pixel, float32 [pixels] on the device: in units of the z-buffer times a unit [m].
-
-    Lines with indices in a range are as far as they are, not as they were drawn.
-    """
+    """Depth per pixel, float32 (pixels), times a unit [m]. Lines in an index range get their true depth."""
     depths = empty((buffer.width // SAMPLES) * (buffer.height // SAMPLES), float32, buffer.words.device)
     launch(read_depth_kernel, depths.size, [buffer, float(unit), *lines, float(closer), depths])
     return depths

@@ -1,34 +1,19 @@
-"""The light of triangles: colours of vertices or of a texture, smooth or flat shading, edges.
-
-One thread a pixel; reads the triangle seen in each of its cells: 12 B of corners, 36 B of vertices, and as much
-again of their colours and normals each. Where all cells show one triangle, and there is no texture, it is lit once, in
-the middle of the pixel.
-"""
+"""Shading of triangles: vertex colors or texture, smooth or flat normals, edges."""
 
 from ..array_types import Array1, Bytes, Indices, Points, Vectors
 from ..lang import array, cross, dot, floor, func, int32, kernel, launch, sqrt, struct, tid, uint8, vec2, vec3
 from .shading import SAMPLES, Region, Veil, cells_of, clamp_color, element_at, light_face, pixel_of, seen_share
 from .z_buffer import DepthBuffer, View, ray_through, to_camera
 
-EDGE_WIDTH = 0.5  # [px] of the half of an edge that lies in a triangle
-MIDDLE = 0.5 * (SAMPLES - 1)  # of a pixel, from the centre of its first cell [cells]
-EDGE_SHADE = 0.12  # edges are this share of the surface's colour
+EDGE_WIDTH = 0.5  # [px] half width of an edge inside a triangle
+MIDDLE = 0.5 * (SAMPLES - 1)  # of a pixel, from the center of its first cell [cells]
+EDGE_SHADE = 0.12  # brightness factor of edges
 
 
 @struct
 class Surface:
-    """Triangles and how they look.
-
-    Attributes:
-        vertices: vec3.
-        triangles: int32 [3 t].
-        normals, colors: vec3, one a vertex, or of size 0.
-        uvs: vec2 [3 t], one a corner, or of size 0; (0, 0) is the lower left corner of the texture.
-        texture: uint8 [3 * height * width], top row first.
-        texture_width, texture_height: Its size; 0 without one.
-        plain: The colour of what has none.
-        lit: Whether light falls at an angle.
-        edges: Whether edges are drawn.
+    """Triangles and their appearance: per-vertex `normals` and `colors`, per-corner `uvs` ((0, 0) is lower left) or
+    empty; `texture` RGB, top row first; `plain` default color.
     """
 
     vertices: array(dtype=vec3)
@@ -56,7 +41,7 @@ class Surface:
         lit: bool,
         edges: bool,
     ) -> None:
-        """With a texture (uint8 array, width, height)."""
+        """`texture` is (uint8 array, width, height)."""
         self.vertices, self.triangles, self.normals, self.colors = vertices, triangles, normals, colors
         self.uvs, (self.texture, self.texture_width, self.texture_height) = uvs, texture
         self.plain, self.lit, self.edges = plain, int(lit), int(edges)
@@ -64,7 +49,7 @@ class Surface:
 
 @func
 def texel(column: int, row: int, surface: Surface) -> vec3:
-    """A pixel of the texture, which repeats, 0 to 1."""
+    """Texture pixel with repetition, 0 to 1."""
     x = (column % surface.texture_width + surface.texture_width) % surface.texture_width
     y = (row % surface.texture_height + surface.texture_height) % surface.texture_height
     k = 3 * (y * surface.texture_width + x)
@@ -76,10 +61,9 @@ def texel(column: int, row: int, surface: Surface) -> vec3:
 
 @func
 def read_texture(u: float, v: float, surface: Surface) -> vec3:
-    """The colour at a place of the texture, between the four pixels around it."""
     across = u - floor(u)
     down = 1.0 - (v - floor(v))
-    if not (across >= 0.0 and across <= 1.0 and down >= 0.0 and down <= 1.0):  # not a number
+    if not (across >= 0.0 and across <= 1.0 and down >= 0.0 and down <= 1.0):  # NaN
         across = 0.0
         down = 0.0
     x = across * float(surface.texture_width) - 0.5
@@ -95,7 +79,6 @@ def read_texture(u: float, v: float, surface: Surface) -> vec3:
 
 @func
 def mix_corners(triangle: int, wa: float, wb: float, wc: float, surface: Surface) -> vec3:
-    """The colour at the place of a triangle with these weights of its corners, without light."""
     color = surface.plain
     if surface.texture_width > 0:
         ta = surface.uvs[3 * triangle]
@@ -114,7 +97,7 @@ def mix_corners(triangle: int, wa: float, wb: float, wc: float, surface: Surface
 
 @func
 def distance_to_edge(edge: vec3, ray: vec3, view: View) -> float:
-    """How far from the line where an edge function is zero a ray meets the picture [cells]."""
+    """Distance [cells] of a ray from the zero line of an edge function."""
     x = edge[0] / float(view.camera.fx)
     y = edge[1] / float(view.camera.fy)
     slope = sqrt(x * x + y * y)
@@ -126,7 +109,6 @@ def distance_to_edge(edge: vec3, ray: vec3, view: View) -> float:
 
 @func
 def color_of(triangle: int, column: float, row: float, view: View, surface: Surface) -> vec3:
-    """The colour of a triangle where it is seen at a column and row of the cells."""
     ia = surface.triangles[3 * triangle]
     ib = surface.triangles[3 * triangle + 1]
     ic = surface.triangles[3 * triangle + 2]
@@ -135,7 +117,7 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
     ab = view.rotation @ (surface.vertices[ib] - corner)
     ac = view.rotation @ (surface.vertices[ic] - corner)
     ray = ray_through(column, row, view)
-    # Moeller and Trumbore's edge functions: linear in the ray, and exact for small triangles far away
+    # Moeller and Trumbore's edge functions: linear in the ray, and exact for small distant triangles
     edge_b = cross(a, ac)
     edge_c = cross(ab, a)
     facing = cross(ac, ab)
@@ -170,7 +152,6 @@ def color_of(triangle: int, column: float, row: float, view: View, surface: Surf
 def shade_surface_kernel(
     buffer: DepthBuffer, view: View, region: Region, surface: Surface, veil: Veil, light: array(dtype=vec3)
 ):
-    """Add the colours of the cells that show triangles."""
     i = tid()
     pixel = pixel_of(i, region, buffer)
     known = -1
@@ -206,13 +187,5 @@ def shade_surface_kernel(
 def shade_surface(
     buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Surface, veil: Veil
 ) -> None:
-    """Add the light of triangles.
-
-    Args:
-        buffer, view: As of `draw_triangles`; the size is a multiple of SAMPLES.
-        region: The Region of the triangles.
-        light: As of `start_light`.
-        surface: The Surface.
-        veil: What is before them.
-    """
+    """Add the light of triangles; arguments as of `draw_triangles` and `shade_points`."""
     launch(shade_surface_kernel, region.pixels, [buffer, view, region, surface, veil, light])

@@ -1,20 +1,10 @@
-"""Triangles drawn into a z-buffer.
+"""Triangle rasterization into a z-buffer.
 
-One thread a triangle visits the cells of its box: 36 B read a triangle, 8 B a cell, some 10 operations a cell of the
-box. On CUDA boxes of many cells are listed, and drawn by many threads in a second launch. Corners are
-rounded to 1/256 cell and the edge functions are whole numbers (Pineda, "A parallel algorithm for polygon
-rasterization", SIGGRAPH 1988), so neighbouring triangles leave no gaps. Depth is along the optical axis; its reciprocal
-is linear in the picture.
-
-Triangles that reach behind the camera, or far out of the picture, are not clipped but drawn by edge functions in the
-camera's frame, which need no projected corners (Olano and Greer, "Triangle scan conversion using 2D homogeneous
-coordinates", Graphics Hardware 1997).
-
-Shapes that fill many cells, cut into tiles for many threads. One thread a shape draws those of up to SMALL cells, and
-lists the others; then groups of SIDE threads share out the tiles of SIDE x SIDE cells of all that are listed, a column
-a thread, so that threads side by side write side by side. The list has no order, since the smallest word of a cell wins
-in any. 12 B a shape. How many tiles there are stays on the device: as many threads are launched as a device holds at
-once, whatever there is.
+Corners are rounded to 1/256 cell and edge functions are integers (Pineda, "A parallel algorithm for polygon
+rasterization", SIGGRAPH 1988), so neighbors leave no gaps. Triangles that reach behind the camera or far outside use
+homogeneous edge functions without clipping (Olano and Greer, "Triangle scan conversion using 2D homogeneous
+coordinates", Graphics Hardware 1997). On CUDA triangles of more than SMALL cells are listed, and groups of SIDE threads
+draw their SIDE x SIDE tiles in a second launch.
 """
 
 from ..array_types import Device, Indices, Points
@@ -42,38 +32,32 @@ from ..memory import empty, zeros
 from ..search.point_tree import find_run
 from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind, project, ray_through, to_camera
 
-SMALL = 256  # cells of a box that one thread draws
-SIDE = 32  # [cells] of a tile, threads of a group
+SMALL = 256  # cells of a box drawn by one thread
+SIDE = 32  # [cells] side of a tile, threads of a group
 THREADS = 1 << 17
-MOST_SHAPES = 1 << 20  # of a list
-TILE_BITS = 43  # of a total: the number of tiles, below that of shapes
+MOST_SHAPES = 1 << 20  # maximum list length
+TILE_BITS = 43  # of a total: tile count, below the shape count
 ONE_SHAPE = 1 << TILE_BITS
 TILES = ONE_SHAPE - 1
 
 
 @struct
 class LargeShapes:
-    """A list of shapes to be drawn in tiles.
-
-    Attributes:
-        shapes: int32 [most], their numbers.
-        firsts: int64 [most], how many tiles those before it have.
-        total: int64 [1], how many shapes there are above how many tiles.
-    """
+    """Shapes drawn in tiles: `shapes`; `firsts`, tiles before each; `total`, shape count above tile count."""
 
     shapes: array(dtype=int32)
     firsts: array(dtype=int64)
     total: array(dtype=int64)
 
     def __init__(self, most: int, device: Device) -> None:
-        """An empty list for this many, up to MOST_SHAPES; with room for none threads draw whatever they have."""
+        """An empty list for up to `most` shapes (at most MOST_SHAPES); with 0 threads draw everything themselves."""
         self.shapes, self.firsts = empty(most, int32, device), empty(most, int64, device)
         self.total = zeros(min(most, 1), int64, device)
 
 
 @func
 def is_large(box: vec4i, large: LargeShapes) -> int:
-    """1 where a box (first and last column, first and last row) is for many threads."""
+    """1 if a box (first and last column, first and last row) needs many threads."""
     columns = int64(max(box[1] - box[0] + 1, 0))
     rows = int64(max(box[3] - box[2] + 1, 0))
     return 1 if large.shapes.shape[0] > 0 and columns * rows > SMALL else 0
@@ -81,10 +65,9 @@ def is_large(box: vec4i, large: LargeShapes) -> int:
 
 @func
 def list_shape(i: int, box: vec4i, large: LargeShapes):
-    """Put a shape on the list."""
     columns = (box[1] - box[0]) // SIDE + 1
     rows = (box[3] - box[2]) // SIDE + 1
-    # where a shape stands in the list depends on the order of threads, what is seen does not
+    # the list order depends on threads, the image does not
     before = atomic_add(large.total, 0, int64(ONE_SHAPE) + int64(columns) * int64(rows))
     entry = int(before >> int64(TILE_BITS))
     large.shapes[entry] = i
@@ -93,7 +76,7 @@ def list_shape(i: int, box: vec4i, large: LargeShapes):
 
 @loop
 def tiles_of_group(group: int, groups: int, large: LargeShapes) -> tuple[int, int]:
-    """The shapes and the numbers of their tiles that a group of threads draws."""
+    """Shapes and tile numbers that a group of threads draws."""
     total = large.total[0]
     tile = int64(group)
     while tile < (total & int64(TILES)):
@@ -106,22 +89,20 @@ def tiles_of_group(group: int, groups: int, large: LargeShapes) -> tuple[int, in
 
 @func
 def column_of_tile(box: vec4i, tile: int, thread: int) -> vec4i:
-    """The column of a box's tile that is a thread's, as a box."""
     columns = (box[1] - box[0]) // SIDE + 1
     column = box[0] + (tile % columns) * SIDE + thread
     row = box[2] + (tile // columns) * SIDE
     return vec4i(column, min(column, box[1]), row, min(row + SIDE - 1, box[3]))
 
 
-GRID = 256.0  # steps a cell to which corners are rounded
-STEPS = 256  # the same as a whole number
-GUARD = 32768.0  # [cells] corners farther out would not keep 1/256 cell: products of edge functions stay below 2^47
-OVERLAP = 1.0 / 128.0  # [cells] by which edges in the camera's frame reach further, as corners beside them are rounded
+GRID = 256.0  # subcell steps for rounding corners
+STEPS = 256  # the same as an integer
+GUARD = 32768.0  # [cells] limit for 1/256 cell precision: products of edge functions stay below 2^47
+OVERLAP = 1.0 / 128.0  # [cells] extension of camera-frame edges, since adjacent projected corners are rounded
 
 
 @func
 def is_on_grid(p: vec3) -> int:
-    """1 for a projected corner inside the guard band."""
     inside = 0
     if p[2] > NEAR and abs(p[0]) < GUARD and abs(p[1]) < GUARD:
         inside = 1
@@ -130,16 +111,12 @@ def is_on_grid(p: vec3) -> int:
 
 @func
 def on_grid(x: float) -> int64:
-    """A column or row in steps of the grid."""
     return int64(int(floor(x * GRID + 0.5)))
 
 
 @func
 def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
-    """The least value of an edge function that is inside: 0, or 1 where cells on the edge are the neighbour's.
-
-    In layers a cell of both would be seen twice; of two neighbours, whose edges run against each other, one has it.
-    """
+    """Least inside value of an edge function: 0, or 1 in layers if edge cells belong to the neighbor."""
     least = int64(0)
     if buffer.behind.shape[0] > 0:
         if dy < 0 or (dy == 0 and dx < 0):
@@ -149,7 +126,7 @@ def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
 
 @func
 def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> vec4i:
-    """The columns and rows whose centres a triangle of projected corners may cover; none where it is not seen."""
+    """Box of cells that a projected triangle may cover; empty if it is not visible."""
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -162,7 +139,7 @@ def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> ve
     last = min(int(max(max(ax, bx), cx) // step), buffer.width - 1)
     top = max(int((min(min(ay, by), cy) + step - 1) // step), 0)
     bottom = min(int(max(max(ay, by), cy) // step), buffer.height - 1)
-    # rows run down, so a triangle that is counterclockwise seen from before it has a negative area
+    # rows run down, so a front-facing counterclockwise triangle has a negative area
     if area == 0 or (cull == 1 and area > 0):
         bottom = top - 1
     return vec4i(first, last, top, bottom)
@@ -170,14 +147,7 @@ def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> ve
 
 @func
 def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: DepthBuffer):
-    """Draw a triangle of projected corners inside the guard band, edges included, in layers those that are its own.
-
-    Args:
-        a, b, c: The corners.
-        index: The triangle's.
-        box: Where: first and last column, first and last row, within its `box_on_grid`.
-        buffer: The buffer.
-    """
+    """Draw a projected triangle inside the guard band, within a box; edges are inclusive, in layers only its own."""
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -213,7 +183,7 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: Dept
 
 @func
 def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
-    """A box of columns and rows, with what lies before the camera of the first end of an edge, and where it leaves."""
+    """Widen a box by the visible part of an edge's first end and the intersection with the near plane."""
     low = vec3(box[0], box[1], 0.0)
     high = vec3(box[2], box[3], 0.0)
     if p[2] > NEAR:
@@ -230,13 +200,13 @@ def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
 
 @func
 def reach_of(edge: vec3, view: View) -> float:
-    """How much an edge function changes over the overlap."""
+    """Change of an edge function over the overlap."""
     return (abs(edge[0]) / float(view.camera.fx) + abs(edge[1]) / float(view.camera.fy)) * OVERLAP
 
 
 @func
 def box_unprojected(a: vec3, b: vec3, c: vec3, cull: int, view: View, buffer: DepthBuffer) -> vec4i:
-    """The columns and rows that a triangle in the camera's frame may cover; none where it is not seen."""
+    """Box of cells that a camera-frame triangle may cover; empty if it is not visible."""
     box = vec4(FAR_OUT, FAR_OUT, -FAR_OUT, -FAR_OUT)
     box = widen_box(box, a, b, view)
     box = widen_box(box, b, c, view)
@@ -253,7 +223,7 @@ def box_unprojected(a: vec3, b: vec3, c: vec3, cull: int, view: View, buffer: De
 
 @func
 def draw_unprojected(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, view: View, buffer: DepthBuffer):
-    """Draw what lies before the camera of a triangle in its frame, within its `box_unprojected`."""
+    """Draw the part of a camera-frame triangle before the camera, within its `box_unprojected`."""
     volume = dot(a, cross(b, c))
     sign = 1.0
     if volume < 0.0:
@@ -264,7 +234,7 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, view: Vi
     slack_a = -reach_of(ea, view)
     slack_b = -reach_of(eb, view)
     slack_c = -reach_of(ec, view)
-    if buffer.behind.shape[0] > 0:  # no cell may be seen twice
+    if buffer.behind.shape[0] > 0:  # no cell may be drawn twice
         slack_a = 0.0
         slack_b = 0.0
         slack_c = 0.0
@@ -291,7 +261,6 @@ def draw_triangles_kernel(
     large: LargeShapes,
     buffer: DepthBuffer,
 ):
-    """Write the depth and index of each triangle to the cells whose centres it covers, or list it."""
     i = tid()
     a = to_camera(vertices[triangles[3 * i]], view)
     b = to_camera(vertices[triangles[3 * i + 1]], view)
@@ -328,7 +297,6 @@ def draw_large_triangles_kernel(
     groups: int,
     buffer: DepthBuffer,
 ):
-    """Draw the tiles of the triangles that were listed."""
     i = tid()
     for shape, tile in tiles_of_group(i // SIDE, groups, large):
         a = to_camera(vertices[triangles[3 * shape]], view)
@@ -348,16 +316,7 @@ def draw_large_triangles_kernel(
 def draw_triangles(
     vertices: Points, triangles: Indices, view: View, buffer: DepthBuffer, *, cull: bool, start: int = 0
 ) -> None:
-    """Draw triangles into a z-buffer.
-
-    Args:
-        vertices: Device array of vec3 [m].
-        triangles: int32 [3 t], three vertices each, counterclockwise seen from before the triangle.
-        view: The View of these vertices.
-        buffer: The DepthBuffer, of the view's size.
-        cull: Leave out triangles that look away.
-        start: The index of the first triangle in the buffer.
-    """
+    """Draw triangles, int32 (3 t), counterclockwise seen from the front; `cull` skips back faces."""
     if vertices.device.is_cuda:
         draw_in_tiles(vertices, triangles, view, buffer, cull=cull, start=start)
         return
@@ -375,7 +334,7 @@ def draw_in_tiles(
     start: int = 0,
     threads: int = THREADS,
 ) -> None:
-    """`draw_triangles`, large ones by so many threads together."""
+    """`draw_triangles`, large ones by `threads` threads together."""
     count = triangles.size // 3
     for first in range(0, count, MOST_SHAPES):
         some = triangles[3 * first : 3 * min(first + MOST_SHAPES, count)]

@@ -1,8 +1,5 @@
-"""Colours for points: numbers by a table of colours, labels by a palette, directions by their coordinates.
-
-One thread a point, 4 to 12 B read and 12 B written. Shares of the table are found in float64 and clamped, then two
-neighbouring entries are mixed in float32 without a fused product, so the colours are the same bits on every device.
-What is not finite takes a colour of its own, and a flag says that there was some: its atomic is the same in any order.
+"""Colors of points from scalar values, labels or directions. Table positions in float64, mixing in float32 without
+fused products: bitwise identical on every device. Non-finite values get their own color and set a flag.
 """
 
 import numpy as np
@@ -11,21 +8,12 @@ from ..array_types import AnyArray, Device, Doubles, Integers, Points, Scalars, 
 from ..lang import array, atomic_max, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
 from ..memory import download, empty, upload, zeros
 
-SEEN = 4096  # labels from -1 that are told one by one: more than any legend shows
+SEEN = 4096  # labels from -1 recorded individually: more than any legend has
 
 
 @struct
 class Ramp:
-    """The way from numbers to colours.
-
-    Attributes:
-        table: vec3, at least two colours, evenly spaced.
-        last: Entries less one.
-        low, factor: The share of the table is (value - low) * factor + start.
-        start: 0, or one half where all numbers take the colour in the middle.
-        missing: The colour of what is not finite.
-        flag: int32 [1]: 1 where something was not finite.
-    """
+    """Color map: position (value - `low`) * `factor` + `start` in `table`; `missing` color, `flag` of non-finite."""
 
     table: array(dtype=vec3)
     last: int
@@ -38,9 +26,9 @@ class Ramp:
     def __init__(
         self, table: np.ndarray, limits: tuple[float, float], missing: tuple[float, float, float], device: Device
     ) -> None:
-        """From colours [k, 3] and limits (low, high); equal limits give the colour in the middle."""
+        """From colors (k, 3) and limits (low, high); equal limits give the middle color."""
         low, high = limits
-        half = high / 2 - low / 2  # the difference itself may be beyond float64
+        half = high / 2 - low / 2  # the difference itself may overflow float64
         self.table, self.last = upload(table, vec3, device), len(table) - 1
         self.low, self.factor, self.start = low, 0.5 / half if half > 0 else 0.0, 0.0 if half > 0 else 0.5
         self.missing, self.flag = vec3(*missing), zeros(1, int32, device)
@@ -48,7 +36,7 @@ class Ramp:
 
 @func
 def coordinate(p: vec3, axis: int) -> float:
-    """One coordinate, chosen by conditions: a computed index would put the vector into local memory."""
+    """One coordinate by conditions: a computed index would put the vector into local memory."""
     value = p[0]
     if axis == 1:
         value = p[1]
@@ -59,14 +47,12 @@ def coordinate(p: vec3, axis: int) -> float:
 
 @func
 def raise_flag(flag: array(dtype=int32)):
-    """Say that something was not finite; whoever comes first, it ends as 1."""
     if flag[0] == 0:
-        atomic_max(flag, 0, 1)
+        atomic_max(flag, 0, 1)  # all writers write 1
 
 
 @func
 def ramp_color(value: float64, ramp: Ramp) -> vec3:
-    """The colour of a number, finite or not."""
     color = ramp.missing
     if isfinite(value):
         share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
@@ -81,37 +67,33 @@ def ramp_color(value: float64, ramp: Ramp) -> vec3:
 
 @kernel
 def color_values_kernel(values: array(dtype=float32), ramp: Ramp, colors: array(dtype=vec3)):
-    """The colours of numbers."""
     i = tid()
     colors[i] = ramp_color(float64(values[i]), ramp)
 
 
 @kernel
 def color_wide_values_kernel(values: array(dtype=float64), ramp: Ramp, colors: array(dtype=vec3)):
-    """The colours of numbers in float64."""
     i = tid()
     colors[i] = ramp_color(values[i], ramp)
 
 
 @kernel
 def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, colors: array(dtype=vec3)):
-    """The colours of one coordinate of points."""
     i = tid()
     colors[i] = ramp_color(float64(coordinate(points[i], axis)), ramp)
 
 
 @func
 def note_label(place: int, seen: array(dtype=int32)):
-    """Say that there is a label; whoever comes first, it ends as 1."""
     if seen[place] == 0:
-        atomic_max(seen, place, 1)
+        atomic_max(seen, place, 1)  # all writers write 1
 
 
 @func
 def label_color(
     label: int64, palette: array(dtype=vec3), palette_size: int, noise: vec3, seen: array(dtype=int32)
 ) -> vec3:
-    """The colour of a label, which is noted: below zero that of noise, the palette begins again after its last."""
+    """Color of a label, which is recorded; negative is noise, and the palette repeats."""
     color = noise
     if label >= 0:
         color = palette[int(label % int64(palette_size))]
@@ -128,7 +110,6 @@ def color_labels_kernel(
     seen: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
-    """The colours of labels."""
     i = tid()
     colors[i] = label_color(int64(labels[i]), palette, palette_size, noise, seen)
 
@@ -142,7 +123,6 @@ def color_wide_labels_kernel(
     seen: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
-    """The colours of labels in 64 bits."""
     i = tid()
     colors[i] = label_color(labels[i], palette, palette_size, noise, seen)
 
@@ -151,7 +131,7 @@ def color_wide_labels_kernel(
 def color_normals_kernel(
     normals: array(dtype=vec3), missing: vec3, flag: array(dtype=int32), colors: array(dtype=vec3)
 ):
-    """The colours of directions: their coordinates from -1 to 1 as shares of red, green and blue."""
+    """Colors of directions: coordinates -1..1 as red, green and blue."""
     i = tid()
     n = normals[i]
     color = missing
@@ -165,20 +145,17 @@ def color_normals_kernel(
 
 @kernel
 def take_every_kernel(values: array(dtype=float32), stride: int, out: array(dtype=float32)):
-    """One number of each run of `stride`."""
     i = tid()
     out[i] = values[i * stride]
 
 
 @kernel
 def take_every_wide_kernel(values: array(dtype=float64), stride: int, out: array(dtype=float64)):
-    """One number of each run of `stride`, in float64."""
     i = tid()
     out[i] = values[i * stride]
 
 
 def color_values(values: Scalars | Doubles, ramp: Ramp) -> Vectors:
-    """The colours of numbers: vec3 of a device array of float32 or float64."""
     colors = empty(values.size, vec3, values.device)
     launch(
         color_values_kernel if values.dtype == float32 else color_wide_values_kernel,
@@ -189,24 +166,13 @@ def color_values(values: Scalars | Doubles, ramp: Ramp) -> Vectors:
 
 
 def color_coordinates(points: Points, axis: int, ramp: Ramp) -> Vectors:
-    """The colours of one coordinate of a device array of vec3."""
     colors = empty(points.size, vec3, points.device)
     launch(color_coordinates_kernel, points.size, [points, axis, ramp, colors])
     return colors
 
 
 def color_labels(labels: AnyArray, palette: np.ndarray, noise: tuple[float, float, float]) -> tuple[Vectors, list[int]]:
-    """The colours of labels.
-
-    Args:
-        labels: Device array of int32 or int64 [n].
-        palette: Shape [k, 3], 0 to 1.
-        noise: The colour of labels below zero.
-
-    Returns:
-        (colors, seen): vec3 [n], and the labels that there are on the host, ascending: all below zero as -1, all from
-        SEEN - 2 on as that number. One sync.
-    """
+    """(colors, labels present on the host): negatives as -1, those >= SEEN - 2 as that number. One sync."""
     device = labels.device
     colors, seen = empty(labels.size, vec3, device), zeros(SEEN, int32, device)
     table = upload(palette, vec3, device)
@@ -216,14 +182,14 @@ def color_labels(labels: AnyArray, palette: np.ndarray, noise: tuple[float, floa
 
 
 def color_normals(normals: Vectors, missing: tuple[float, float, float]) -> tuple[Vectors, Integers]:
-    """The colours of a device array of directions, and int32 [1]: 1 where one was not finite."""
+    """Colors of directions, and int32 (1): 1 if one was not finite."""
     colors, flag = empty(normals.size, vec3, normals.device), zeros(1, int32, normals.device)
     launch(color_normals_kernel, normals.size, [normals, vec3(*missing), flag, colors])
     return colors, flag
 
 
 def sample_evenly(values: AnyArray, most: int) -> np.ndarray:
-    """At most `most` numbers of a device array of float32 or float64, evenly spaced from the first on (one sync)."""
+    """At most `most` evenly spaced values of a float32 or float64 device array, starting with the first (one sync)."""
     stride = max(1, -(-values.size // most))
     count = -(-values.size // stride)
     out = empty(count, values.dtype, values.device)

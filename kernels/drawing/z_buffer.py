@@ -1,12 +1,8 @@
-"""The z-buffer that points, lines and triangles are drawn into, without a graphics library, and how they get there.
+"""Z-buffer of points, lines and triangles, without a graphics library.
 
-A cell of the buffer is one word of 64 bits: the bits of the depth above the index of what is seen there. The smallest
-word wins by an atomic minimum, so the picture is the same whatever the order of the threads; equal depths go to the
-smaller index. The buffer is several cells a pixel of the picture wide (shading.py).
-
-A scene is a few parts, each with vertices about an origin of its own. They share the buffer: what is drawn is numbered
-through, and a `View` takes each part's vertices to the camera, in a unit of the scene's size, so that float32 neither
-overflows nor vanishes.
+A cell is a 64-bit word, depth bits above an index; the atomic minimum is independent of thread order, ties go to the
+smaller index. Scene parts have their own origins and share the numbering; a `View` maps vertices to the camera in units
+of the scene's size to avoid float32 overflow.
 """
 
 import numpy as np
@@ -17,18 +13,13 @@ from ..arrays.packed_keys import NO_KEY, pack_key
 from ..lang import array, atomic_min, func, int64, isfinite, mat33, struct, vec3
 from ..memory import empty, full
 
-NEAR = 1.0e-6  # of the unit: smaller depths are behind the camera
-FAR_OUT = 1.0e9  # [cells] where what is projected farther out is said to be: whole numbers of 32 bits hold it
+NEAR = 1.0e-6  # of the unit: smaller depths count as behind the camera
+FAR_OUT = 1.0e9  # [cells] clamp for projections, which fits into int32
 
 
 @struct
 class View:
-    """A camera, and where the vertices of a part are before it.
-
-    Attributes:
-        camera: A Camera, or what has its attributes, in cells of a buffer.
-        rotation, offset: x -> rotation x + offset takes vertices to the camera's frame; in any unit.
-    """
+    """A `camera` in cells of a buffer, and the map rotation x + offset from vertices to its frame, in any unit."""
 
     camera: Camera
     rotation: mat33
@@ -41,14 +32,7 @@ class View:
 
 @struct
 class DepthBuffer:
-    """What is seen first in each cell.
-
-    Attributes:
-        width, height: Cells.
-        words: int64 [height * width]: depth bits above an index, NO_KEY where nothing is seen.
-        behind: int64 [height * width]: words that `offer_behind` takes are larger than these; of size 0 where it
-            takes all.
-    """
+    """First element in each cell: `words`, NO_KEY if empty; exclusive lower bounds `behind`, or empty."""
 
     width: int
     height: int
@@ -71,10 +55,7 @@ class DepthBuffer:
 
 @func
 def offer_behind(cell: int, depth: float, index: int, buffer: DepthBuffer):
-    """Keep the nearer of a cell's content and this one, unless this one lies before what the cell looks behind.
-
-    As `offer_cell`: the plain read can only be too large, the atomic settles the race for the cell.
-    """
+    """As `offer_cell` (the atomic resolves the race), if the element is behind the cell's bound."""
     word = pack_key(depth, index)
     if word < buffer.words[cell]:
         least = int64(-1)
@@ -86,13 +67,13 @@ def offer_behind(cell: int, depth: float, index: int, buffer: DepthBuffer):
 
 @func
 def to_camera(p: vec3, view: View) -> vec3:
-    """A vertex in the camera's frame: x right, y down, z forward."""
+    """A vertex in the camera frame: x right, y down, z forward."""
     return view.rotation @ p + view.offset
 
 
 @func
 def project(q: vec3, view: View) -> vec3:
-    """Column, row and depth of a point of the camera's frame; far out where it is hardly before the camera."""
+    """Column, row and depth of a camera-frame point; far outside if it is hardly before the camera."""
     z = max(q[2], NEAR)
     u = float(view.camera.fx) * q[0] / z + float(view.camera.cx)
     v = float(view.camera.fy) * q[1] / z + float(view.camera.cy)
@@ -101,7 +82,6 @@ def project(q: vec3, view: View) -> vec3:
 
 @func
 def is_before(q: vec3) -> int:
-    """1 for a point of the camera's frame that lies before the camera."""
     before = 0
     if isfinite(q) and q[2] > NEAR:
         before = 1
@@ -110,7 +90,7 @@ def is_before(q: vec3) -> int:
 
 @func
 def ray_through(column: float, row: float, view: View) -> vec3:
-    """The direction with depth 1 that is seen at a column and row, in the camera's frame."""
+    """Camera-frame direction with depth 1 through a column and row."""
     x = (column - float(view.camera.cx)) / float(view.camera.fx)
     y = (row - float(view.camera.cy)) / float(view.camera.fy)
     return vec3(x, y, 1.0)

@@ -1,1 +1,1 @@
-"""How far points reach: boxes, hulls, polygons, masks, visibility."""
+"""Extent of points: boxes, hulls, polygons, masks, visibility."""

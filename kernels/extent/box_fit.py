@@ -1,21 +1,9 @@
-"""The smallest box around a convex hull, by its edges.
+"""Minimum-volume oriented bounding box of a convex hull in float64.
 
-O'Rourke ("Finding minimal enclosing boxes", IJCIS 1985): two faces of the smallest box that meet hold an edge of the
-hull each. A face that holds an edge has its normal on the edge's arc between the normals of the two facets beside it.
-So the boxes to search are those with a facet's normal (`fit_on_facets_kernel`: all rectangles in its plane that touch
-an edge), and for each pair of edges the frames with one normal on either arc (`fit_on_edges_kernel`). With the arcs as
-(1 - t) a + t b and (1 - s) c + s d, that the normals are orthogonal is one bilinear equation in t and s, which has
-solutions where the four products of the arcs' ends differ in sign (Jylanki, "An exact algorithm for finding minimum
-oriented bounding boxes", 2015). Along them the volume is smooth between few kinks. It is sampled; each dip that could
-reach below the best box is sampled anew, and the dips found there are searched by golden section. Jylanki's third edge
-is one of the kinks.
-
-In float64. E edges: one thread an edge, E/2 pairs each, some 40 operations a pair, and for the E^1.5 or so pairs with
-solutions some thousands.
-
-How far a convex hull reaches in a direction: by climbing along its edges from a table of directions. On a convex hull
-every vertex but the farthest has a neighbour that is farther, so climbing finds the farthest one. A table on a cube map
-begins the climb near its end: some ten neighbours are looked at, 24 B each, whatever the hull's size. In float64.
+Two adjacent faces of the box contain a hull edge each (O'Rourke, "Finding minimal enclosing boxes", IJCIS 1985).
+Candidates have a facet's normal, or for an edge pair normals on both edges' arcs that are orthogonal, one bilinear
+equation (Jylanki, "An exact algorithm for finding minimum oriented bounding boxes", 2015). The volume along its
+solutions is sampled, and promising minima are refined by golden section. Extents by hill climbing.
 """
 
 import numpy as np
@@ -26,13 +14,12 @@ from ..linear_algebra import matmul
 from ..memory import download, empty, upload
 from .hull_filter import aim_direction, grid_place, locate_direction
 
-TABLE_WIDTH = 16  # cells along an edge of each face of the table: fewer steps to climb than neighbours to look at
-TABLE_CHUNK = 1 << 22  # products of directions and vertices held at a time: 32 MB
+TABLE_WIDTH = 16  # cells per edge of each table face: fewer climbing steps than neighbors to test
+TABLE_CHUNK = 1 << 22  # products of directions and vertices in memory: 32 MB
 
 
 @kernel
 def aim_table_kernel(width: int, directions: array(dtype=vec3d)):
-    """The direction of the middle of each cell of a cube map."""
     i = tid()
     u = (float64(i // width % width) + 0.5) / float64(width) * 2.0 - 1.0
     v = (float64(i % width) + 0.5) / float64(width) * 2.0 - 1.0
@@ -41,14 +28,7 @@ def aim_table_kernel(width: int, directions: array(dtype=vec3d)):
 
 @struct
 class ClimbedHull:
-    """A convex hull to climb on.
-
-    Attributes:
-        vertices: float64.
-        starts: Where the neighbours of each vertex begin; [m + 1].
-        neighbors: Vertices that share an edge with one, vertex after vertex.
-        table: The vertex that is farthest in the direction of each cell of a cube map.
-    """
+    """Convex hull for hill climbing: `starts`, `neighbors` by vertex; `table`: extreme vertex per cube-map cell."""
 
     vertices: array(dtype=vec3d)
     starts: array(dtype=int32)
@@ -56,13 +36,7 @@ class ClimbedHull:
     table: array(dtype=int32)
 
     def __init__(self, vertices: np.ndarray, edges: np.ndarray, device: Device) -> None:
-        """Prepare the climbs.
-
-        Args:
-            vertices: float64 [m, 3].
-            edges: Rows of two vertices that an edge joins, integers [e, 2].
-            device: Where they go.
-        """
+        """`vertices` float64 (m, 3); `edges` of two vertices, int (e, 2)."""
         directions = empty(6 * TABLE_WIDTH**2, vec3d, device)
         launch(aim_table_kernel, directions.size, [TABLE_WIDTH, directions])
         aims = download(directions)  # sync
@@ -79,7 +53,7 @@ class ClimbedHull:
 
 @func
 def reach(n: vec3d, hull: ClimbedHull) -> float64:
-    """How far the hull reaches in a direction: the largest n . vertex."""
+    """Extent of the hull: the largest n . vertex."""
     place = locate_direction(n)
     row = int(place[0]) * TABLE_WIDTH + grid_place(place[1], TABLE_WIDTH)
     best = hull.table[row * TABLE_WIDTH + grid_place(place[2], TABLE_WIDTH)]
@@ -97,11 +71,10 @@ def reach(n: vec3d, hull: ClimbedHull) -> float64:
 
 @func
 def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
-    """The volume of the box with axes n, m and n x m."""
     k = cross(n, m)
     volume = float64(1.0)
     width = float64(0.0)
-    for side in range(6):  # a loop, so that the compilers, which copy functions in, hold `reach` once
+    for side in range(6):  # a loop, so that compilers inline `reach` once
         direction = n + 0.0 * n
         if side // 2 == 1:
             direction = m
@@ -117,22 +90,17 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
 
 
 GOLDEN = 0.3819660112501051
-STEP = 0.05  # [rad] between samples on an arc; arcs of hulls with hundreds of vertices are shorter
-FEWEST, MOST = 5, 40  # samples a range of solutions
-SPLIT = 16  # finer steps across a dip of the samples: hulls with hundreds of vertices have several kinks in one
-ROUGH, FINE = 20, 60  # golden sections: to 1e-4 of a step, and to rounding where the best box comes near
+STEP = 0.05  # [rad] between samples on an arc; arcs of detailed hulls are shorter
+FEWEST, MOST = 5, 40  # samples per range of solutions
+SPLIT = 16  # finer steps across a minimum: detailed hulls have several kinks in one
+ROUGH, FINE = 20, 60  # golden section steps: to 1e-4 of a step, and to rounding near the best box
 NEAR = 1.01  # of the best volume
-FLAT_ARC = 1e-9  # [rad] facets closer than this are one, and their edge only a diagonal of it
+FLAT_ARC = 1e-9  # [rad] facets closer than this are coplanar, and their edge is a diagonal
 
 
 @struct
 class FoundBoxes:
-    """The smallest box that each thread has found.
-
-    Attributes:
-        volumes: float64, in cubes of the hull's unit of length.
-        firsts, seconds: Two unit axes of it.
-    """
+    """Smallest box of each thread: `volumes` float64; unit axes `firsts`, `seconds`."""
 
     volumes: array(dtype=float64)
     firsts: array(dtype=vec3d)
@@ -143,7 +111,7 @@ class FoundBoxes:
         self.firsts, self.seconds = empty(count, vec3d, device), empty(count, vec3d, device)
 
     def smallest(self) -> tuple[float, np.ndarray, np.ndarray]:
-        """The smallest volume and its two axes; of equal ones the first."""
+        """The smallest volume and its two axes; the first of equal ones."""
         found = download(self.volumes)  # sync
         best = int(found.argmin())
         axes = empty(2, vec3d, self.volumes.device)
@@ -154,7 +122,6 @@ class FoundBoxes:
 
 @kernel
 def copy_axes_kernel(boxes: FoundBoxes, best: int, axes: array(dtype=vec3d)):
-    """The two axes of a box."""
     i = tid()
     axes[i] = boxes.firsts[best]
     axes[i + 1] = boxes.seconds[best]
@@ -162,7 +129,6 @@ def copy_axes_kernel(boxes: FoundBoxes, best: int, axes: array(dtype=vec3d)):
 
 @func
 def unit_or(v: vec3d, other: vec3d) -> vec3d:
-    """v made unit; another vector where v vanishes."""
     size = length(v)
     unit = other
     if size > 1e-12:
@@ -172,26 +138,22 @@ def unit_or(v: vec3d, other: vec3d) -> vec3d:
 
 @func
 def arc_point(a: vec3d, b: vec3d, t: float64) -> vec3d:
-    """The unit normal at t of the arc from a to b."""
     return unit_or(a * (1.0 - t) + b * t, a)
 
 
 @func
 def partner(a: vec3d, b: vec3d, c: vec3d, d: vec3d, t: float64) -> vec3d:
-    """The normal on the arc from c to d that is orthogonal to the one at t of the arc from a to b."""
+    """Normal on the arc c to d that is orthogonal to the one at t of the arc a to b."""
     n = arc_point(a, b, t)
     at_c = dot(n, c)
     at_d = dot(n, d)
-    m = unit_or(c * at_d - d * at_c, c)  # the sign does not matter to a box
+    m = unit_or(c * at_d - d * at_c, c)  # the sign is irrelevant for a box
     return unit_or(m - n * dot(n, m), cross(n, c))
 
 
 @func
 def partnered_range(p: float64, q: float64, r: float64, s: float64, second: int) -> vec2d:
-    """The t between 0 and 1 with a partner: p, q at t = 0 and r, s at t = 1 are the products with the other arc's ends.
-
-    There may be two ranges; the last argument asks for the second. Empty ones begin at 1 and end at 0.
-    """
+    """Range of t in 0..1 with a partner, from products p, q at t = 0 and r, s at t = 1; empty: (1, 0)."""
     zero = float64(0.0)
     one = float64(1.0)
     low = one + zero
@@ -219,7 +181,7 @@ def partnered_range(p: float64, q: float64, r: float64, s: float64, second: int)
 
 @func
 def volume_at(t: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull) -> float64:
-    """The volume of the box with a normal at t of one arc and its partner on the other."""
+    """Volume of the box with a normal at t of one arc and its partner."""
     return box_volume(arc_point(a, b, t), partner(a, b, c, d, t), hull)
 
 
@@ -236,7 +198,7 @@ def search_dip(
     d: vec3d,
     hull: ClimbedHull,
 ) -> vec2d:
-    """(t, volume) at the bottom of a dip about a sample, by golden section; in full only where it nears the bound."""
+    """(t, volume) of the minimum around a sample, by golden section; completed only near the bound."""
     low = left
     high = right
     best = vec2d(middle, volume)
@@ -266,10 +228,7 @@ def search_dip(
 
 @func
 def floor_beside(before: float64, here: float64, after: float64) -> float64:
-    """How low the volume may be beside a sample that is no higher than those before and after; infinite elsewhere.
-
-    A kink beside it lies about as deep as the slopes lead, and twice that where there are several.
-    """
+    """Lower estimate of the volume near a local minimum sample, from the slopes; infinite elsewhere."""
     infinite = float64(INFINITY)
     low = float64(INFINITY)
     if here < infinite and here <= before and here <= after:
@@ -286,13 +245,13 @@ def floor_beside(before: float64, here: float64, after: float64) -> float64:
 def search_dips(
     t0: float64, t1: float64, best: vec2d, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
-    """The better of the best (t, volume) known so far and the bottoms of the dips between finer samples."""
+    """Better of the best (t, volume) and the minima between finer samples."""
     found = best + 0.0 * best
     count = int(SPLIT)
     step = (t1 - t0) / float64(count)
     before = float64(INFINITY)
     here = float64(INFINITY)
-    for j in range(count + 2):  # looks at sample j - 1 once that after it is known
+    for j in range(count + 2):  # evaluates sample j - 1 once its successor is known
         after = float64(INFINITY)
         if j <= count:
             after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
@@ -312,14 +271,14 @@ def search_dips(
 def search_range(
     t0: float64, t1: float64, best: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
-    """(t, volume) of the smallest box on a range of solutions; the best one known so far, at t = -1, if none is."""
+    """(t, volume) of the smallest box on a range; the best known with t = -1 if none is smaller."""
     found = vec2d(-1.0, best)
     arc = length(partner(a, b, c, d, t1) - partner(a, b, c, d, t0)) + length(b - a) * (t1 - t0)
     count = min(max(int(arc / float64(STEP)) + 2, FEWEST), MOST)
     step = (t1 - t0) / float64(count - 1)
     before = float64(INFINITY)
     here = float64(INFINITY)
-    for j in range(count + 1):  # looks at sample j - 1 once that after it is known
+    for j in range(count + 1):  # evaluates sample j - 1 once its successor is known
         after = float64(INFINITY)
         if j < count:
             after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
@@ -335,7 +294,7 @@ def search_range(
 
 @kernel
 def fit_on_facets_kernel(normals: array(dtype=vec3d), arcs: array(dtype=vec3d), hull: ClimbedHull, boxes: FoundBoxes):
-    """The smallest box with a face on a facet: another face holds an edge (Freeman and Shapira 1975)."""
+    """Smallest box with a face on a facet and another on an edge (Freeman and Shapira 1975)."""
     i = tid()
     n = normals[i]
     best = float64(INFINITY)
@@ -348,7 +307,7 @@ def fit_on_facets_kernel(normals: array(dtype=vec3d), arcs: array(dtype=vec3d), 
         if p * q <= 0.0:
             m = unit_or(a * q - b * p, a)
             m = unit_or(m - n * dot(n, m), n + n)
-            if abs(dot(n, m)) < 1e-9:  # else the edge's facets are this one or the opposite one
+            if abs(dot(n, m)) < 1e-9:  # otherwise the edge's facets are this one or the opposite one
                 volume = box_volume(n, m, hull)
                 if volume < best:
                     best = volume
@@ -360,7 +319,7 @@ def fit_on_facets_kernel(normals: array(dtype=vec3d), arcs: array(dtype=vec3d), 
 
 @kernel
 def fit_on_edges_kernel(arcs: array(dtype=vec3d), bound: float64, hull: ClimbedHull, boxes: FoundBoxes):
-    """The smallest box, below a bound, with one edge on a face and one of the next E/2 edges on a face beside it."""
+    """Smallest box below a bound with faces on this edge and one of the next E/2 edges."""
     i = tid()
     count = arcs.shape[0] // 2
     a = arcs[2 * i]
@@ -393,17 +352,8 @@ def fit_on_edges_kernel(arcs: array(dtype=vec3d), bound: float64, hull: ClimbedH
 def smallest_frame(
     vertices: np.ndarray, edges: np.ndarray, arcs: np.ndarray, normals: np.ndarray, device: Device
 ) -> np.ndarray:
-    """The axes of the smallest box around a convex hull.
-
-    Args:
-        vertices: float64 [m, 3], near zero.
-        edges: Rows of two vertices that an edge joins, integers [e, 2].
-        arcs: Unit normals of the two facets beside each edge, float64 [e, 2, 3].
-        normals: Unit normals of the facets, float64 [f, 3].
-        device: Where to search.
-
-    Returns:
-        float64 [3, 3], the axes as columns, right-handed. The same from run to run.
+    """Axes of the minimum box, float64 (3, 3), as right-handed columns; deterministic. `arcs` (e, 2, 3): unit normals
+    of both facets of an edge; `vertices` near zero.
     """
     hull = ClimbedHull(vertices, edges, device)
     bent = arcs[np.linalg.norm(arcs[:, 0] - arcs[:, 1], axis=1) > FLAT_ARC]

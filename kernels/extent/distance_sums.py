@@ -1,4 +1,4 @@
-"""Sums over distances: how many are finite, their total, the largest, and how many are below some radii."""
+"""Statistics of distances: finite count, sum, maximum, and counts below some radii."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from ..lang import array, atomic_add, atomic_max, float64, int32, isfinite, kern
 from ..memory import copy, download, upload, zeros
 from ..search.neighbor_distances import count_sum, sum_finite
 
-RUN = 4096  # distances a thread on the CPU: few atomics a run
+RUN = 4096  # distances per thread on the CPU: few atomics
 DOUBLE = 8  # bytes
 
 
@@ -23,10 +23,6 @@ def count_below_kernel(
     within: array(dtype=int32),
     largest: array(dtype=float64),
 ):
-    """How many distances of a row's threads are below each radius, and the largest finite one.
-
-    Sums of whole numbers and a maximum: the same in any order.
-    """
     i = tid()
     row = row_of(i, runs)
     most = float64(0.0)
@@ -34,22 +30,17 @@ def count_below_kernel(
         d = distances[j]
         if isfinite(d):
             most = max(most, d)
-    atomic_max(largest, row, most)
+    atomic_max(largest, row, most)  # maximum: order-independent
     for r in range(radii.shape[0]):
         count = 0
         for j in elements_of(i, runs):
             if distances[j] < radii[r]:
                 count += 1
-        atomic_add(within, row * radii.shape[0] + r, count)
+        atomic_add(within, row * radii.shape[0] + r, count)  # integer sum: order-independent
 
 
 class DistanceSums:
-    """Sums over distances where they are.
-
-    Attributes:
-        whole: float64 device array, all of them: `told` makes numbers of what the host reads.
-        largest: The part of it in which the largest finite distance is the greatest number; none is below zero.
-    """
+    """Statistics on the device: `whole` float64, all of them for `told`; `largest`, the part with the maxima."""
 
     def __init__(self, distances: Doubles, radii: Sequence[float]) -> None:
         device, n = distances.device, distances.size
@@ -63,13 +54,12 @@ class DistanceSums:
         launch(count_below_kernel, runs.threads, [distances, runs, limits, within, self.largest])
 
     def told(self, found: np.ndarray) -> tuple[int, float, float, np.ndarray]:
-        """As of `summarize_distances`, of what the host has read."""
         end = 2 + self._rows
         counts = found[end:].view(np.int32)[: self._rows * self._radii].reshape(self._rows, self._radii)
         return int(found[0]), float(found[1]), float(found[2:end].max()), counts.sum(axis=0, dtype=np.int64)
 
 
 def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
-    """(finite distances, their sum, the largest, how many are below each radius as int64 [r]); one sync."""
+    """(finite count, sum, maximum, counts below each radius as int64 (r)); one sync."""
     sums = DistanceSums(distances, radii)
     return sums.told(download(sums.whole))  # sync

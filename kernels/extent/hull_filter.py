@@ -1,16 +1,9 @@
-"""Which points can be vertices of a convex hull: those that a coarse hull of a few of them does not enclose.
+"""Prefilter of convex hull vertices: points strictly inside a coarse hull are excluded.
 
-Directions about a centre fall into the cells of a cube map. The farthest point of each cell goes into a coarse hull
-(made by the host). About a centre inside it, that hull is 1 / distance = g(direction), and on a face of the
-cube g is a convex function of the two face coordinates: the largest of its facets' linear functions. So g at the grid's
-nodes, interpolated linearly over half a cell, is nowhere below g, and a point with 1 / distance above it lies strictly
-inside the hull of the others, by one look into a table and without any facet.
-
-All in float64, which holds the points exactly; MARGIN covers its rounding and that of Qhull's planes. Nodes that no
-facet covers, by rounding or since it lies too near the centre, rule nothing out. Cost a point and round:
-24 B read for the choice and at most one atomic; 24 B read, 1 B written and three reads of the table for the mask.
-
-Source: the inner-polytope test of Akl and Toussaint, "A fast convex hull algorithm", IPL 1978, on a cube map.
+The farthest point per cube-map cell gives a coarse hull (host). About an inner center the hull is 1 / distance =
+g(direction), convex on each cube face, so g interpolated from grid nodes is never too small: one table lookup per
+point. MARGIN covers rounding, also Qhull's. The inner-polytope test of Akl and Toussaint, "A fast convex hull
+algorithm", IPL 1978, on a cube map.
 """
 
 import numpy as np
@@ -42,10 +35,10 @@ from ..lang import (
 from ..linear_algebra import matmul
 from ..memory import download, empty, full, upload, zeros
 
-LAST_INDEX = 0x7FFFFFFF  # keys hold it less the index, so that of two points equally far the first is the larger key
-MARGIN = 1e-9  # of the distance: Qhull's planes of coordinates up to 1 are right to some 1e-15 over their own facet
-LEAST_OFFSET = 1e-5  # of the farthest corner: facets nearer to the centre have planes too steep to divide by
-UNCOVERED = -1.0  # at nodes in whose direction no facet lies
+LAST_INDEX = 0x7FFFFFFF  # keys store it minus the index, so that the first of equal points wins
+MARGIN = 1e-9  # of the distance: Qhull's planes of unit coordinates are accurate to some 1e-15 over their facet
+LEAST_OFFSET = 1e-5  # of the farthest corner: facets nearer to the center are too steep to divide by
+UNCOVERED = -1.0  # at nodes without a facet
 
 
 @func
@@ -81,7 +74,7 @@ def locate_direction(p: vec3d) -> vec4d:
 
 @func
 def aim_direction(face: int, u: float64, v: float64) -> vec3d:
-    """The direction of a place on a face of the cube; the inverse of `locate_direction`."""
+    """Inverse of `locate_direction`."""
     side = float64(1 - 2 * (face % 2))
     direction = vec3d(side, u, v)
     if face // 2 == 1:
@@ -93,7 +86,7 @@ def aim_direction(face: int, u: float64, v: float64) -> vec3d:
 
 @func
 def face_coordinates(p: vec3d, face: int) -> vec3d:
-    """A vector's components (along, u, v) on a face of the cube, before division."""
+    """Components (along, u, v) of a vector on a cube face, before division."""
     side = float64(1 - 2 * (face % 2))
     turned = vec3d(side * p[0], p[1], p[2])
     if face // 2 == 1:
@@ -105,13 +98,11 @@ def face_coordinates(p: vec3d, face: int) -> vec3d:
 
 @func
 def grid_place(u: float64, width: int) -> int:
-    """The cell 0..width - 1 of a face coordinate in -1..1."""
     return min(max(int(floor((u + 1.0) * 0.5 * float64(width))), 0), width - 1)
 
 
 @kernel
 def scale_points_kernel(points: array(dtype=vec3), middle: vec3d, scale: vec3d, out: array(dtype=vec3d)):
-    """out = (p - middle) * scale, by axis."""
     i = tid()
     p = widen(points[i]) - middle
     out[i] = vec3d(p[0] * scale[0], p[1] * scale[1], p[2] * scale[2])
@@ -119,7 +110,7 @@ def scale_points_kernel(points: array(dtype=vec3), middle: vec3d, scale: vec3d, 
 
 @kernel
 def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, keys: array(dtype=int64)):
-    """The farthest point of each cell; the atomic settles which: the larger distance, then the smaller index."""
+    """Farthest point of each cell (atomic maximum; ties: smaller index)."""
     i = tid()
     p = points[i] - centre
     if isfinite(p):
@@ -128,7 +119,7 @@ def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, 
             row = int(place[0]) * width + grid_place(place[1], width)
             cell = row * width + grid_place(place[2], width)
             key = pack_key(float(length(p)), LAST_INDEX - i)
-            if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
+            if key > keys[cell]:  # usually false, which limits contention
                 atomic_max(keys, cell, key)
 
 
@@ -136,7 +127,7 @@ def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, 
 def draw_facets_kernel(
     corners: array(dtype=vec3d), planes: array(dtype=vec3d), width: int, nodes: array(dtype=float64)
 ):
-    """g = plane . direction at the nodes that a facet covers; the atomic settles nodes on an edge: the larger."""
+    """g = plane . direction at the nodes of a facet (atomic maximum)."""
     i = tid()
     a = corners[3 * i]
     b = corners[3 * i + 1]
@@ -154,7 +145,7 @@ def draw_facets_kernel(
             low_v = float64(-1.0)
             high_u = float64(1.0)
             high_v = float64(1.0)
-            if min(min(p[0], q[0]), r[0]) > zero:  # else it reaches beyond the half space where u and v are defined
+            if min(min(p[0], q[0]), r[0]) > zero:  # otherwise it leaves the half space where u and v are defined
                 low_u = max(low_u, min(min(p[1] / p[0], q[1] / q[0]), r[1] / r[0]))
                 low_v = max(low_v, min(min(p[2] / p[0], q[2] / q[0]), r[2] / r[0]))
                 high_u = min(high_u, max(max(p[1] / p[0], q[1] / q[0]), r[1] / r[0]))
@@ -178,7 +169,7 @@ def draw_facets_kernel(
 def mask_outer_kernel(
     points: array(dtype=vec3d), centre: vec3d, width: int, nodes: array(dtype=float64), mask: array(dtype=uint8)
 ):
-    """0 where a point lies strictly inside the coarse hull or is not finite."""
+    """0 for points strictly inside the coarse hull or not finite."""
     i = tid()
     p = points[i] - centre
     keep = 0
@@ -210,26 +201,18 @@ def mask_outer_kernel(
 
 @kernel
 def gather_vec3d_kernel(values: array(dtype=vec3d), rows: array(dtype=int32), out: array(dtype=vec3d)):
-    """out[i] = values[rows[i]]."""
     i = tid()
     out[i] = values[rows[i]]
 
 
 def scale_points(points: Points, middle: np.ndarray, scale: np.ndarray) -> Positions:
-    """(p - middle) * scale in float64, for a device array of vec3."""
     out = empty(points.size, vec3d, points.device)
     launch(scale_points_kernel, points.size, [points, vec3d(*middle), vec3d(*scale), out])
     return out
 
 
 def farthest_rows(points: Positions, centre: np.ndarray, width: int) -> np.ndarray:
-    """The indices of the farthest point of each cell about a centre, ascending: int64 on the host (one sync).
-
-    Args:
-        points: Device array of vec3d; those that are not finite do not count.
-        centre: float64 [3].
-        width: Cells along an edge of each of the cube's six faces.
-    """
+    """Ascending indices of the farthest finite point per cell, int64 on the host; `width` cells per edge. One sync."""
     keys = zeros(6 * width * width, int64, points.device)
     launch(find_farthest_kernel, points.size, [points, vec3d(*centre), width, keys])
     found = download(keys)  # sync
@@ -237,15 +220,7 @@ def farthest_rows(points: Positions, centre: np.ndarray, width: int) -> np.ndarr
 
 
 def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, planes: np.ndarray, width: int) -> Mask:
-    """uint8 [n], 0 where a point lies strictly inside a convex hull about a centre, or is not finite.
-
-    Args:
-        points: Device array of vec3d.
-        centre: float64 [3] inside the hull.
-        corners: float64 [f, 3, 3], the corners of its triangles, counter-clockwise from outside.
-        planes: float64 [f, 4], their unit normals and offsets: normal . p + offset <= 0 inside.
-        width: Cells along an edge of each of the cube's six faces.
-    """
+    """0 for points strictly inside a hull about `centre`, or not finite; `planes`: normal . p + offset <= 0 inside."""
     device = points.device
     normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], centre))
     arms = corners - centre
@@ -260,7 +235,6 @@ def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, plane
 
 
 def gather_positions(points: Positions, rows: Indices) -> Positions:
-    """points[rows] for vec3d arrays."""
     out = empty(rows.size, vec3d, points.device)
     launch(gather_vec3d_kernel, rows.size, [points, rows, out])
     return out

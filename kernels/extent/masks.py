@@ -1,4 +1,4 @@
-"""Masks over points: which lie in a box, which are finite. 12 B read and 1 B written a point."""
+"""Point masks: in a box, finite, usable."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -30,7 +30,6 @@ from ..memory import clone, download, empty, zeros
 
 @kernel
 def mask_aligned_box_kernel(points: array(dtype=vec3), low: vec3, high: vec3, mask: array(dtype=uint8)):
-    """1 where low <= p <= high on each axis."""
     i = tid()
     p = points[i]
     inside = 0
@@ -55,7 +54,6 @@ def mask_oriented_box_kernel(
 
 @kernel
 def mask_usable_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), mask: array(dtype=uint8)):
-    """1 where both the point and its normal are finite."""
     i = tid()
     p = points[i]
     n = normals[i]
@@ -67,7 +65,7 @@ def mask_usable_kernel(points: array(dtype=vec3), normals: array(dtype=vec3), ma
 
 @kernel
 def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: int, mask: array(dtype=uint8)):
-    """1 where no coordinate is NaN (if asked) and none is infinite (if asked)."""
+    """1 unless a coordinate is NaN (if `drop_nan`) or infinite (if `drop_infinite`)."""
     i = tid()
     p = points[i]
     keep = 1
@@ -84,7 +82,6 @@ def mask_finite_kernel(points: array(dtype=vec3), drop_nan: int, drop_infinite: 
 
 @func
 def is_finite_row(rows: array(dtype=float32, ndim=2), i: int) -> int:
-    """1 if all entries of a row are finite."""
     finite = 1
     for column in range(rows.shape[1]):
         if not isfinite(rows[i, column]):
@@ -96,25 +93,22 @@ def is_finite_row(rows: array(dtype=float32, ndim=2), i: int) -> int:
 def count_unusable_kernel(
     points: array(dtype=vec3), rows: array(dtype=float32, ndim=2), cloud: int, counts: array(dtype=int32)
 ):
-    """Count the finite points of a cloud whose row of another array is not finite."""
+    """Count the finite points whose row of another array is not finite."""
     i = tid()
     if is_finite_row(rows, i) == 0 and isfinite(points[i]):
-        atomic_add(counts, cloud, 1)  # a count: the order does not matter
+        atomic_add(counts, cloud, 1)  # integer sum: order-independent
 
 
 @kernel
 def drop_unusable_kernel(rows: array(dtype=float32, ndim=2), points: array(dtype=vec3)):
-    """Make NaN of the points whose row of another array is not finite."""
+    """Set points to NaN whose row of another array is not finite."""
     i = tid()
     if is_finite_row(rows, i) == 0:
         points[i] = vec3(NAN, NAN, NAN)
 
 
 def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: np.ndarray) -> Mask:
-    """uint8 [n]; the bounds are world coordinates in float64, both inclusive.
-
-    The bounds are rounded to float32 as the points were, so a point that was on a face still is.
-    """
+    """uint8 (n); inclusive float64 world bounds, rounded to float32 like the points, so points on a face are inside."""
     mask = empty(points.size, uint8, points.device)
     with np.errstate(over="ignore"):
         bounds = [(bound - origin).astype(np.float32) for bound in (low, high)]
@@ -123,7 +117,7 @@ def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: 
 
 
 def mask_oriented_box(points: Points, offset: np.ndarray, axes: np.ndarray, half: np.ndarray) -> Mask:
-    """uint8 [n]; rows of `axes` are the box's axes, `offset` is the cloud's origin less the box's centre."""
+    """uint8 (n); rows of `axes` are the box axes, `offset` is the cloud's origin minus the box center."""
     mask = empty(points.size, uint8, points.device)
     arguments = [points, vec3d(*offset), mat33d(*axes.ravel()), vec3d(*half), mask]
     launch(mask_oriented_box_kernel, points.size, arguments)
@@ -131,7 +125,6 @@ def mask_oriented_box(points: Points, offset: np.ndarray, axes: np.ndarray, half
 
 
 def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int) -> Mask:
-    """uint8 [n]."""
     mask = empty(points.size, uint8, points.device)
     launch(mask_finite_kernel, points.size, [points, int(drop_nan), int(drop_infinite), mask])
     return mask
@@ -140,16 +133,7 @@ def mask_finite(points: Points, drop_nan: bool | int, drop_infinite: bool | int)
 def drop_unusable(
     clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]
 ) -> tuple[list[Points], NDArray[np.int32]]:
-    """Leave out points that have a NaN or an infinity in other arrays (one sync if there are other arrays).
-
-    Args:
-        clouds: Device arrays of vec3 [n], on one device.
-        columns: Device arrays of float32 [n, c] of each, any number.
-
-    Returns:
-        (points, counts): of each cloud the same array if it has no such point, else a copy in which these are NaN; and
-        how many entries of each are not finite.
-    """
+    """Exclude points with non-finite values in `columns` (at most one sync): (points, counts), NaN copies if needed."""
     kept, counts = list(clouds), np.zeros(len(clouds), np.int32)
     if any(columns):
         found = zeros(len(clouds), int32, clouds[0].device)
@@ -165,7 +149,7 @@ def drop_unusable(
 
 
 def usable_rows(points: Points, normals: Vectors) -> Indices:
-    """The rows of points that are finite and have a finite normal: int32, ascending (one sync)."""
+    """Rows of finite points with finite normals: int32, ascending (one sync)."""
     mask = empty(points.size, uint8, points.device)
     launch(mask_usable_kernel, points.size, [points, normals, mask])
     return positions_of(mask)

@@ -1,7 +1,4 @@
-"""Mean, covariance and Mahalanobis distances of a cloud, summed in float64 in a fixed order.
-
-Two passes, the second about the mean of the first: coordinates of any size do no harm. 12 B read a point and pass.
-"""
+"""Mean, covariance and Mahalanobis distances of a cloud: two float64 passes in fixed order."""
 
 import numpy as np
 
@@ -32,7 +29,6 @@ products = vector(9, float64)  # x, y, z, then xx, xy, xz, yy, yz, zz
 
 @reduction
 def sum_positions(points: array(dtype=vec3)) -> count_position:
-    """How many points are finite, and the sum of their positions."""
     i = tid()
     p = points[i]
     part = count_position(0.0)
@@ -43,7 +39,7 @@ def sum_positions(points: array(dtype=vec3)) -> count_position:
 
 @reduction
 def sum_products(points: array(dtype=vec3), mean: vec3d) -> products:
-    """Sums and products of the differences of the finite points from a mean."""
+    """Sums and products of the finite points' differences from a mean."""
     i = tid()
     p = points[i]
     part = products(0.0)
@@ -60,7 +56,7 @@ def sum_products(points: array(dtype=vec3), mean: vec3d) -> products:
 def measure_mahalanobis_kernel(
     points: array(dtype=vec3), mean: vec3d, inverse: mat33d, distances: array(dtype=float64)
 ):
-    """sqrt((p - mean)^T inverse (p - mean)); NaN for points that are not finite."""
+    """sqrt((p - mean)^T inverse (p - mean)); NaN for non-finite points."""
     i = tid()
     p = points[i]
     distance = float64(NAN)
@@ -71,7 +67,7 @@ def measure_mahalanobis_kernel(
 
 
 def mean_and_covariance(points: Points) -> tuple[int, np.ndarray, np.ndarray]:
-    """(count, mean [3], covariance [3, 3]) of the finite points, divided by their number; NaN of none; two syncs."""
+    """(count, mean (3), population covariance (3, 3)) of the finite points; NaN without any; two syncs."""
     count, *total = download(reduce(sum_positions, points.size, [points]))[0].tolist()  # sync
     if count == 0:
         return 0, np.full(3, np.nan), np.full((3, 3), np.nan)
@@ -83,7 +79,7 @@ def mean_and_covariance(points: Points) -> tuple[int, np.ndarray, np.ndarray]:
 
 
 def mahalanobis_distances(points: Points, mean: np.ndarray, inverse: np.ndarray) -> Doubles:
-    """float64 [n] for a mean [3] and the inverse of a covariance [3, 3]."""
+    """float64 (n) for a mean (3) and an inverse covariance (3, 3)."""
     distances = empty(points.size, float64, points.device)
     launch(measure_mahalanobis_kernel, points.size, [points, vec3d(*mean), mat33d(*inverse.ravel()), distances])
     return distances

@@ -1,18 +1,9 @@
-"""Points that a camera cannot see: mirrored about a sphere around it, and found inside a tetrahedron of it and others.
+"""Hidden point removal: candidates by spherical flipping (Katz, Tal and Basri, "Direct visibility of point sets",
+SIGGRAPH 2007, section 3).
 
-Mirrored points (Katz, Tal and Basri, "Direct visibility of point sets", SIGGRAPH 2007, section 3) lie in a thin shell,
-and those on the convex hull of all and the camera are seen. A point is inside that hull for certain where it lies
-inside one tetrahedron of the camera and three others. Directions about the camera fall into the cells of a cube map;
-the three are the points nearest to the camera of cells beside the point's own. A level of cells of one size rules out
-what lies deeper below them than the shell curves over three cells.
-
-On a face of the cube a mirrored point is (u, v, g) with g = 1 / distance along the face's axis, planes are linear
-functions g(u, v), and the test is one of a point beside a triangle of the plane. All in float64: with a radius of a
-hundred times the cloud's size, what tells points apart is 1e-5 of their distance. Cells exist only in the blocks of the
-map that hold points, so there are fewer cells than points.
-
-29 B a point for (u, v, g), face and distance, 32 B a cell. A level reads 33 B a point to choose, and 29 B and nine
-cells to test, some 30 operations for each of up to 12 triangles.
+A flipped point is hidden if it is inside a tetrahedron of the camera and three others, chosen as nearest points of
+neighboring cube-map cells. On a cube face a flipped point is (u, v, g), g = 1 / distance, and planes are linear in (u,
+v), so the test is 2D. Float64, since differences are 1e-5 of the distance. Cells exist only in occupied blocks.
 """
 
 import math
@@ -47,20 +38,20 @@ from ..memory import download, empty, upload, zeros
 from .hull_filter import LAST_INDEX, grid_place, locate_direction
 
 ring_numbers = vector(9, float64)
-NOWHERE = 255  # face of a point that is not finite or lies at the camera
-MARGIN = 1e-11  # of the distance, over the rounding of g: 1e-16 of it, and of the weights: 1e-10 of g's change between
-LEAST_AREA = 1e-6  # of a cell: flatter triangles have weights that are mostly rounding
-BLOCKS = 32  # blocks of cells along an edge of a face
-POINTS_A_CELL = 3  # of the finer of the two levels, were the points spread evenly over their blocks
-LARGEST_BLOCK = 64  # cells along an edge of a block: 2048 along a face
-LEVELS = 2  # the second with cells twice as wide
-FEW = 5000  # points that Qhull takes no longer for than the levels
-TRIANGLES = 12  # among a cell and the ring of eight around it: see `ring_triangle`
+NOWHERE = 255  # face of a point that is not finite or at the camera
+MARGIN = 1e-11  # of the distance: covers the rounding of g (1e-16) and of the weights (1e-10 of the change of g)
+LEAST_AREA = 1e-6  # of a cell: weights of flatter triangles are mostly rounding
+BLOCKS = 32  # blocks of cells per face edge
+POINTS_A_CELL = 3  # of the finer level, for uniformly distributed points
+LARGEST_BLOCK = 64  # cells per block edge: 2048 per face
+LEVELS = 2  # the second with twice the cell size
+FEW = 5000  # points that Qhull processes as fast as the levels
+TRIANGLES = 12  # of a cell and its ring of eight: see `ring_triangle`
 
 
 @func
 def flip_point(d: vec3d, radius: float64) -> vec3d:
-    """d (2 R - |d|) / |d|; NaN at the camera itself."""
+    """d (2 R - |d|) / |d|; NaN at the camera."""
     size = length(d)
     scale = float64(NAN)
     if size > 0.0:
@@ -70,7 +61,7 @@ def flip_point(d: vec3d, radius: float64) -> vec3d:
 
 @func
 def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=int32)) -> int:
-    """The cell in a place of a face whose blocks are `width` cells wide; -1 where there is no block."""
+    """Cell of a face position with blocks of `width` cells; -1 without a block."""
     block = blocks[(face * BLOCKS + row // width) * BLOCKS + column // width]
     cell = -1
     if block >= 0:
@@ -82,7 +73,7 @@ def cell_at(face: int, row: int, column: int, width: int, blocks: array(dtype=in
 def corner_at(
     face: int, row: int, column: int, width: int, blocks: array(dtype=int32), nearest: array(dtype=vec3d)
 ) -> vec3d:
-    """The nearest point of a cell; its g is 0 where there is none. Rings end at the edges of a face."""
+    """Nearest point of a cell, g = 0 if empty; rings end at face edges."""
     corner = vec3d(0.0, 0.0, 0.0)
     edge = BLOCKS * width
     if row >= 0 and row < edge and column >= 0 and column < edge:
@@ -94,7 +85,7 @@ def corner_at(
 
 @func
 def ring_triangle(t: int) -> vec3i:
-    """The corners of triangle t: eight of the cell and two neighbours of its ring, then four of the ring alone."""
+    """Corners of triangle t: eight of the cell and two ring neighbors, then four of the ring only."""
     corners = vec3i(8, t % 8, (t + 1) % 8)
     if t >= 8:
         corners = vec3i((2 * t) % 8, (2 * t + 3) % 8, (2 * t + 5) % 8)
@@ -103,7 +94,7 @@ def ring_triangle(t: int) -> vec3i:
 
 @func
 def lies_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, least_area: float64) -> int:
-    """1 where p = (u, v, g) lies strictly inside the tetrahedron of the camera and a, b, c, which turn to the left."""
+    """1 if p = (u, v, g) is strictly inside the tetrahedron of the camera and counterclockwise a, b, c."""
     zero = float64(0.0)
     wa = (b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])
     wb = (c[0] - p[0]) * (a[1] - p[1]) - (a[0] - p[0]) * (c[1] - p[1])
@@ -125,7 +116,7 @@ def view_points_kernel(
     faces: array(dtype=uint8),
     ranges: array(dtype=float32),
 ):
-    """A mirrored point's face, (u, v, g), and how far the point itself lies from the camera."""
+    """Face, (u, v, g) of the flipped point, and distance of the point."""
     i = tid()
     d = widen(points[i]) + offset
     place = locate_direction(flip_point(d, radius))
@@ -143,14 +134,12 @@ def view_points_kernel(
 def flip_points_kernel(
     points: array(dtype=vec3), rows: array(dtype=int32), offset: vec3d, radius: float64, out: array(dtype=vec3d)
 ):
-    """The mirrored points of some rows."""
     i = tid()
     out[i] = flip_point(widen(points[rows[i]]) + offset, radius)
 
 
 @kernel
 def mark_viewed_kernel(faces: array(dtype=uint8), mask: array(dtype=uint8)):
-    """1 where a point has a direction."""
     i = tid()
     viewed = 1
     if int(faces[i]) == NOWHERE:
@@ -162,13 +151,12 @@ def mark_viewed_kernel(faces: array(dtype=uint8), mask: array(dtype=uint8)):
 def mark_blocks_kernel(
     rows: array(dtype=int32), views: array(dtype=vec3d), faces: array(dtype=uint8), marks: array(dtype=int32)
 ):
-    """1 for each block of the map that holds a point."""
     i = tid()
     view = views[rows[i]]
     face = int(faces[rows[i]])
     block = (face * BLOCKS + grid_place(view[0], BLOCKS)) * BLOCKS + grid_place(view[1], BLOCKS)
     if marks[block] == 0:
-        atomic_max(marks, block, 1)  # set by any thread
+        atomic_max(marks, block, 1)  # all writers set 1
 
 
 @kernel
@@ -181,7 +169,7 @@ def find_nearest_kernel(
     blocks: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """The point of each cell nearest to the camera; the atomic settles which: the nearer, then the smaller index."""
+    """Nearest point of each cell (atomic minimum; ties: smaller index)."""
     i = tid()
     row = rows[i]
     view = views[row]
@@ -189,13 +177,13 @@ def find_nearest_kernel(
     cell = cell_at(int(faces[row]), grid_place(view[0], edge), grid_place(view[1], edge), width, blocks)
     nearness = int64(LAST_INDEX) - int64(float_bits(ranges[row]))
     key = (nearness << 32) | (int64(LAST_INDEX) - int64(row))
-    if key > keys[cell]:  # mostly not, so that few threads meet at the atomic
+    if key > keys[cell]:  # usually false, which limits contention
         atomic_max(keys, cell, key)
 
 
 @kernel
 def gather_nearest_kernel(keys: array(dtype=int64), views: array(dtype=vec3d), nearest: array(dtype=vec3d)):
-    """The (u, v, g) of each cell's point; zeros where there is none."""
+    """(u, v, g) of each cell's point; zeros if empty."""
     i = tid()
     view = vec3d(0.0, 0.0, 0.0)
     if keys[i] > 0:
@@ -214,7 +202,7 @@ def mask_seen_kernel(
     nearest: array(dtype=vec3d),
     mask: array(dtype=uint8),
 ):
-    """0 where a point lies strictly inside a tetrahedron of the camera and nearest points of cells around."""
+    """0 for points strictly inside a tetrahedron of the camera and near cells' points."""
     i = tid()
     p = views[rows[i]]
     face = int(faces[rows[i]])
@@ -247,22 +235,13 @@ def mask_seen_kernel(
             a = vec3d(us[corners[0]], vs[corners[0]], gs[corners[0]])
             b = vec3d(us[corners[1]], vs[corners[1]], gs[corners[1]])
             c = vec3d(us[corners[2]], vs[corners[2]], gs[corners[2]])
-            if min(min(a[2], b[2]), c[2]) > 0.0:  # where p is one of them it is not strictly inside
+            if min(min(a[2], b[2]), c[2]) > 0.0:  # if p is one of them it is not strictly inside
                 hidden = lies_behind(p, a, b, c, least_area)
     mask[i] = uint8(1 - hidden)
 
 
 def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Indices, Positions]:
-    """The rows of points that may be seen, ascending, some hidden ones among them; those at the camera are not.
-
-    Args:
-        points: Device array of vec3.
-        offset: What to add to a point to have it relative to the camera, float64 [3].
-        radius: Of the sphere.
-
-    Returns:
-        (rows, mirrored): int32 [m], and the mirrored points relative to the camera, vec3d [m].
-    """
+    """(rows of possibly visible points, ascending; flipped points about the camera); none at the camera."""
     count, device = points.size, points.device
     camera = [vec3d(*offset), float(radius)]
     views, faces, ranges = empty(count, vec3d, device), empty(count, uint8, device), empty(count, float32, device)
@@ -278,7 +257,6 @@ def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Ind
 
 
 def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scalars) -> Indices:
-    """The rows less those that the levels of cells find to be hidden."""
     device = rows.device
     marks = zeros(6 * BLOCKS * BLOCKS, int32, device)
     launch(mark_blocks_kernel, rows.size, [rows, views, faces, marks])

@@ -1,1 +1,1 @@
-"""Descriptors of points, and their matching."""
+"""Point descriptors and their matching."""

@@ -1,10 +1,8 @@
-"""The shape of each point's neighbourhood from the eigenvalues of its covariance.
+"""Eigenvalue features of each point's neighborhood.
 
 Weinmann et al., "Semantic point cloud interpretation based on optimal neighborhoods, relevant features and efficient
-classifiers", ISPRS Journal 105, 2015, section 3.2.1 (equations 5 to 12) with eigenvalues divided by their sum; the
-surface variation is that of Pauly, Gross and Kobbelt, "Efficient simplification of point-sampled surfaces", 2002. The
-density is that of Weinmann's section 3.2.2: neighbours over the volume of the ball that holds them.
-88 B read and 52 B written a point, some 400 operations in float64.
+classifiers", ISPRS Journal 105, 2015, section 3.2.1 (equations 5 to 12, normalized eigenvalues) and 3.2.2 (density).
+Surface variation: Pauly, Gross and Kobbelt 2002.
 """
 
 from typing import TYPE_CHECKING
@@ -23,9 +21,9 @@ from ..surface.neighbor_moments import sum_neighbor_moments
 if TYPE_CHECKING:
     from ..search.point_tree import PointTree
 
-MIN_NEIGHBORS = 3.0  # fewer points span no plane
+MIN_NEIGHBORS = 3.0  # fewer points define no plane
 BALL = 4.18879020478639  # the volume of a ball of radius 1
-FLAT = 1.0e-15  # of the largest eigenvalue: what lies below is rounding
+FLAT = 1.0e-15  # of the largest eigenvalue: below is rounding
 SHAPES = (
     "linearity",
     "planarity",
@@ -41,7 +39,7 @@ SHAPES = (
 
 @func
 def eigenvalues_of(m: moments) -> vec3d:
-    """The eigenvalues [m^2] of the covariance in ascending order; zero where they are nothing but rounding."""
+    """Eigenvalues [m^2] of the covariance in ascending order; zero below rounding."""
     values = eigenvalues(covariance_of(m))
     floor_value = values[2] * float64(FLAT)
     low = float64(0.0)
@@ -64,14 +62,7 @@ def entropy_of(share: float64) -> float64:
 
 @struct
 class Shapes:
-    """What is known of each point's neighbourhood; NaN until it is measured.
-
-    Attributes:
-        eigenvalues: Of the covariance [m^2], largest first, float32 [n, 3].
-        linearity, planarity, sphericity, omnivariance, anisotropy, eigenentropy, curvature, verticality: Shapes made
-            of them, float32 [n].
-        density: Neighbours a cubic metre of the ball that they are searched in [1 / m^3], float32 [n].
-    """
+    """Features per point, NaN until measured: `eigenvalues` [m^2], largest first; `density` [1 / m^3]."""
 
     eigenvalues: array(dtype=float32, ndim=2)
     linearity: array(dtype=float32)
@@ -92,7 +83,7 @@ class Shapes:
 
 @func
 def density_of(count: float64, sqdist: float) -> float:
-    """Points a cubic metre of a ball with this squared radius [m^2]; NaN where it is nothing, or without bounds."""
+    """Points per cubic meter of a ball of squared radius [m^2]; NaN if it is zero or infinite."""
     density = float(NAN)
     if sqdist > 0.0 and sqdist < LARGEST_SQDIST:
         radius = sqrt(float64(sqdist))
@@ -110,7 +101,7 @@ def find_ends_kernel(
     reach: float,
     ends: array(dtype=float32),
 ):
-    """The squared radius of the ball that the neighbours of each point fill: of the last one where they are `most`."""
+    """Squared radius of the ball of each neighborhood: of the last neighbor if there are `most`."""
     i = tid()
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
@@ -133,7 +124,7 @@ def find_ends_kernel(
 def measure_shapes_kernel(
     sums: array(dtype=moments), ends: array(dtype=float32), order: array(dtype=int32), shapes: Shapes
 ):
-    """Eigenvalues, largest first, and the shapes made of them; NaN where the neighbours span nothing."""
+    """Eigenvalues and features of each point; NaN for degenerate neighborhoods."""
     i = tid()
     at = order[i]
     m = sums[i]
@@ -158,7 +149,6 @@ def measure_shapes_kernel(
 
 @kernel
 def measure_curvature_kernel(sums: array(dtype=moments), order: array(dtype=int32), curvature: array(dtype=float32)):
-    """The surface variation alone."""
     i = tid()
     m = sums[i]
     v = eigenvalues_of(m)
@@ -168,16 +158,8 @@ def measure_curvature_kernel(sums: array(dtype=moments), order: array(dtype=int3
 
 
 def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict[str, Scalars | Array2[float32]]:
-    """Eigenvalues and shapes of each point's neighbourhood.
-
-    Args:
-        tree: The PointTree of n points.
-        radius: Upper limit of the distance [m], excluded; infinity for none.
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
-
-    Returns:
-        Device arrays by name: `eigenvalues` float32 [n, 3], largest first, and each of SHAPES, float32 [n]. NaN where
-        fewer than three neighbours are found, or all lie at one place.
+    """Eigenvalues (n, 3), largest first, and SHAPES (n), float32 by name; NaN for fewer than three neighbors. `max_nn`
+    includes the point itself; None takes all within `radius` [m] (exclusive).
     """
     around = Neighborhood(tree, radius, max_nn)
     sums = sum_neighbor_moments(around)
@@ -192,7 +174,7 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
 
 
 def measure_curvature(tree: "PointTree", radius: float, max_nn: int | None) -> Scalars:
-    """The surface variation of each point's neighbourhood, float32 [n], 0 .. 1/3; NaN as in `measure_shapes`."""
+    """Surface variation of each neighborhood, float32 (n), 0 .. 1/3; NaN as in `measure_shapes`."""
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
     curvature = full(tree.source.size, NAN, float32, tree.device)
     launch(measure_curvature_kernel, tree.count, [sums, tree.order, curvature])

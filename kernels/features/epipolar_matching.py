@@ -1,12 +1,7 @@
-"""Descriptors matched along known epipolar lines: the nearest of those features that a known motion admits.
+"""Descriptor matching along known epipolar lines.
 
-Both pictures' features are rays with z = 1 in their camera's frame, and E = [t]x R carries a ray of the first to its
-line in the second (Longuet-Higgins 1981; Hartley and Zisserman 2004, section 9.6). A feature is admitted where it lies
-within a distance of the line, and the feature that is matched within that of its own line: each in its picture.
-
-One thread a feature of one direction of one pair; reads 16 B a feature of the other picture, and 128 B of those that
-are admitted, writes 12 B. Distances of descriptors are whole numbers, ties go to the lower feature: the same matches
-on any device and number of threads.
+Features are rays with z = 1; E = [t]x R maps a ray of the first image to its line in the second (Hartley and Zisserman
+2004, section 9.6). A match must be within a distance of both lines. Integer distances, ties to the lower feature.
 """
 
 import numpy as np
@@ -16,21 +11,13 @@ from ..lang import array, float64, func, int32, kernel, launch, struct, tid, uin
 from ..memory import download, empty, upload
 
 NO_MATCH = -1
-FARTHEST = 0x7FFFFFFF  # beyond any squared distance of two descriptors
+FARTHEST = 0x7FFFFFFF  # above any squared descriptor distance
 WIDTH = 128  # numbers of a descriptor
 
 
 @struct
 class LineSearches:
-    """Directed pairs of pictures, one after the other.
-
-    Attributes:
-        starts: Of the searches: number of the first thread of each, and of all threads, int32 [p + 1].
-        pictures: First and second picture of each, int32 [p, 2].
-        essential: E of each, row by row, float64 [p, 9].
-        limits: Square of the distance from the line that is admitted, in the first and in the second picture, in
-            units of rays, float64 [p, 2].
-    """
+    """Directed image pairs: first threads, row-major `essential`, `limits`: squared line distances in ray units."""
 
     starts: array(dtype=int32)
     pictures: array(dtype=int32, ndim=2)
@@ -46,13 +33,7 @@ class LineSearches:
 
 @struct
 class LineFeatures:
-    """Features of all pictures, one picture's after the other's.
-
-    Attributes:
-        firsts: The first feature of each picture, and the number of all, int32 [n + 1].
-        rays: x and y at z = 1, float64 [m, 2]; NaN where the lens has no ray.
-        descriptors: uint8 [m, 128].
-    """
+    """Concatenated features of all images: `firsts` (n + 1), `rays` (NaN where the lens has none), `descriptors`."""
 
     firsts: array(dtype=int32)
     rays: array(dtype=float64, ndim=2)
@@ -65,7 +46,6 @@ class LineFeatures:
 
 @func
 def search_of(thread: int, starts: array(dtype=int32)) -> int:
-    """The search that a thread belongs to."""
     low = int(0)
     high = starts.shape[0] - 1
     while high - low > 1:
@@ -79,7 +59,6 @@ def search_of(thread: int, starts: array(dtype=int32)) -> int:
 
 @func
 def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -> int:
-    """Squared distance of two descriptors."""
     total = int(0)
     for k in range(WIDTH):
         difference = int(descriptors[a, k]) - int(descriptors[b, k])
@@ -89,7 +68,7 @@ def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -
 
 @kernel
 def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, found: array(dtype=int32, ndim=2)):
-    """The nearest admitted feature of the second picture, its squared distance, and that of the next."""
+    """Nearest admissible feature of the second image, its squared distance, and that of the second nearest."""
     i = tid()
     s = search_of(i, searches.starts)
     first = searches.pictures[s, 0]
@@ -133,12 +112,7 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, fou
 
 
 def match_along_lines(searches: LineSearches, features: LineFeatures, count: int) -> np.ndarray:
-    """Run all searches, `count` threads.
-
-    Returns:
-        int32 [count, 3]: the number of the match in its picture or NO_MATCH, its squared distance and that of the
-        next, FARTHEST where there is none.
-    """
+    """int32 (count, 3) per search thread: match or NO_MATCH, its squared distance and the second, or FARTHEST."""
     found: Array2[int32] = empty((count, 3), int32, searches.starts.device)
     launch(match_along_lines_kernel, count, [searches, features, found])
     return download(found)  # sync

@@ -1,20 +1,9 @@
-"""Pairs of rows of two sets of features that are nearest to each other, one way or mutually.
+"""Nearest rows between two feature sets, one-way or mutual.
 
-Both sides get a FeatureTree about the same axes; the queries then follow its order, so that those of neighbouring
-threads visit the same rows. The way back is no second search: of all source rows that have the same target row as their
-nearest, only the nearest one can be its mutual partner, and it is one unless the target row has a nearer source row
-yet. So each target row that is somebody's nearest searches within that distance, and stops at the first that it finds.
-
-Distances are exact float32 sums of squared differences in one order of operations, whichever side asks. Nothing depends
-on the number of threads: ties go to the lower number, and the atomic is a minimum.
-
-The nearest rows of a query in a FeatureTree, by one thread, without a stack. A query goes down to one group that lies
-close, compares its rows, and then visits every box within the limit of what it has found: 16 children are measured side
-by side and those within are the bits of a number, so what is left to visit are 16 bits a level. Of a group, rows are
-told apart by their 6 leading coordinates, then by all 16, and in full only where these are near enough: of 8,500 FPFH
-rows of an indoor scan, 60 groups and 30 rows.
-
-A result is kept as a 64-bit key, the bits of its squared distance above its number: ties go to the lower number.
+Both sides get a FeatureTree with the same axes. For mutual matches, each claimed target row searches only within the
+distance of its nearest claimant, and stops at the first nearer row. One thread per query, without a stack: 16 child
+boxes are tested together, then rows by 6, 16 and all coordinates (60 groups and 30 full rows of 8,500 FPFH rows).
+Results are keys: squared distance bits above the row number, so ties go to the lower number.
 """
 
 import math
@@ -46,23 +35,23 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .feature_tree import AXES, BOXED, FAN, GROUP, SIDES, STEP, FeatureRows, FeatureTree, axes, find_axes
 
-NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # a key beyond all others: an infinite distance, and no row
-BITS = 0xFFFF  # one level's part of what is left to visit
-ABOVE = 0xFFFF_FFFF_0000  # the parts of the levels above the lowest
+NO_ROW_KEY = 0x7F80_0000_FFFF_FFFF  # above all other keys: infinite distance, no row
+BITS = 0xFFFF  # pending bits of one level
+ABOVE = 0xFFFF_FFFF_0000  # pending bits of the upper levels
 EQUAL = 1  # a group of equal rows ...
-FIRST_TWO = 3  # ... of which these lanes are enough
-REPEATED = 2  # a group of the same equal rows as the group before, which has the lower numbers
-WIDEST_LIMIT = 3.0e38  # where nothing is found yet: below infinity, where stands what is not there
-TINY = 1.0e-30  # covers products below the normal numbers, whose rounding is not relative
+FIRST_TWO = 3  # ... of which these two lanes are sufficient
+REPEATED = 2  # equal to the previous group, which has lower numbers
+WIDEST_LIMIT = 3.0e38  # initial limit: below infinity, which marks missing children
+TINY = 1.0e-30  # covers subnormal products, whose rounding is not relative
 
 lanes = vector(16, float32)
 eight = vector(8, float32)
-closest = vector(2, int64)  # the keys of the nearest row and of the next one
+closest = vector(2, int64)  # keys of the nearest row and the second nearest
 
 
 @func
 def square_distance(a: int, some: array(dtype=float32), b: int, others: array(dtype=float32), width: int) -> float:
-    """|a - b|^2 of the packed rows that begin at a and b: eight sums side by side, then theirs; either way the same."""
+    """|a - b|^2 of packed rows, as eight parallel sums; symmetric."""
     sums = eight(0.0)
     for c in range(width // STEP):
         for j in range(STEP):
@@ -73,11 +62,9 @@ def square_distance(a: int, some: array(dtype=float32), b: int, others: array(dt
 
 @func
 def limit_of(key: int64, slack: float, margin: float) -> float:
-    """The squared distance of coordinates beyond which no row is as near as a key's.
-
-    With R the length of the longest row, u = 2^-24 and d columns: coordinates are rounded to float32, u R, and the
-    length of what is left is the root of a difference of float64 sums, 7e-8 d^(1/2) R. `margin` is more than both
-    for two rows. `slack` covers the rounding of the row's distance, (d / 8 + 6) u, and of the coordinates', 20 u.
+    """Squared coordinate distance beyond which no row is as near as a key's. With the longest row R, u = 2^-24 and d
+    columns: coordinates round by u R and the residual length by 7e-8 d^(1/2) R; `margin` exceeds both for two rows.
+    `slack` covers (d / 8 + 6) u of the row's distance and 20 u of the coordinates'.
     """
     reach = sqrt(key_number(key)) * slack + margin
     return smaller(reach * reach * slack + TINY, WIDEST_LIMIT)
@@ -85,7 +72,6 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
 
 @func
 def lanes_within(sqdists: lanes, limit: float) -> int:
-    """Bit j is set where lane j is not beyond the limit."""
     found = 0
     for j in range(FAN):
         found = found | ((1 if sqdists[j] <= limit else 0) << j)
@@ -94,7 +80,6 @@ def lanes_within(sqdists: lanes, limit: float) -> int:
 
 @func
 def smallest_lane(sqdists: lanes) -> int:
-    """The lane of the smallest number."""
     found = 0
     least = sqdists[0]
     for j in range(1, FAN):
@@ -106,7 +91,7 @@ def smallest_lane(sqdists: lanes) -> int:
 
 @func
 def measure_children(node: int, boxes: array(dtype=float32), y: axes) -> lanes:
-    """Squared distances from coordinates to the boxes of a node's children; infinite where there is no child."""
+    """Squared distances to the boxes of a node's children; infinite for missing children."""
     at = node * SIDES
     sqdists = lanes(0.0)
     for k in range(BOXED):
@@ -119,7 +104,7 @@ def measure_children(node: int, boxes: array(dtype=float32), y: axes) -> lanes:
 
 @func
 def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float) -> int:
-    """Bit j is set where the coordinates of a group's row j are not beyond the limit."""
+    """Bit mask of a group's rows within the limit by coordinates."""
     at = group * AXES * GROUP
     sqdists = lanes(0.0)
     for k in range(BOXED):
@@ -140,7 +125,6 @@ def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float
 
 @func
 def coordinates_of(place: int, tree: FeatureTree) -> axes:
-    """The coordinates of one row of a tree."""
     y = axes(0.0)
     at = (place // GROUP) * AXES * GROUP + place % GROUP
     for k in range(AXES):
@@ -152,11 +136,7 @@ def coordinates_of(place: int, tree: FeatureTree) -> axes:
 def offer_group(
     group: int, y: axes, limit: float, place: int, queries: FeatureTree, tree: FeatureTree, held: closest
 ) -> closest:
-    """The two smallest of the keys held and those of a group's rows; the query is the row at a place of its own tree.
-
-    Of equal rows only the first two matter, which have the lowest numbers: without this, n rows would be compared with
-    n equal ones each.
-    """
+    """Update the two smallest keys with a group's rows; of equal rows only two are compared (n duplicates)."""
     best = held[0]
     next_best = held[1]
     left = 0
@@ -180,7 +160,7 @@ def offer_group(
 
 @func
 def closest_group(y: axes, tree: FeatureTree) -> int:
-    """A group that lies close: down the tree, each time into the nearest child."""
+    """Descend to the nearest child at each level."""
     node = 0
     least = float(INFINITY)
     for root in range(tree.roots):
@@ -206,17 +186,13 @@ def search_rows(
     slack: float,
     margin: float,
 ) -> closest:
-    """The two smallest of the keys held and those of all rows, but for the group `seen`.
-
-    Only rows that may be nearer than held[counted] are sure to be found. With `stop` the search ends at the first key
-    that is smaller than one of those held.
-    """
+    """Update the two smallest keys with all rows except group `seen`, if nearer than held[counted]."""
     found = held
     limit = limit_of(found[counted], slack, margin)
     searching = 1
     for root in range(tree.roots):
         node = root
-        level = 3  # of the node; those of level 1 have groups for children
+        level = 3  # of the node; children of level 1 are groups
         left = int64(lanes_within(measure_children(tree.third + root, tree.boxes, y), limit)) << 32
         while left != 0 and searching == 1:
             shift = int64(FAN * (level - 1))
@@ -245,22 +221,14 @@ def search_rows(
     return found
 
 
-CPU_RUN = 32  # queries a thread on the CPU: some 70 microseconds of work
-NO_ROW = -1  # the index where there is no row
+CPU_RUN = 32  # queries per CPU thread: some 70 microseconds
+NO_ROW = -1  # index without a row
 
 
 @struct
 class FeatureMatch:
-    """The nearest target row of each source row.
-
-    Attributes:
-        nearest: int32 [n]; NO_ROW where a source row is not finite or there is no target row.
-        sqdists: float32 [n], infinite there.
-        second_sqdists: float32 [n], of the second nearest row, infinite where there is none; without `second` no more
-            than a bound from above.
-        slack, rounding: How far distances of coordinates may be off, see `limit_of`; `rounding` in lengths of the
-            longest row.
-        source, target: The FeatureTrees.
+    """Nearest target row of each source row: `nearest` or NO_ROW; `sqdists`; `second_sqdists`, without `second` only an
+    upper bound; `slack` and `rounding` (in lengths of the longest row) as in `limit_of`.
     """
 
     nearest: array(dtype=int32)
@@ -270,11 +238,7 @@ class FeatureMatch:
     rounding: float
 
     def __init__(self, source: Array2[float32], target: Array2[float32], *, second: bool = True) -> None:
-        """Match the rows of two float32 device arrays [n, d] and [m, d]; `second` False leaves out the second nearest.
-
-        Raises:
-            ValueError: More numbers than one array holds.
-        """
+        """Match float32 device arrays (n, d) and (m, d); raises ValueError if they are too large."""
         self.device, columns = source.device, source.shape[1]
         sides = FeatureRows(source), FeatureRows(target)
         basis = find_axes(*sides)
@@ -291,13 +255,11 @@ class FeatureMatch:
         return 1 if self.device.is_cuda else CPU_RUN
 
     def matched(self) -> Mask:
-        """A mask, uint8 [n], of the source rows that have a nearest one."""
         kept = empty(self.row_counts[0], uint8, self.device)
         launch(keep_matched_kernel, kept.size, [self.nearest, kept])
         return kept
 
     def mutual(self) -> Mask:
-        """A mask, uint8 [n], of the source rows that are the nearest of their nearest."""
         claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
         launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
         kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
@@ -306,7 +268,7 @@ class FeatureMatch:
         return kept
 
     def pairs(self, kept: Mask) -> Array2[int32]:
-        """The marked source rows with their nearest, int32 [m, 2] on the device, by source row (one sync)."""
+        """Selected (source, target) rows, int32 (m, 2), by source row (one sync)."""
         rows = positions_of(kept)
         pairs = empty((rows.size, 2), int32, self.device)
         launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
@@ -315,13 +277,13 @@ class FeatureMatch:
 
 @func
 def margin_of(queries: FeatureTree, tree: FeatureTree, rounding: float) -> float:
-    """By how much the distance of two rows' coordinates may be off."""
+    """Rounding bound of the distance between two rows' coordinates."""
     return sqrt(max(queries.extent[0], tree.extent[0])) * rounding
 
 
 @kernel
 def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree: FeatureTree, match: FeatureMatch):
-    """The nearest row of each query of a run, and how far that and the next one are."""
+    """Nearest row of each query with its distance and the second distance."""
     i = tid()
     margin = margin_of(queries, tree, match.rounding)
     for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
@@ -340,7 +302,7 @@ def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree:
 
 @kernel
 def claim_rows_kernel(nearest: array(dtype=int32), sqdists: array(dtype=float32), claims: array(dtype=int64)):
-    """The smallest key of the source rows that have a target row as their nearest; a minimum has no order."""
+    """Smallest key of the claimants of a target row; a minimum has no order."""
     i = tid()
     if nearest[i] != NO_ROW:
         atomic_min(claims, nearest[i], pack_key(sqdists[i], i))
@@ -355,7 +317,7 @@ def keep_mutual_kernel(
     claims: array(dtype=int64),
     kept: array(dtype=uint8),
 ):
-    """Mark the source row that claims a target row, unless another source row is nearer to that."""
+    """Flag the claimant of a target row unless another source row is nearer."""
     i = tid()
     margin = margin_of(queries, tree, match.rounding)
     for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
@@ -370,7 +332,6 @@ def keep_mutual_kernel(
 
 @kernel
 def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
-    """Mark the rows that have a nearest one."""
     i = tid()
     kept[i] = uint8(1 if nearest[i] != NO_ROW else 0)
 
@@ -379,7 +340,7 @@ def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
 def drop_ambiguous_kernel(
     sqdists: array(dtype=float32), second_sqdists: array(dtype=float32), square_ratio: float64, kept: array(dtype=uint8)
 ):
-    """Take the mark from rows whose nearest is not nearer than a share of the way to the next."""
+    """Clear rows whose nearest distance is not below the ratio to the second."""
     i = tid()
     if not (float64(sqdists[i]) < square_ratio * float64(second_sqdists[i])):
         kept[i] = 0
@@ -387,7 +348,6 @@ def drop_ambiguous_kernel(
 
 @kernel
 def write_pairs_kernel(rows: array(dtype=int32), nearest: array(dtype=int32), pairs: array(dtype=int32, ndim=2)):
-    """Rows with their nearest."""
     i = tid()
     pairs[i, 0] = rows[i]
     pairs[i, 1] = nearest[rows[i]]
@@ -401,24 +361,13 @@ def pair_features(
     mutual_consistency_ratio: float = 0.1,
     ratio: float | None = None,
 ) -> Array2[int32]:
-    """Pairs of rows, nearest to each other.
-
-    Args:
-        source: float32 device array [n, d].
-        target: float32 device array [m, d].
-        mutual: Keep pairs only where the source row is also the nearest of the target row, unless those are too few.
-        mutual_consistency_ratio: Fewer than this share of n are too few.
-        ratio: Keep pairs only where the nearest row is closer than `ratio` times the second nearest; None keeps all.
-
-    Returns:
-        int32 device array [k, 2], (source row, target row), by source row.
-    """
+    """Matched rows, int32 (k, 2), by source row; `mutual` ones unless below `mutual_consistency_ratio` of n."""
     match = FeatureMatch(source, target, second=ratio is not None)
     kept, pairs = None, None
     if mutual:
         kept = match.mutual()
         pairs = match.pairs(kept)
-        fewest = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # as Open3D rounds it
+        fewest = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # rounded as in Open3D
         if pairs.shape[0] < int(fewest):
             kept = None
     if kept is None:

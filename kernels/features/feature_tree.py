@@ -1,17 +1,9 @@
-"""A search structure over rows of numbers in many dimensions: features, descriptors.
+"""Bounding-box tree over rows of many dimensions (features, descriptors).
 
-Rows are turned to their principal axes and kept there as 16 coordinates: those along the 15 leading axes, and the
-length of all that is left. Since | |a| - |b| | <= |a - b|, the distance of two rows' coordinates is never larger than
-that of the rows. GROUP rows lie side by side, so that a query measures all of them in vector registers. FAN groups, FAN
-of those, and FAN of those again have boxes along the leading axes, which are measured the same way.
-
-The order of the rows is that of slabs: sorted along the first axis and cut, each slab along the second and cut, and so
-on over four axes, every other slab backwards, so that what follows each other lies close together. Equal rows keep
-their order. No result depends on the axes or on the order of the tree.
-
-Build: 4 d + 200 B a row of memory for d columns, 60 d operations a row, four sorts. The axes are those of a sample,
-found on the host. The pruning is exact: see `limit_of` in feature_matching.py for how far the coordinates are rounded.
-Source: Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997.
+Rows are rotated to their principal axes and stored as 16 coordinates: 15 leading axes and the residual length. Since |
+|a| - |b| | <= |a - b|, these give a lower bound of the distance. Order by sort-tile-recursive slabs over four axes
+(Leutenegger, Lopez and Edgington, "STR: a simple and efficient algorithm for R-tree packing", ICDE 1997). Pruning is
+exact (`limit_of` in feature_matching.py). Memory 4 d + 200 B per row.
 """
 
 import numpy as np
@@ -42,19 +34,19 @@ from ..lang import (
 from ..memory import download, empty, upload, zeros
 
 LEADING = 15  # principal axes
-AXES = 16  # and the length of what is left; with 9, three times as many rows have to be compared in full
-BOXED = 6  # axes of a box: a search with 9 looks into a tenth fewer groups and takes as long
-GROUP = 16  # rows side by side
+AXES = 16  # plus the residual length; with 9, three times as many rows need full comparisons
+BOXED = 6  # axes of a box: 9 would visit 10 % fewer groups in the same time
+GROUP = 16  # rows stored interleaved
 FAN = 16  # children of a node
-SIDES = 2 * BOXED * FAN  # numbers of the boxes of a node's children: low along each axis, then high
-STEP = 8  # numbers of a row that are summed side by side
-LARGEST_NUMBER = 1.0e15  # float32 holds the sum of the squares of such numbers; rows with larger ones are left out
-SAMPLE = 512  # rows of each side that the axes are found from
+SIDES = 2 * BOXED * FAN  # numbers of child boxes: low per axis, then high
+STEP = 8  # numbers of a row summed in parallel
+LARGEST_NUMBER = 1.0e15  # its squares can be summed in float32; rows with larger numbers are excluded
+SAMPLE = 512  # rows per side for the axes
 ROUNDS = 4  # axes that rows are sorted along
-SKEW = 1.6  # times as many slabs along an axis as along the next: the first ones tell most
-POWER_STEPS = 3  # an axis; more take longer than they save
-INDEPENDENT = 1.0e-3  # the part of a vector that has to stand across the axes before it to be an axis
-TINY = 1.0e-300  # in place of a zero that divides
+SKEW = 1.6  # ratio of slab counts along successive axes: the first ones separate best
+POWER_STEPS = 3  # power iterations per axis; more do not pay off
+INDEPENDENT = 1.0e-3  # minimum independent component of a vector that becomes an axis
+TINY = 1.0e-300  # replaces zero divisors
 MAX_NUMBERS = 2**31 - 1  # of one array
 
 axes = vector(16, float32)
@@ -64,12 +56,7 @@ boxed = vector(6, float32)
 
 @struct
 class FeatureRows:
-    """The usable rows of a device array of features.
-
-    Attributes:
-        features: float32 [n, d], as given.
-        rows: int32 [count], the rows without NaN, infinity and numbers beyond LARGEST_NUMBER.
-    """
+    """Usable `rows` of `features`, float32 (n, d): without NaN, infinity and numbers beyond LARGEST_NUMBER."""
 
     features: array(dtype=float32, ndim=2)
     rows: array(dtype=int32)
@@ -83,7 +70,6 @@ class FeatureRows:
         self.count = self.rows.size
 
     def sample(self) -> Array2[float32]:
-        """Up to SAMPLE rows at even intervals."""
         sample = empty((min(SAMPLE, self.count), self.columns), float32, self.device)
         launch(gather_sample_kernel, sample.shape[0], [self, sample])
         return sample
@@ -91,20 +77,9 @@ class FeatureRows:
 
 @struct
 class FeatureTree:
-    """Rows of features in order, with boxes around runs of them.
-
-    Attributes:
-        count: Rows.
-        width: Numbers of a packed row, a multiple of STEP.
-        labels: int32 [count], the number of each row.
-        packed: float32 [count * width], the rows, filled up with zeros to `width` numbers.
-        grouped: float32, their coordinates, GROUP rows side by side; infinite where there is no row.
-        alike: int32 [groups], 1 where the rows of a group are all equal, 2 where those of the group before are the same
-            as well.
-        boxes: SIDES numbers a node: the boxes of its children, of nodes of the lowest level first.
-        roots: Nodes of the highest level.
-        second, third: The first node of the levels above the lowest.
-        extent: float32 [1], the squared length of the longest coordinates.
+    """Ordered feature rows with boxes. `packed`: zero-padded rows; `grouped`: coordinates, GROUP rows interleaved;
+    `alike`: 1 if all rows of a group are equal, 2 if equal to the previous group's too; `boxes`: SIDES numbers per
+    node, lowest level first; `extent`: squared length of the longest coordinates.
     """
 
     count: int
@@ -120,11 +95,7 @@ class FeatureTree:
     extent: array(dtype=float32)
 
     def __init__(self, source: FeatureRows, basis: Array2[float64]) -> None:
-        """Sort a FeatureRows along the axes of `find_axes`, the same for both sides of a search.
-
-        Raises:
-            ValueError: More numbers than one array holds.
-        """
+        """Sort a FeatureRows along the axes of `find_axes`, shared by both sides. Raises ValueError if too large."""
         self.device, self.count = source.device, source.count
         self.width = -(-source.columns // STEP) * STEP
         most = MAX_NUMBERS // max(self.width, AXES)
@@ -165,7 +136,7 @@ class FeatureTree:
 
 @kernel
 def mark_rows_kernel(features: array(dtype=float32, ndim=2), usable: array(dtype=uint8)):
-    """1 for rows whose numbers are all finite and not too large."""
+    """1 for rows with finite numbers that are not too large."""
     i = tid()
     good = 1
     for c in range(features.shape[1]):
@@ -176,7 +147,6 @@ def mark_rows_kernel(features: array(dtype=float32, ndim=2), usable: array(dtype
 
 @kernel
 def gather_sample_kernel(source: FeatureRows, sample: array(dtype=float32, ndim=2)):
-    """Rows at even intervals."""
     i = tid()
     row = source.rows[int(int64(i) * int64(source.rows.shape[0]) // int64(sample.shape[0]))]
     for c in range(source.features.shape[1]):
@@ -187,7 +157,7 @@ def gather_sample_kernel(source: FeatureRows, sample: array(dtype=float32, ndim=
 def project_rows_kernel(
     source: FeatureRows, basis: array(dtype=float64, ndim=2), coordinates: array(dtype=float32, ndim=2)
 ):
-    """The coordinates of a row; basis[c] holds the middle of column c and the axes' components along it."""
+    """Coordinates of a row; basis[c] holds the mean of column c and the axes' components."""
     i = tid()
     row = source.rows[i]
     along = leading(0.0)
@@ -213,10 +183,7 @@ def make_slab_keys_kernel(
     order: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """The order after a sort, and the keys of the next: slab, then coordinate, backwards in every other slab.
-
-    Before the sort along the first axis there is none: the rows stand as they were given.
-    """
+    """Order after a sort (or of the input) and the keys of the next: slab, coordinate; backwards in odd slabs."""
     i = tid()
     place = i
     if axis > 0:
@@ -237,7 +204,7 @@ def pack_rows_kernel(
     order: array(dtype=int32),
     tree: FeatureTree,
 ):
-    """The rows in their last order, filled up with zeros to whole steps, and their numbers."""
+    """Rows in final order, zero-padded, with their numbers."""
     i = tid()
     place = before[moves[i]]
     order[i] = place
@@ -252,7 +219,6 @@ def pack_rows_kernel(
 
 @func
 def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
-    """1 where the packed rows first..last - 1 are all equal."""
     same = 1
     at = (first + 1) * tree.width
     while at < last * tree.width and same == 1:
@@ -264,11 +230,7 @@ def is_one_row(first: int, last: int, tree: FeatureTree) -> int:
 
 @kernel
 def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(dtype=int32), tree: FeatureTree):
-    """Coordinates side by side, the group's box, and the squared length of the longest (a maximum has no order).
-
-    And whether the group's rows are all equal: 1, or 2 where those of the group before are the same, too. What is not
-    there is at infinity, beyond every limit, groups behind the last in empty boxes.
-    """
+    """Interleaved coordinates, box, `alike` flag and maximum length of a group; padding is at infinity."""
     i = tid()
     first = i * GROUP
     held = max(0, min(GROUP, order.shape[0] - first))
@@ -299,12 +261,12 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
         if equal == 1 and i > 0:
             equal += is_one_row(first - GROUP, first + held, tree)
         tree.alike[i] = equal
-        atomic_max(tree.extent, 0, longest)
+        atomic_max(tree.extent, 0, longest)  # maximum: order-independent
 
 
 @kernel
 def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
-    """Put the box of each node of one level beside its siblings', where its parent holds them; empty without a node."""
+    """Copy the node boxes of a level into their parents; empty for missing nodes."""
     i = tid()
     at = (first + i // FAN) * SIDES + i % FAN
     for k in range(BOXED):
@@ -320,11 +282,7 @@ def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
 
 
 def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
-    """The middle and the leading axes of samples of two FeatureRows, on their device.
-
-    Returns:
-        float64 [d, 1 + LEADING], a column each; zeros for axes that are not there.
-    """
+    """Mean and leading axes of samples of two FeatureRows, float64 (d, 1 + LEADING); zeros for missing axes."""
     samples = concatenate_rows([side.sample().flatten() for side in (source, target)])
     rows = download(samples).astype(np.float64).reshape(-1, source.columns)  # sync
     basis = np.zeros((source.columns, 1 + LEADING))
@@ -336,11 +294,7 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
 
 
 def leading_axes(scatter: np.ndarray) -> np.ndarray:
-    """LEADING orthonormal columns that hold most of a symmetric matrix; zeros where it has fewer.
-
-    Nearly its eigenvectors, by a few steps of the power method each. Not by LAPACK, and sums not by BLAS: their threads
-    wait in a loop for more work, and so hold up the kernels that follow, for milliseconds.
-    """
+    """Approximate leading eigenvectors by power iterations; LAPACK's spinning threads would delay the next kernels."""
     found = np.zeros((len(scatter), LEADING))
     left = scatter / max(np.trace(scatter), TINY)
     for k in range(min(LEADING, len(scatter))):
@@ -348,7 +302,7 @@ def leading_axes(scatter: np.ndarray) -> np.ndarray:
         for _ in range(POWER_STEPS):
             axis = np.einsum("ij,j->i", left, axis)
             axis = axis / max(np.sqrt((axis * axis).sum()), TINY)
-        for _ in range(2):  # the second time for what the first one rounded
+        for _ in range(2):  # the second pass corrects rounding of the first
             axis = axis - np.einsum("ij,j->i", found, np.einsum("ij,i->j", found, axis))
             length = np.sqrt((axis * axis).sum())
             if length < INDEPENDENT:
@@ -362,7 +316,7 @@ def leading_axes(scatter: np.ndarray) -> np.ndarray:
 
 
 def slab_sizes(count: int) -> list[int]:
-    """How many rows each slab of each round holds: all of them in the first."""
+    """Row counts of the slabs in each round."""
     fan = max(1.0, count / GROUP) ** (1 / ROUNDS)
     sizes = [GROUP]
     for k in range(ROUNDS - 1):

@@ -1,19 +1,9 @@
-"""Fast point feature histograms: 33 numbers a point that tell how the surface around it bends.
+"""Fast point feature histograms: 33 numbers per point.
 
 Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, with Open3D's choices:
-neighbours are weighted by one over their squared distance, that sum is scaled to 100 an angle, and the point's own
-histogram is added to it, unscaled.
-
-Two passes over the neighbours, which are known by a limit a point (neighbor_limits.py) and found again each time: the
-first counts the bins of the pairs into a row of 132 B a point, the second sums the rows: 70
-operations a pair and 132 B read from the caches. No list of neighbours in memory.
-
-The sums are float32: all terms are positive, so each comes out within m roundings (6e-8) of itself for m neighbours,
-or 1e-5 for 100. That is a hundred times below what one neighbour in another bin changes.
-
-The histograms of a point's angles to its neighbours, 100 an angle: the first pass of FPFH (its SPFH). About 130
-operations a pair beside the search and 132 B written a point. Bins are counted as integers and are those of float64
-arithmetic, so that the histograms are Open3D's to the last neighbour (pair_angles.py).
+weights are 1 / squared distance, the sum is scaled to 100 per angle and the unscaled own histogram is added. Two passes
+find the neighbors by limits (neighbor_limits.py), without lists: the first counts bins (SPFH, 132 B per point,
+float64-exact bins, pair_angles.py), the second sums rows in float32 (relative error up to 6e-8 per neighbor).
 """
 
 from typing import TYPE_CHECKING
@@ -62,10 +52,7 @@ eight_bins = vector(8, int32)
 def bin_listed(
     rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3), scratch: GroupScratch, base: int, held: int
 ) -> histogram:
-    """The bins of the pairs with a point's neighbours among those that its keys stand for, itself among them.
-
-    Eight pairs at a time: what they read is collected first, so that the arithmetic runs in vector registers.
-    """
+    """Bins of the pairs with a point's listed neighbors, eight at a time for vectorization."""
     p = neighborhood.tree.points[rank]
     limit = neighborhood.limits[rank]
     n = normals[rank]
@@ -105,7 +92,7 @@ def bin_listed(
 
 @func
 def bin_walked(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)) -> histogram:
-    """The bins of the pairs with a point's neighbours, the point itself among them, by a walk through the tree."""
+    """Bins of the pairs with a point's neighbors, by tree traversal."""
     p = neighborhood.tree.points[rank]
     n = normals[rank]
     counts = histogram(0)
@@ -120,12 +107,7 @@ def bin_walked(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)
 
 @func
 def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float32, ndim=2)):
-    """Write a point's histogram, 100 an angle.
-
-    A pair at distance zero has all angles zero, so the point itself was counted in the middle bins. Where more points
-    than are asked for lie at one place it may not be among its own neighbours: then one of them goes in its stead, as
-    in Open3D, which takes the first neighbour for the point itself.
-    """
+    """Write a point's histogram, 100 per angle, without itself (middle bins) or, as in Open3D, a duplicate."""
     pairs = -1
     for j in range(BINS):
         pairs += counts[j]
@@ -146,7 +128,6 @@ def count_angles_kernel(
     normals: array(dtype=vec3),
     histograms: array(dtype=float32, ndim=2),
 ):
-    """The histogram of each query's pairs."""
     i = tid()
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
@@ -159,26 +140,17 @@ def count_angles_kernel(
 
 
 def count_angles(neighborhood: Neighborhood, normals: Vectors, ranks: Integers) -> Array2[float32]:
-    """The histograms of the points at some places on the curve.
-
-    Args:
-        neighborhood: The Neighborhood, with the limits of these points.
-        normals: Device array of vec3, shape [tree.count], by place.
-        ranks: int32 device array of the places.
-
-    Returns:
-        float32 device array of shape [tree.count, 33] by place; zeros in the rows of other points.
-    """
+    """Histograms at the tree positions `ranks`, float32 (tree.count, 33), else zeros; `normals` in tree order."""
     tree = neighborhood.tree
-    make = empty if ranks.size == tree.count else zeros  # a tie may read, with no weight, a row that is not written
+    make = empty if ranks.size == tree.count else zeros  # a tie may read an unwritten row, with zero weight
     histograms = make((tree.count, COLUMNS), float32, tree.device)
     neighborhood.visit(count_angles_kernel, ranks, [normals, histograms])
     return histograms
 
 
-HALF = 16  # columns of one register vector; two of them and one number are a row
-HEAVIEST = 1.0e30  # [1 / m^2] the weight of points nearer than 1e-15 m: below infinity, times any number of neighbours
-MAX_POINTS = (2**31 - 1) // COLUMNS  # the numbers of one array are counted in 32 bits
+HALF = 16  # columns of a vector register; a row has two of them and one number
+HEAVIEST = 1.0e30  # [1 / m^2] weight of points closer than 1e-15 m: finite for any number of neighbors
+MAX_POINTS = (2**31 - 1) // COLUMNS  # array elements are counted in 32 bits
 half_row = vector(16, float32)
 
 
@@ -186,19 +158,19 @@ half_row = vector(16, float32)
 def mask_points_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), usable: array(dtype=vec3), masked: array(dtype=int32)
 ):
-    """The points that have a finite normal, NaN in place of the others; 1 where a finite point was masked."""
+    """Replace points without a finite normal by NaN; flag if a finite point was replaced."""
     i = tid()
     p = points[i]
     if not isfinite(normals[i]):
         if isfinite(p):
-            atomic_max(masked, 0, 1)  # settles who sets it, all of them to 1
+            atomic_max(masked, 0, 1)  # resolves the race: all writers set 1
         p = vec3(NAN, NAN, NAN)
     usable[i] = p
 
 
 @kernel
 def mark_chosen_kernel(rows: array(dtype=int32), places: array(dtype=int32), count: int, marks: array(dtype=int32)):
-    """Set the marks of the chosen points, by place; the atomic settles repeats, all of them write 1."""
+    """Flag the chosen points by tree position; repeated writers all write 1."""
     i = tid()
     place = places[rows[i]]
     if place < count:
@@ -214,7 +186,7 @@ def copy_features_kernel(
     compact: array(dtype=float32, ndim=2),
     features: array(dtype=float32, ndim=2),
 ):
-    """Each chosen point's feature in the order asked for; NaN for points that have none."""
+    """Features in the requested order; NaN for points without."""
     i = tid()
     place = places[rows[i]]
     for c in range(COLUMNS):
@@ -226,7 +198,6 @@ def copy_features_kernel(
 
 @kernel
 def fill_missing_features_kernel(order: array(dtype=int32), count: int, features: array(dtype=float32, ndim=2)):
-    """NaN for the points behind the last usable one."""
     i = tid()
     row = order[count + i]
     for c in range(COLUMNS):
@@ -235,7 +206,7 @@ def fill_missing_features_kernel(order: array(dtype=int32), count: int, features
 
 @func
 def weight_of(sqdist: float) -> float:
-    """One over a squared distance [1 / m^2]; points at the same place have none."""
+    """1 / squared distance [1 / m^2]; 0 for coincident points."""
     weight = 0.0
     if sqdist > 0.0:
         weight = min(1.0 / sqdist, HEAVIEST)
@@ -244,7 +215,7 @@ def weight_of(sqdist: float) -> float:
 
 @func
 def weight_at(keys: array(dtype=int64), at: int, end: int, limit: int64) -> float:
-    """The weight of the point that a key stands for; none beyond the limit or the end of the keys."""
+    """Weight of a key's point; 0 beyond the limit or the end."""
     weight = 0.0
     if at < end:
         if keys[at] <= limit:
@@ -262,10 +233,7 @@ def sum_listed(
     row: int,
     features: array(dtype=float32, ndim=2),
 ):
-    """Write the weighted sum of the histograms that the keys up to a limit stand for.
-
-    Four histograms at a time: the sums are loaded and stored once for all four.
-    """
+    """Weighted sum of the histograms of the keys up to a limit, four at a time to save stores."""
     low = half_row(0.0)
     high = half_row(0.0)
     end = 0.0
@@ -305,7 +273,7 @@ def sum_walked(
     row: int,
     features: array(dtype=float32, ndim=2),
 ):
-    """Write the weighted sum of the histograms of a point's neighbours, by a walk through the tree."""
+    """Weighted sum of the histograms of a point's neighbors, by tree traversal."""
     low = half_row(0.0)
     high = half_row(0.0)
     end = 0.0
@@ -324,7 +292,7 @@ def sum_walked(
 
 @func
 def scale_of(total: float) -> float:
-    """What makes the columns of an angle, of this sum, 100 together."""
+    """Factor that scales the columns of an angle to a sum of 100."""
     scale = 0.0
     if total > 0.0:
         scale = 100.0 / total
@@ -333,7 +301,7 @@ def scale_of(total: float) -> float:
 
 @func
 def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, features: array(dtype=float32, ndim=2)):
-    """Scale the sum in a row to 100 an angle and add the point's own histogram."""
+    """Scale the sum to 100 per angle and add the point's own histogram."""
     for angle in range(3):
         total = 0.0
         for j in range(angle * BINS, angle * BINS + BINS):
@@ -353,7 +321,6 @@ def sum_histograms_kernel(
     rows: array(dtype=int32),
     features: array(dtype=float32, ndim=2),
 ):
-    """The feature of each query, in the row that it belongs to."""
     i = tid()
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
@@ -375,7 +342,7 @@ def sum_histograms_of_lanes_kernel(
     rows: array(dtype=int32),
     features: array(dtype=float32, ndim=2),
 ):
-    """The same, all lanes of a warp for one query after another: a lane sums a column, and rows are read at once."""
+    """CUDA variant: a warp per query, one column per lane."""
     i = tid()
     first = part.first + (i // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
@@ -415,19 +382,19 @@ def sum_histograms_of_lanes_kernel(
             features[row, own] = total * scale_of(per_angle) + histograms[rank, own]
             if own == 0:
                 features[row, 2 * HALF] = end * scale_of(sums[2]) + histograms[rank, 2 * HALF]
-        sync_lanes()  # the next group's keys are written over these
+        sync_lanes()  # before the next group overwrites the keys
         sync_lanes()
 
 
 def sum_histograms(
     neighborhood: Neighborhood, histograms: Array2[float32], ranks: Integers, rows: Indices, features: Array2[float32]
 ) -> None:
-    """Write the features of the points at some places on the curve into rows of `features`."""
+    """Write the features at the tree positions `ranks` into `rows` of `features`."""
     neighborhood.visit(sum_histograms_kernel, ranks, [histograms, rows, features])
 
 
 def mask_points(points: Points, normals: Vectors) -> Points | None:
-    """The points with NaN in place of those without a finite normal; None where all finite points have one (a sync)."""
+    """Points with NaN where the normal is not finite; None if nothing changes (sync)."""
     usable, masked = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
     launch(mask_points_kernel, points.size, [points, normals, usable, masked])
     return usable if download(masked)[0] else None  # sync
@@ -436,20 +403,8 @@ def mask_points(points: Points, normals: Vectors) -> Points | None:
 def compute_features(
     tree: "PointTree", normals: Vectors, radius: float, max_nn: int | None, rows: Indices | None = None
 ) -> Array2[float32]:
-    """Fast point feature histograms.
-
-    Args:
-        tree: The PointTree of n points, none of which is finite without a finite normal: see `mask_points`.
-        normals: Device array of vec3, shape [n].
-        radius: Upper limit of the distance of a neighbour [m], excluded; infinity for none.
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
-        rows: int32 device array of the points whose features are wanted; None for all.
-
-    Returns:
-        float32 device array of shape [n, 33], or [rows, 33]; NaN for points without finite position and normal.
-
-    Raises:
-        ValueError: More points than one array holds rows for.
+    """Fast point feature histograms, float32 (n, 33) or (rows, 33); NaN for points without finite position and normal.
+    The tree's points must pass `mask_points`; `max_nn` includes the point itself; `radius` [m] is exclusive.
     """
     n, device = tree.source.size, tree.device
     if max(n, 0 if rows is None else rows.size) > MAX_POINTS:
@@ -469,7 +424,7 @@ def compute_features(
 def _compute_chosen(
     tree: "PointTree", normals: Vectors, radius: float, max_nn: int | None, rows: Indices
 ) -> Array2[float32]:
-    """Features of some points; histograms are counted for these and their neighbours only."""
+    """Features of some points; histograms only for these and their neighbors."""
     device, count = tree.device, tree.count
     places, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)
     launch(number_rows_kernel, tree.order.size, [tree.order, places])

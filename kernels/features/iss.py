@@ -1,8 +1,5 @@
-"""Intrinsic shape signatures: points whose neighbourhood varies in all three directions more than around them.
-
-Zhong, "Intrinsic shape signatures: a shape descriptor for 3D object recognition", ICCV Workshops 2009, section 2, with
-Open3D's choices: covariances without weights, and the smallest eigenvalue as the saliency of which the largest stays.
-Per point the search, 80 B of moments and 8 B of saliency; the second search runs for salient points only.
+"""ISS keypoints: Zhong, "Intrinsic shape signatures: a shape descriptor for 3D object recognition", ICCV Workshops
+2009, section 2, with Open3D's unweighted covariances and the smallest eigenvalue as saliency.
 """
 
 from ..algebra.eigen import eigenvalues
@@ -19,17 +16,16 @@ from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 from ..surface.neighbor_moments import sum_neighbor_moments
 
-SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean distances of nearest neighbours
+SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean nearest neighbor distances
 NON_MAX_SPACINGS = 4.0
-FLAT = 1.0e-12  # of the radius squared: a millionth of the radius is what float32 makes of an exact plane
-TIE = 1.0e-14  # of the radius squared: saliencies no further apart are equal, and differ by the order of sums alone
-NOWHERE = -1.0  # [m^2] a reach that no box lies within: it ends a walk
+FLAT = 1.0e-12  # of the squared radius: float32 rounding of an exact plane is a millionth of the radius
+TIE = 1.0e-14  # of the squared radius: closer saliencies are equal up to summation order
+NOWHERE = -1.0  # [m^2] a reach that ends a traversal
 one = vector(1, float64)
 
 
 @func
 def distance_between(p: vec3, q: vec3) -> float64:
-    """|p - q| [m] in float64."""
     x = float64(q[0]) - float64(p[0])
     y = float64(q[1]) - float64(p[1])
     z = float64(q[2]) - float64(p[2])
@@ -38,7 +34,6 @@ def distance_between(p: vec3, q: vec3) -> float64:
 
 @reduction
 def sum_spacings(points: array(dtype=vec3), nearest: array(dtype=int64)) -> one:
-    """The sum [m] of the distances to the nearest other point."""
     i = tid()
     distance = float64(0.0)
     if nearest[i] >= 0:
@@ -56,7 +51,7 @@ def measure_saliency_kernel(
     saliency: array(dtype=float64),
     salient: array(dtype=uint8),
 ):
-    """The smallest eigenvalue [m^2] where it is more than `least` and the three differ enough, else zero."""
+    """Smallest eigenvalue [m^2] if above `least` and the eigenvalue ratios pass, else zero."""
     i = tid()
     m = sums[i]
     found = float64(0.0)
@@ -80,7 +75,7 @@ def keep_maxima_kernel(
     saliency: array(dtype=float64),
     kept: array(dtype=uint8),
 ):
-    """Set `kept` of salient points with enough points around them and none more salient among these."""
+    """Keep salient points with enough neighbors that are local maxima."""
     i = tid()
     rank = ranks[i]
     own = saliency[rank] + tie
@@ -89,7 +84,7 @@ def keep_maxima_kernel(
     for j, sqdist in points_in_reach(rank // BUCKET, tree.points[rank], bound, tree):
         found += 1
         if saliency[j] > own:
-            bound = float(NOWHERE)  # the walk sees it and ends
+            bound = float(NOWHERE)  # ends the traversal
     flag = 0
     if bound == reach and found >= min_neighbors:
         flag = 1
@@ -97,7 +92,7 @@ def keep_maxima_kernel(
 
 
 def mean_spacing(tree: PointTree) -> float:
-    """The mean distance [m] of the finite points to their nearest other point; 0 where there are none (one sync)."""
+    """Mean distance [m] of finite points to the nearest other point; 0 if there are none (sync)."""
     if tree.count == 0:
         return 0.0
     points = tree.source
@@ -108,19 +103,7 @@ def mean_spacing(tree: PointTree) -> float:
 def find_iss_keypoints(
     tree: PointTree, radii: tuple[float, float] | None, gamma_21: float, gamma_32: float, min_neighbors: int
 ) -> Indices:
-    """The keypoints of a cloud.
-
-    Args:
-        tree: The PointTree of the cloud.
-        radii: Radius [m] of the covariance, and that in which the most salient point stays; None takes both from the
-            points' spacing.
-        gamma_21: The second eigenvalue is below this share of the first.
-        gamma_32: The third eigenvalue is below this share of the second.
-        min_neighbors: Points within each radius, the point itself included.
-
-    Returns:
-        int32 device array of their indices, ascending.
-    """
+    """Ascending keypoint indices. `radii` [m] of the covariance and of non-maximum suppression, or None."""
     if radii is None:
         spacing = mean_spacing(tree)
         radii = (SALIENT_SPACINGS * spacing, NON_MAX_SPACINGS * spacing)

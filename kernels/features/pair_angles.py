@@ -1,19 +1,15 @@
-"""The three angles between two points with normals, and the bins that they fall into.
+"""The three angles between two points with normals, and their bins.
 
-Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, section II, as PCL and
-Open3D compute them: the point whose normal is closer to the line between the two is the first. With d from the first
-to the second point, a and b the normals there, v = (d x a) / |d x a| and w = a x v:
+Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, section II, as in PCL and
+Open3D; the first point is the one whose normal is closer to the line. With offset d, normals a and b, v = (d x a) / |d
+x a| and w = a x v:
 
-    f0 = atan2(w . b, a . b) over -pi..pi,    f1 = v . b over -1..1,    f2 = (a . d) / |d| over -1..1,
+f0 = atan2(w . b, a . b) over -pi..pi,    f1 = v . b over -1..1,    f2 = (a . d) / |d| over -1..1,
 
-eleven bins each; all three are zero where d is zero or along a. One neighbour in another bin is a percent of a
-histogram, so bins are those of float64 arithmetic. But float64 with its arc functions takes ten times as long, and
-nearly all angles lie far from the edge of a bin: `quick_bins` computes in float32, without branches, and tells where
-its rounding could matter; there, for some 1e-4 of the pairs, `exact_bins` decides.
-
-How far float32 is off, with u = 2^-24 and r = |d|^2 |a|^2 / |d x a|^2 >= 1: each component of d by u, so a . d by
-4 u |d|, d x a . b by 9 u |d|, |d x a| by 10 u r of itself, hence f1 by 21 u r and w . b by 29 u r, a sector's border
-by 37 u r, f2 by 7 u. The margins below are at least 1.7 times that; f1 and f2 count in bins, 5.5 to the unit.
+eleven bins each; all zero if d is zero or along a. `quick_bins` uses float32 and reports pairs near a bin edge (about
+1e-4), which `exact_bins` decides in float64. Float32 error bounds, with u = 2^-24 and r = |d|^2 |a|^2 / |d x a|^2 >= 1:
+f1 21 u r, w . b 29 u r, sector border 37 u r, f2 7 u. The margins are at least 1.7 times that; f1 and f2 count in bins,
+5.5 to the unit.
 """
 
 from ..algebra.plain_min_max import larger, smaller
@@ -34,25 +30,22 @@ COS_5, SIN_5 = 0.1423148382732851, 0.9898214418809327
 COS_7, SIN_7 = -0.4154150130018863, 0.9096319953545184
 COS_9, SIN_9 = -0.8412535328311811, 0.5406408174555976
 
-HALF_BINS = 5.5  # bins a unit of f1 and f2
+HALF_BINS = 5.5  # bins per unit of f1 and f2
 SECTOR_MARGIN = 4.0e-6  # times r
 SIDE_MARGIN = 2.0e-5  # [bins] times r
 SLOPE_MARGIN = 1.0e-5  # [bins]
-TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line; 8 u is 5e-7
-LONGEST = 1.00005  # squared length of a normal: beyond, Open3D's arc cosines are NaN and it does not swap
-STEEP = 1.0e-4  # squared sine between line and normal: below, r is too large
+TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line; the error 8 u is 5e-7
+LONGEST = 1.00005  # squared normal length above which Open3D's arc cosines are NaN, so it does not swap
+STEEP = 1.0e-4  # squared sine between line and normal: smaller makes r too large
 SMALL = 1.0e-30  # [m^2] squares that underflow are not trusted
 FLAT_SLOPE = 0.05  # of |d|: below half a bin of f2 ...
-FLAT_TURN = 0.95  # ... and with w . b below 0.11, this a . b lies in the middle sector: either order gives these bins
+FLAT_TURN = 0.95  # ... and with w . b below 0.11, this a . b is in the middle sector: both orders give these bins
 SAME_LENGTH = 1.0e-6
 
 
 @func
 def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
-    """The bins of a pair, four bits each, f0 lowest; UNSURE where float32 does not tell.
-
-    `d` leads from the point with normal `n1` to the one with `n2`. Both orders of the two share d x a . b and a . b.
-    """
+    """Bins of a pair, four bits each, f0 lowest; UNSURE near an edge. `d` leads from normal `n1` to `n2`."""
     sqdist = dot(d, d)
     along1 = dot(n1, d)
     along2 = dot(n2, d)
@@ -106,13 +99,13 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
 
 @func
 def bin_of(level: float64) -> int:
-    """A bin from an angle in bins; the ends take what lies beyond."""
+    """Bin from an angle in bins, clamped."""
     return int(min(max(floor(level), 0.0), 10.0))
 
 
 @func
 def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
-    """The bins of a pair in float64, by Open3D's operations."""
+    """Bins of a pair in float64, by Open3D's operations."""
     d = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
     a = vec3d(float64(n[0]), float64(n[1]), float64(n[2]))
     b = vec3d(float64(m[0]), float64(m[1]), float64(m[2]))
@@ -147,7 +140,7 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
 
 @func
 def settled_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
-    """The bins of a pair, once its quick ones are known or known to be unsure."""
+    """The quick bins, or the exact ones if UNSURE."""
     settled = bins
     if bins == UNSURE:
         settled = exact_bins(p, n, q, m)

@@ -1,1 +1,1 @@
-"""Poses from nearest points: correspondences, rows, steps, the loop."""
+"""ICP registration: correspondences, rows, steps, the loop."""

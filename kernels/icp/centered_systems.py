@@ -1,4 +1,4 @@
-"""Gauss-Newton systems of six unknowns about a place, rotations as lengths, in float64."""
+"""Gauss-Newton systems of six unknowns about a center, rotations in units of length, in float64."""
 
 from ..algebra.rigid_solve import UNKNOWNS, full_matrix, square, triangle, vec6d
 from ..lang import cross, float64, func, vec3d
@@ -6,7 +6,7 @@ from ..lang import cross, float64, func, vec3d
 
 @func
 def about(h: triangle, center: vec3d, size: float64) -> square:
-    """The 6x6 matrix about a place, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
+    """6x6 matrix about a center, rotations in units of length: B^T H B with B = (I/s, 0; [c]x/s, I)."""
     a = full_matrix(h)
     c = square(0.0)
     for i in range(6):  # C = A B
@@ -28,6 +28,5 @@ def about(h: triangle, center: vec3d, size: float64) -> square:
 
 @func
 def vector_about(g: vec6d, center: vec3d, size: float64) -> vec6d:
-    """The right side of a system about a place, as `about` has its matrix."""
     w = cross(vec3d(g[3], g[4], g[5]), center)
     return vec6d((g[0] + w[0]) / size, (g[1] + w[1]) / size, (g[2] + w[2]) / size, g[3], g[4], g[5])

@@ -1,11 +1,7 @@
-"""How the brightness of a coloured surface changes along it: what coloured registration needs of each target point.
+"""Intensity gradients along a colored surface.
 
-Park, Zhou and Koltun, "Colored point cloud registration revisited", ICCV 2017, eq. 10: the least-squares gradient of
-the intensity over the neighbours, projected onto the tangent plane. It is solved there, as two unknowns, so it has no
-part along the normal and does not depend on the unit of length.
-
-The search is that of normals.py and lists no neighbours: 28 B read and 16 B written a point beside it; 20 operations
-a neighbour. Differences to the point are exact to float32 wherever the cloud lies; sums and solution are float64.
+Park, Zhou and Koltun, "Colored point cloud registration revisited", ICCV 2017, eq. 10: least squares over the
+neighbors, here with two unknowns in the tangent plane. No neighbor lists; float64 sums.
 """
 
 from ..algebra.eigen import orthogonal_direction
@@ -36,14 +32,13 @@ from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
-MIN_NEIGHBORS = 4.0  # the point itself among them; with fewer the noise of single points makes the gradient
-FLATTEST = 1.0e-6  # of the squared length of a neighbourhood: a thousand times longer than wide, it tells one direction
+MIN_NEIGHBORS = 4.0  # including the point itself; with fewer, noise dominates the gradient
+FLATTEST = 1.0e-6  # of the squared neighborhood length: thinner ones (1:1000) determine one direction
 plane_sums = vector(6, float64)  # count; a^2, a b, b^2; a c, b c of plane coordinates (a, b) and differences c
 
 
 @kernel
 def average_colors_kernel(colors: array(dtype=vec3), intensities: array(dtype=float32)):
-    """The mean of the three channels."""
     i = tid()
     c = widen(colors[i])
     intensities[i] = float((c[0] + c[1] + c[2]) / 3.0)
@@ -53,14 +48,13 @@ def average_colors_kernel(colors: array(dtype=vec3), intensities: array(dtype=fl
 def gather_intensities_kernel(
     intensities: array(dtype=float32), order: array(dtype=int32), sorted_intensities: array(dtype=float32)
 ):
-    """Intensities by place on the curve."""
     i = tid()
     sorted_intensities[i] = intensities[order[i]]
 
 
 @func
 def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d) -> plane_sums:
-    """Count a neighbour at d from the point, whose intensity differs by `change`; NaN does not count."""
+    """Add a neighbor at offset d with intensity difference `change`; NaN is skipped."""
     sums = total
     if isfinite(change):
         w = widen(d)
@@ -73,14 +67,14 @@ def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d
 
 @func
 def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
-    """The gradient in the plane of u and v; along the neighbours alone where they lie on a line, else of least norm."""
+    """Gradient in the plane of u and v; minimum norm if the neighbors are collinear."""
     half = (total[1] - total[3]) * 0.5
     spread = sqrt(half * half + total[2] * total[2])
     largest = (total[1] + total[3]) * 0.5 + spread
     a = float64(0.0)
     b = float64(0.0)
     if total[0] >= float64(MIN_NEIGHBORS) and largest > 0.0:
-        det = total[1] * total[3] - total[2] * total[2]  # the product of the two eigenvalues
+        det = total[1] * total[3] - total[2] * total[2]  # product of both eigenvalues
         if det > float64(FLATTEST) * largest * largest:
             a = (total[3] * total[4] - total[2] * total[5]) / det
             b = (total[1] * total[5] - total[2] * total[4]) / det
@@ -107,7 +101,7 @@ def fit_gradients_kernel(
     intensities: array(dtype=float32),
     gradients: array(dtype=vec3),
 ):
-    """Gradients from the k nearest points within reach; points, normals and intensities by place on the curve."""
+    """Gradients from the k nearest points within reach; inputs in tree order."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         n = widen(normals[rank])
@@ -124,14 +118,7 @@ def fit_gradients_kernel(
 
 
 def average_colors(colors: Vectors) -> Scalars:
-    """The intensity of each point: the mean of its three channels.
-
-    Args:
-        colors: Device array of vec3, shape [n].
-
-    Returns:
-        float32 device array of shape [n]; NaN where a channel is.
-    """
+    """Intensity: mean of the three color channels, float32 (n)."""
     intensities = empty(colors.size, float32, colors.device)
     launch(average_colors_kernel, colors.size, [colors, intensities])
     return intensities
@@ -140,19 +127,8 @@ def average_colors(colors: Vectors) -> Scalars:
 def estimate_color_gradients(
     tree: PointTree, normals: Vectors, colors: Vectors, radius: float, max_nn: int
 ) -> tuple[Scalars, Vectors]:
-    """Intensities, and their gradients along the surface.
-
-    Args:
-        tree: The PointTree of n points.
-        normals: Device array of vec3, shape [n]; of any length above zero.
-        colors: Device array of vec3, shape [n].
-        radius: Upper limit of the distance of a neighbour [m], excluded.
-        max_nn: Neighbours, the point itself included.
-
-    Returns:
-        (intensities, gradients): float32 [n], and vec3 [n] in intensity per metre, orthogonal to the normal. Zero
-        gradients where fewer than 4 neighbours with a finite colour are found, the point itself among them, where the
-        normal is zero or NaN, and where the point or its colour is not finite.
+    """(intensities, gradients per meter, orthogonal to the normal). Zero gradients for fewer than 4 neighbors
+    (including itself) with a finite color within `radius` [m], or without a normal.
     """
     device, intensities = tree.device, average_colors(colors)
     count, gradients = tree.count, zeros(tree.source.size, vec3, device)

@@ -1,14 +1,9 @@
-"""Steps of jobs that may move in some ways only, or that a prior pose holds.
+"""Registration steps of jobs with constrained motions or a prior pose.
 
-The sums of an iteration are brought about the middle of the pairs, rotations as lengths, and reduced to an orthonormal
-basis Q of the free motions there. Of the reduced system, what the pairs do not determine is left out (Zhang, Kaess and
-Singh 2016), then a prior is added: the objective is sum w r^2 + noise^2 xi^T Lambda xi, xi = (log(R R_p^T),
-displacement of the pivot's image). A scale is eliminated from the system beforehand. One thread a job, all in float64:
-some 15,000 operations, 50,000 where motions are not determined. Only jobs with a constraint come here.
-
-Systems of six unknowns reduced to the motions that are free: an orthonormal basis of them, and what takes its place.
-Motions are (rotation as the length of its arc at a cloud's size, translation), about the middle of the pairs. Loops are
-over a variable, so that Warp does not unroll them: few jobs come here. In one thread a job, in float64.
+The system about the center of the pairs, with rotations as lengths, is reduced to an orthonormal basis Q of the free
+motions. Undetermined directions are removed (Zhang, Kaess and Singh 2016), then the prior is added: the objective is
+sum w r^2 + noise^2 xi^T Lambda xi, xi = (log(R R_p^T), displacement of the pivot's image). A scale is eliminated
+beforehand. One float64 thread per job. Loops run over a variable so that Warp does not unroll them.
 """
 
 from ..algebra.matrices import multiply33
@@ -34,17 +29,14 @@ from .matches import Matches
 from .rows import COUNT_AT, RESIDUAL_AT, SPREAD_AT, mean_source, row_sums, row_system
 from .step import PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
 
-LEAST_NOISE = 1.0e-6  # of the source's spread: residuals are no smaller, so that a prior counts beside perfect pairs
+LEAST_NOISE = 1.0e-6  # of the source's spread: minimum residual, so that a prior counts beside exact pairs
 
 
 @func
 def free_basis(
     axes: mat33d, frame: mat33d, arm: vec3d, size: float64, free: array(dtype=int32)
 ) -> tuple[square, square]:
-    """An orthonormal basis Q of the free motions (columns; zero where fixed), and R with Q R = the motions themselves.
-
-    A motion is (rotation as the length of its arc at `size`, translation of the place at `arm` from the pivot).
-    """
+    """Basis Q of the free motions (arc length at `size`, translation at `arm` from the pivot) and R with Q R = them."""
     q = square(0.0)
     r = square(0.0)
     n = int(UNKNOWNS)
@@ -75,7 +67,6 @@ def free_basis(
 
 @func
 def between(left: square, matrix: square, right: square) -> square:
-    """L^T M R."""
     half = square(0.0)
     out = square(0.0)
     n = int(UNKNOWNS)
@@ -96,7 +87,6 @@ def between(left: square, matrix: square, right: square) -> square:
 
 @func
 def along_columns(q: square, v: vec6d) -> vec6d:
-    """Q^T v."""
     out = vec6d(0.0)
     n = int(UNKNOWNS)
     for j in range(n):
@@ -109,7 +99,6 @@ def along_columns(q: square, v: vec6d) -> vec6d:
 
 @func
 def times(q: square, v: vec6d) -> vec6d:
-    """Q v."""
     out = vec6d(0.0)
     n = int(UNKNOWNS)
     for i in range(n):
@@ -122,7 +111,6 @@ def times(q: square, v: vec6d) -> vec6d:
 
 @func
 def parameters_of(r: square, y: vec6d) -> vec6d:
-    """The changes of the parameters x with R x = y."""
     x = vec6d(0.0)
     n = int(UNKNOWNS)
     for step in range(n):
@@ -137,7 +125,7 @@ def parameters_of(r: square, y: vec6d) -> vec6d:
 
 @func
 def solve_scaled(matrix: square, b: vec6d) -> vec6d:
-    """The x with M x = b, by M with a diagonal of ones; unknowns with an empty row stay 0."""
+    """Solve M x = b with M scaled to a unit diagonal; unknowns with an empty row stay 0."""
     scales = vec6d(0.0)
     scaled = square(0.0)
     n = int(UNKNOWNS)
@@ -158,7 +146,7 @@ def solve_scaled(matrix: square, b: vec6d) -> vec6d:
 
 @func
 def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
-    """The Gauss-Newton system of pairs of points, J^T J and J^T r of r = a - b, J = (-[a]x, I), from their sums."""
+    """Point-to-point system J^T J and J^T r of r = a - b, J = (-[a]x, I), from sums."""
     h = triangle(0.0)
     x = sums[SPREAD_AT]
     y = sums[SPREAD_AT + 3]
@@ -187,7 +175,7 @@ def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
 
 @func
 def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float64:
-    """The mean square of the residuals, no less than what float32 leaves of a perfect fit."""
+    """Mean square of the residuals, at least the float32 rounding of a perfect fit."""
     total = sums[RESIDUAL_AT]
     if method == PAIRS:
         total = sums[16] + sums[17] - 2.0 * (sums[7] + sums[11] + sums[15])
@@ -195,21 +183,18 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
     return max(total / (float64(rows) * sums[COUNT_AT]), least * least)
 
 
-HELD = 1.0e-12  # of the trace of the prior's information: what is less holds nothing
-SMALLEST_FACTOR = 0.5  # of the scale in one step
-FIXED = 0  # a motion: not free, determined by the pairs, held by the prior alone, by nothing
+HELD = 1.0e-12  # of the trace of the prior's information: less counts as none
+SMALLEST_FACTOR = 0.5  # of the scale per step
+FIXED = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
 PAIRED = 1
 BY_PRIOR = 2
 LOOSE = 3
-scale_row = vector(8, float64)  # what a scale has with the six motions, then with itself, and its right side
+scale_row = vector(8, float64)  # products of a scale with the six motions and itself, and its right side
 
 
 @func
 def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> scale_row:
-    """The row of a scale about the pivot's image, of pairs of points whose sums were taken about a place.
-
-    `arm` is the pivot's image and `center` the middle, both seen from that place.
-    """
+    """Row of a scale about the pivot's image `arm`; it and `center` are relative to the origin of the sums."""
     a = vec3d(sums[1], sums[2], sums[3])
     b = vec3d(sums[4], sums[5], sums[6])
     turn = cross(arm, a)
@@ -222,7 +207,7 @@ def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> sc
 
 @func
 def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
-    """How xi changes along a basis; `moved` is its rotation so far, `arm` leads from the pivot to the middle."""
+    """Derivative of xi along a basis; `moved` is the rotation so far, `arm` leads from the pivot to the center."""
     out = square(0.0)
     n = int(UNKNOWNS)
     for k in range(n):
@@ -237,10 +222,7 @@ def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
 
 @func
 def undetermined(geometry: square, reduced: square, least: float64, free: array(dtype=int32)) -> tuple[square, vec6d]:
-    """The eigenvectors of a reduced system (columns), and what each of them is: PAIRED, LOOSE or FIXED.
-
-    The least eigenvalue is a share of the largest one of all six motions.
-    """
+    """Eigenvectors of a reduced system (columns) and kinds PAIRED, LOOSE, FIXED; relative to the largest of all six."""
     n = int(UNKNOWNS)
     whole = diagonalize(geometry, UNKNOWNS)
     own = diagonalize(reduced, UNKNOWNS)
@@ -252,7 +234,7 @@ def undetermined(geometry: square, reduced: square, least: float64, free: array(
     for i in range(n * n):
         basis[i] = own[i]
     for k in range(n):
-        if free[k] != 0:  # a fixed one has an empty row, so eigenvector k is its own axis
+        if free[k] != 0:  # a fixed one has an empty row, so eigenvector k is its axis
             kinds[k] = float64(PAIRED)
             if not (own[36 + k] > least * largest):
                 kinds[k] = float64(LOOSE)
@@ -261,7 +243,7 @@ def undetermined(geometry: square, reduced: square, least: float64, free: array(
 
 @func
 def turn_to_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
-    """The loose directions, turned to the axes of the prior's information among them; what it holds is BY_PRIOR."""
+    """Align the loose directions with the prior's information; those it determines become BY_PRIOR."""
     n = int(UNKNOWNS)
     loose = square(0.0)
     trace = float64(0.0)
@@ -287,7 +269,7 @@ def turn_to_prior(basis: square, kinds: vec6d, information: square) -> tuple[squ
 
 @func
 def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: Freedom, progress: Progress):
-    """Note the motions that the pairs do not determine, those first that the prior holds."""
+    """Store the motions that the pairs do not determine, prior-determined ones first."""
     n = int(UNKNOWNS)
     directions = free_directions(0.0)
     count = 0
@@ -312,7 +294,7 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
 
 @func
 def solve_partly(h: square, g: vec6d, information: square, pull: vec6d, basis: square, kinds: vec6d) -> vec6d:
-    """The step by the pairs where they determine it and by the prior wherever it holds; none elsewhere."""
+    """Step from the pairs where determined, from the prior where available, else none."""
     n = int(UNKNOWNS)
     kept = square(0.0)
     paired = square(0.0)
@@ -340,7 +322,7 @@ def reduced_step(
     freedom: Freedom,
     progress: Progress,
 ) -> vec6d:
-    """The step in a basis of the free motions, by a reduced system and the prior's; what is not determined is noted."""
+    """Step in a basis of the free motions from the reduced system and the prior; stores undetermined motions."""
     n = int(UNKNOWNS)
     own = between(q, geometry, q)
     padded = own
@@ -366,7 +348,6 @@ def reduced_step(
 
 @func
 def variance_for_prior(sums: row_sums, method: int, size: float64, freedom: Freedom) -> float64:
-    """The variance of a residual that the prior is weighed by."""
     variance = freedom.noise * freedom.noise
     if variance == 0.0:
         variance = variance_of(sums, method, freedom.residual_count, size)
@@ -377,7 +358,7 @@ def variance_for_prior(sums: row_sums, method: int, size: float64, freedom: Free
 def prior_system(
     i: int, state: motion_state, q: square, arm: vec3d, size: float64, variance: float64, freedom: Freedom
 ) -> tuple[square, vec6d]:
-    """The Gauss-Newton system of a job's prior along a basis of its free motions, times the variance of a residual."""
+    """Gauss-Newton system of the prior along a basis of free motions, times the residual variance."""
     frame = freedom.frames[0]
     moved = logarithm(multiply33(turn_of_state(state, frame, freedom.turns), freedom.turned[i]))
     away = freedom.shifted[i] + shift_of_state(state, frame)
@@ -389,7 +370,7 @@ def prior_system(
 
 @func
 def without_scale(system: square, right: vec6d, shares: vec6d, scale: scale_row) -> tuple[square, vec6d]:
-    """A reduced system once the scale is eliminated, whose row holds `shares` with the basis."""
+    """Eliminate the scale from a reduced system; `shares` couples it with the basis."""
     matrix = system
     b = right
     n = int(UNKNOWNS)
@@ -404,7 +385,7 @@ def without_scale(system: square, right: vec6d, shares: vec6d, scale: scale_row)
 
 @func
 def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Freedom) -> scale_row:
-    """The step of a job: changes of roll, pitch, yaw, x, y, z, nothing, and of the logarithm of its scale."""
+    """Step of a job: changes of roll, pitch, yaw, x, y, z, 0, and log scale."""
     sums = progress.totals[i]
     size = progress.sizes[i]
     state = freedom.states[i]
@@ -412,7 +393,7 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     image = freedom.pivots[i] + shift_of_state(state, frame)
     h, g = row_system(sums)
     geometry, _ = row_system(progress.plain_totals[i])
-    place = vec3d(0.0)  # what the sums were taken about
+    place = vec3d(0.0)  # origin of the sums
     if rules.method == PAIRS:
         place = progress.pivots[i]
         h, g = pair_system(sums)
@@ -444,10 +425,9 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
 
 @func
 def state_after(state: motion_state, x: scale_row, turns: int) -> motion_state:
-    """The parameters after a step."""
     after = state
     if turns == 1:
-        # the quaternion of the turn, to the third order, times that of the rotation
+        # quaternion of the small rotation (third order) times that of the rotation
         a = vec3d(x[0], x[1], x[2]) * 0.5
         b = vec3d(state[0], state[1], state[2])
         v = b + a * state[3] + cross(a, b)
@@ -467,7 +447,7 @@ def state_after(state: motion_state, x: scale_row, turns: int) -> motion_state:
 
 @func
 def motion_between(before: mat44d, after: mat44d) -> mat44d:
-    """The motion that takes a pose to another: after before^-1, of poses that may scale."""
+    """Motion after before^-1 of poses that may scale."""
     square_scale = before[0, 0] * before[0, 0] + before[1, 0] * before[1, 0] + before[2, 0] * before[2, 0]
     motion = rotation_about(0.0, 0.0, 0.0, 1.0)
     for i in range(3):
@@ -482,7 +462,7 @@ def motion_between(before: mat44d, after: mat44d) -> mat44d:
 
 @func
 def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress, freedom: Freedom) -> int:
-    """Move a job on by its parameters, and tell its search how far to look; whether the motion is finite."""
+    """Update a job's pose and search margin; returns whether the motion is finite."""
     outcome = int(RUNNING)
     state = state_after(freedom.states[i], x, freedom.turns)
     pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.turns)
@@ -498,7 +478,7 @@ def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress,
 
 @kernel
 def step_constrained_kernel(rules: StepRules, matches: Matches, progress: Progress, freedom: Freedom):
-    """Judge the pose of a live job by its sums, and take the next step that it is free to take, or stop."""
+    """Evaluate a live job by its sums, and take the next constrained step or stop."""
     i = tid()
     if matches.live[i] != 0:
         outcome = judge_job(i, rules, matches, progress)

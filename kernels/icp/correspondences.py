@@ -1,14 +1,9 @@
-"""The nearest target point of every source point, from one iteration of ICP to the next.
+"""Nearest target points of all source points across ICP iterations.
 
-Eight source points, neighbours on the curve, are eight lanes of one walk. What a point found is kept with a lower bound
-of its distance to every other target point; while the cloud moves by less than the gap between the two, the point has
-the same nearest neighbour and is not searched for again (the triangle inequality; as Greenspan and Godin 2001). So the
-result is that of a full search, and the last iterations of a registration cost little more than reading the points.
-
-A search looks `margin` farther than the nearest point, to make the bound worth keeping. Ties between points at the very
-same distance go to the first one met, the same from run to run. 20 B read and 8 B written a point whose match holds.
-
-On CUDA the 32 points of a warp share a walk. Both keep the same pairs but for such ties.
+A lower bound of the distance to every other target point is kept per match, so a point is searched again only when the
+cloud has moved by more than the gap (triangle inequality; Greenspan and Godin 2001). Results equal full searches.
+Searches look `margin` beyond the nearest point for a useful bound. Ties go to the first in traversal order. Eight
+points (CPU) or a warp's 32 (CUDA) share a traversal.
 """
 
 from ..algebra.plain_min_max import larger, smaller
@@ -48,16 +43,16 @@ from .matches import Matches
 
 lane_flags = vector(8, int32)
 motion = vector(12, float32)
-lane_results = vector(24, int32)  # bits of the nearest squared distances, their places, bits of the second nearest
-LARGEST_BITS = 0x7F7F_FFFF  # those of the largest float32
-SLACK = 1.0e-6  # of a coordinate: more than the rounding of a moved point and of its distance
+lane_results = vector(24, int32)  # bits of the nearest squared distances, positions, bits of the second nearest
+LARGEST_BITS = 0x7F7F_FFFF  # of the largest float32
+SLACK = 1.0e-6  # of a coordinate: exceeds the rounding of a moved point and its distance
 
 
 @func
 def measure_lanes(
     first: int, points: array(dtype=vec3), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, best: lane_results
 ) -> lane_results:
-    """The lanes' results after the points of one leaf; padding is at infinity and never nearer."""
+    """Update the lanes with a leaf's points; padding is at infinity."""
     found = best
     for i in range(first, first + LEAF):
         p = points[i]
@@ -69,7 +64,7 @@ def measure_lanes(
             held = found[j]
             place = found[LEAF + j]
             closer = 1 if bits < held else 0
-            passed = held if place >= 0 else LARGEST_BITS  # a bound that was no point is not a second nearest
+            passed = held if place >= 0 else LARGEST_BITS  # the initial bound is not a second nearest
             behind = passed if closer == 1 else bits
             found[j] = bits if closer == 1 else held
             found[LEAF + j] = i if closer == 1 else place
@@ -79,7 +74,7 @@ def measure_lanes(
 
 @func
 def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_numbers:
-    """How far each lane still looks, squared: a margin beyond its nearest point, not beyond the second."""
+    """Squared search limit of each lane: a margin beyond its nearest point, not beyond the second."""
     limits = lane_numbers(-1.0)
     for j in range(LEAF):
         nearest = bits_float(best[j])
@@ -91,7 +86,6 @@ def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_n
 
 @func
 def limit_beside(best: int, second: int, margin: float) -> float:
-    """`lane_limits` of one point."""
     nearest = bits_float(best)
     look = sqrt(nearest) + margin
     return smaller(larger(look * look, nearest), bits_float(second))
@@ -107,7 +101,7 @@ def lanes_within(
     zs: lane_numbers,
     limits: lane_numbers,
 ) -> int:
-    """How many lanes lie nearer to the box of a node's child than they look."""
+    """Count of lanes nearer to a child's box than their limits."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
     found = 0
     for j in range(LEAF):
@@ -117,7 +111,6 @@ def lanes_within(
 
 @func
 def largest_limit(limits: lane_numbers) -> float:
-    """The largest of eight numbers."""
     largest = limits[0]
     for j in range(1, LEAF):
         largest = larger(largest, limits[j])
@@ -126,7 +119,7 @@ def largest_limit(limits: lane_numbers) -> float:
 
 @func
 def difference_of(pose: mat44d, before: mat44d) -> motion:
-    """What a pose adds to an earlier one: nine numbers of the matrix, then three of the translation."""
+    """Difference of two poses: nine numbers of the matrix, then three of the translation."""
     d = motion(0.0)
     for row in range(3):
         for column in range(3):
@@ -137,7 +130,7 @@ def difference_of(pose: mat44d, before: mat44d) -> motion:
 
 @func
 def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
-    """A lower bound of distances from q, where p has come to by the motion d; with room for all rounding."""
+    """Lower bound of distances from q after the motion d, including rounding."""
     x = d[0] * p[0] + d[1] * p[1] + d[2] * p[2] + d[9]
     y = d[3] * p[0] + d[4] * p[1] + d[5] * p[2] + d[10]
     z = d[6] * p[0] + d[7] * p[1] + d[8] * p[2] + d[11]
@@ -148,10 +141,7 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
 
 @loop
 def leaves_nearer(bucket: int, a: vec3, b: vec3, limit: float, target: int, forest: PointForest) -> tuple[int, int]:
-    """The leaves nearer to the box (a, b) than `limit`, squared, which may shrink, from a bucket of a tree on.
-
-    By the record of their bucket, and which of its leaves they are.
-    """
+    """Leaves (bucket record, leaf) nearer to the box (a, b) than the squared `limit`, which may shrink."""
     root = forest.roots[target]
     first_bucket = forest.levels[target * HEIGHTS]
     step = start_walk(bucket)
@@ -178,17 +168,14 @@ def search_lanes(
     held: lane_results,
     forest: PointForest,
 ) -> lane_results:
-    """The results of lanes in the box (a, b) after one walk through their target's tree.
-
-    It begins at the place `known`, that of a point near them, or below 0 where none is known.
-    """
-    first = forest.levels[target * HEIGHTS]  # the tree's first bucket
+    """Results of lanes in the box (a, b) after one traversal of their target's tree, from position `known` if >= 0."""
+    first = forest.levels[target * HEIGHTS]  # first bucket of the tree
     bucket = known // BUCKET - first
     if known < 0:
         bucket = find_bucket_of(a, target, forest)
     seed = known // LEAF
     if known < 0:
-        seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the first
+        seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the start
     best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, held)
     limits = lane_limits(best, wanted, margin)
     bound_all = largest_limit(limits)
@@ -203,7 +190,7 @@ def search_lanes(
 
 @kernel(for_cpu=True)
 def match_groups_kernel(matches: Matches, forest: PointForest):
-    """The place of the nearest target point of LEAF source points, where what they found before does not hold."""
+    """Nearest target point of LEAF source points whose previous match is not certain."""
     i = tid()
     job = matches.jobs.group_jobs[i]
     if matches.live[job] != 0:
@@ -261,9 +248,9 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     matches.lowers[head + j] = sqrt(limits[j])
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def match_points_kernel(matches: Matches, forest: PointForest):
-    """The place of the nearest target point of one source point, where what it found before does not hold."""
+    """Nearest target point of one source point whose previous match is not certain."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
@@ -309,14 +296,13 @@ def match_points_kernel(matches: Matches, forest: PointForest):
 
 @cuda_func
 def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, target: int, forest: PointForest) -> walk:
-    """`next_bucket_of`, for all lanes together."""
     nodes = target * HEIGHTS
     return next_step(step, forest.roots[target], partial(nearby_nodes, forest.levels, nodes, forest.boxes, a, b, bound))
 
 
 @match_points_kernel.on_cuda
 def match_lanes_kernel(matches: Matches, forest: PointForest):
-    """The same, the points of a warp together: one walk for all of them whose target is the same."""
+    """CUDA variant: points of a warp with the same target share a traversal."""
     i = tid()
     row = min(i, matches.pairs.shape[0] - 1)
     job = matches.jobs.group_jobs[row // LEAF]

@@ -1,9 +1,7 @@
-"""The step of a Gauss-Newton system without the motions that the pairs do not determine.
+"""Gauss-Newton step without undetermined motions.
 
-These are found by the eigenvalues of the normal matrix about the middle of the pairs, with rotations scaled by the size
-of the cloud so that both are lengths, and left out of the step (Zhang, Kaess and Singh 2016, "solution remapping").
-All in float64, in one thread; on CUDA by the lanes of a warp, which all hold the whole: what takes a thread longest,
-six columns of an inverse, the step itself and 36 divisions, are a lane's each, by the same operations.
+Undetermined directions are eigenvectors of the normal matrix about the center of the pairs, with rotations scaled to
+lengths (Zhang, Kaess and Singh 2016, "solution remapping"). Float64; on CUDA lanes share the slow parts.
 """
 
 from ..algebra.rigid_solve import (
@@ -37,13 +35,12 @@ from .centered_systems import about, vector_about
 from .job_states import free_directions
 from .rows import SPREAD_AT, row_sums
 
-EXPONENT = 0x7F80_0000  # the bits of a float32 that are its power of two
+EXPONENT = 0x7F80_0000  # exponent bits of a float32
 eighteen = vector(18, float64)
 
 
 @func
 def triangle_of(matrix: square) -> triangle:
-    """The upper triangle of a 6x6 matrix."""
     h = triangle(0.0)
     for i in range(6):
         for j in range(6):
@@ -54,10 +51,7 @@ def triangle_of(matrix: square) -> triangle:
 
 @func
 def trace_of_inverse(matrix: square) -> float64:
-    """The trace of the inverse of a 6x6 matrix by columns of its LDL^T solve; huge where it has none.
-
-    Entry k of column k, the solution for the unit vector e_k, depends on no unknown before k.
-    """
+    """Trace of the inverse of a 6x6 matrix by LDL^T; huge if singular."""
     a = factor_system(triangle_of(matrix))
     trace = float64(0.0)
     for k in range(6):
@@ -103,15 +97,15 @@ def determined_step(
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
-    """The step along the eigenvectors of the geometry about a place that it determines; the others are free."""
+    """Step along the determined eigenvectors of the geometry about a center; the others are stored as free."""
     directions = free_directions(0.0)
-    n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs come here
+    n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs use this
     system = diagonalize(geometry, UNKNOWNS)
     largest = float64(0.0)
     for k in range(n):
         largest = max(largest, system[36 + k])
     b = vector_about(g, center, size)
-    # the system along the eigenvectors; a free one keeps an empty row, which the solve passes over
+    # the system along the eigenvectors; a free one keeps an empty row, which the solve skips
     a = about(h, center, size)
     along = square(0.0)
     right = vec6d(0.0)
@@ -140,13 +134,13 @@ def determined_step(
         for i in range(n):
             y[i] = y[i] + x[k] * system[i * UNKNOWNS + k]
     turning = vec3d(y[0] / size, y[1] / size, y[2] / size)
-    shift = cross(center, turning)  # back about the origin: v = v' + c x w
+    shift = cross(center, turning)  # back to the origin: v = v' + c x w
     return vec6d(turning[0], turning[1], turning[2], y[3] + shift[0], y[4] + shift[1], y[5] + shift[2])
 
 
 @func
 def power_of_two_below(size: float64) -> float64:
-    """The largest power of two up to a size; 1 where float32 holds none."""
+    """Largest power of two up to a size; 1 if float32 has none."""
     power = float64(bits_float(float_bits(float(size)) & EXPONENT))
     if not (power > 0.0 and power - power == 0.0):
         power = 1.0
@@ -155,7 +149,7 @@ def power_of_two_below(size: float64) -> float64:
 
 @func
 def in_lengths(h: triangle, inverse: float64) -> triangle:
-    """The normal matrix with rotations in another unit, of which the inverse is given."""
+    """Normal matrix with rotations in another unit, whose inverse is given."""
     scaled = triangle(0.0)
     for i in range(6):
         for j in range(6):
@@ -171,16 +165,13 @@ def in_lengths(h: triangle, inverse: float64) -> triangle:
 
 @func
 def turning_in_lengths(x: vec6d, inverse: float64) -> vec6d:
-    """A step, or the right side of its system, likewise; again brings it back."""
+    """Convert a step or right side likewise; applying it again converts back."""
     return vec6d(x[0] * inverse, x[1] * inverse, x[2] * inverse, x[3], x[4], x[5])
 
 
 @func
 def solve_in_lengths(h: triangle, g: vec6d, size: float64) -> vec6d:
-    """The x with H x = -g, rotations in units of about the cloud's size, so that no unit of length decides on a pivot.
-
-    The unit is a power of two, and so is its inverse: no number is rounded otherwise than in metres.
-    """
+    """Solve H x = -g with rotations in units of the cloud's size (a power of two), so that pivots are unit-free."""
     inverse = 1.0 / power_of_two_below(size)
     return turning_in_lengths(solve_system(in_lengths(h, inverse), turning_in_lengths(-g, inverse)), inverse)
 
@@ -197,17 +188,15 @@ def constrained_step(
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
-    """The step x with H x = -g, without the directions that the geometry does not determine, which are noted.
-
-    Those are the eigenvectors of the matrix without robust weights, whose eigenvalue is below `least` of the largest:
-    how firmly clouds hold each other does not depend on how far they still are apart.
+    """Solve H x = -g without the undetermined directions of the geometry (eigenvalues below `least` of the largest),
+    which are stored. Robust weights are excluded: they depend on the distance of the clouds.
     """
     x = vec6d(0.0)
     a = about(geometry, center, size)
     trace = float64(0.0)
     for i in range(6):
         trace += a[i * UNKNOWNS + i]
-    # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
+    # smallest eigenvalue >= 1 / trace(A^-1), largest <= trace(A): sufficient for most jobs
     if trace_of_inverse(a) * trace * least < 1.0:
         x = solve_in_lengths(h, g, size)
         free_counts[job] = 0
@@ -218,7 +207,7 @@ def constrained_step(
 
 @cuda_func
 def quotients(x: eighteen, divisor: float64) -> eighteen:
-    """Numbers by a divisor, the same in all lanes: a lane divides one."""
+    """Divide numbers by a uniform divisor, one per lane."""
     row = lane() // 3
     column = lane() % 3
     own = x[0]
@@ -237,7 +226,6 @@ def quotients(x: eighteen, divisor: float64) -> eighteen:
 
 @cuda_func
 def about_of_lanes(h: triangle, center: vec3d, size: float64) -> square:
-    """`about`, for all lanes together."""
     a = full_matrix(h)
     rows = eighteen(0.0)
     for i in range(6):
@@ -264,7 +252,7 @@ def about_of_lanes(h: triangle, center: vec3d, size: float64) -> square:
 
 @cuda_func
 def solve_from(a: square, b: vec6d, first: int) -> vec6d:
-    """`solve_factored` for a right side without entries before one, by operations from this one on."""
+    """`solve_factored` for a right side that is zero before `first`."""
     x = b * 1.0
     for j in range(6):
         v = b[j]
@@ -295,7 +283,7 @@ def constrained_step_of_lanes(
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
-    """The same for all lanes together: lanes 0 to 5 solve a column of the inverse each, lane 6 the step."""
+    """CUDA variant: lanes 0 to 5 solve a column of the inverse each, lane 6 the step."""
     own = lane()
     a = about_of_lanes(geometry, center, size)
     system = triangle_of(a)
@@ -326,7 +314,7 @@ def constrained_step_of_lanes(
     else:
         solver = 0
         if own == 0:
-            again = about(geometry, center, size)  # where the others hold it, none is indexed by a variable
+            again = about(geometry, center, size)  # recomputed, so that no array has a variable index
             x = determined_step(h, g, again, center, size, least, job, free_counts, free_ones)
     for i in range(6):
         x[i] = shuffle(x[i], solver)
@@ -342,10 +330,7 @@ def note_free_rotations(
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ):
-    """Note how many rotations pairs of points leave open, and their axes.
-
-    The information of a rotation is the inertia of the points about their mean: none about the line that all lie on.
-    """
+    """Store the rotations that point pairs leave free, and their axes, from the inertia about the mean."""
     w = sums[0]
     mean = vec3d(sums[1] / w, sums[2] / w, sums[3] / w)
     a = mat33d(0.0)
@@ -363,7 +348,7 @@ def note_free_rotations(
     system = diagonalize_three(a)
     free = 0
     for k in range(3):
-        free += 1 if system[9 + k] <= least else 0  # translations have 1
+        free += 1 if system[9 + k] <= least else 0  # translations have eigenvalue 1
     if free > 0:
         directions = free_directions(0.0)
         at = 0

@@ -1,9 +1,7 @@
-"""What jobs of registration may do since their first poses, and the poses that their parameters stand for.
+"""Free motions of registration jobs and the poses of their parameters.
 
-A pose is held by parameters of the motion D since the first pose T0, about a pivot c and along the axes F (columns):
-T = D T0 with D(p) = c + F t + s F R F^T (p - c). What is not free has the parameter 0 for ever, so nothing drifts. R is
-Rz(yaw) Ry(pitch) Rx(roll), or a quaternion where all three rotations are free: no gimbal lock. In one thread a job, in
-float64.
+A pose is T = D T0 with D(p) = c + F t + s F R F^T (p - c), pivot c, axes F (columns). Fixed parameters stay 0, so
+nothing drifts. R is Rz(yaw) Ry(pitch) Rx(roll), or a quaternion if all rotations are free (no gimbal lock). Float64.
 """
 
 from typing import Any
@@ -32,34 +30,19 @@ from ..lang import (
     vector,
 )
 
-motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and nothing, or a quaternion xyzw; translation [m]; scale
+motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and 0, or a quaternion xyzw; translation [m]; scale
 SHIFT_AT = 4
 SCALE_AT = 7
 STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 STILL_TURNING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-SMALL_ANGLE = 1.0e-4  # [rad] below it the series of the logarithm's derivative is exact to rounding
+SMALL_ANGLE = 1.0e-4  # [rad] below, the series of the logarithm's derivative is exact to rounding
 
 
 @struct
 class Freedom:
-    """What jobs may do, and what they have done since their first poses.
-
-    Args:
-        arrays: By name, with types: firsts, pivots, states, turned, shifted and information of each job, held_counts.
-        frame: The axes as columns, float64 [3, 3].
-        free: Whether roll, pitch, yaw, x, y, z are free.
-        noise: Standard deviation of a residual; 0 where that of the pairs is taken.
-        informed: Whether there is a prior.
-        residual_count: Rows of a pair.
-
-    Attributes:
-        firsts: The first poses T0 between coordinates about the clouds' origins.
-        pivots: What rotations turn about [m], under the first pose.
-        states: `motion_state` of each job.
-        turned: R0 R_p^T of the first pose and the prior.
-        shifted: The way of the pivot from where the prior has it to where the first pose has it [m].
-        information: Of each job's prior, rotation first.
-        held_counts: How many motions the prior alone holds; they come first among those that are noted as free.
+    """Constraints of jobs and their motion. `frame`: axes as columns; `free`: roll, pitch, yaw, x, y, z; `noise` of
+    residuals, 0 to estimate it; `firsts`: poses T0; `pivots` [m] under T0; `turned`: R0 R_p^T; `shifted` [m]: pivot
+    offset from prior to T0; `information`: rotation first; `held_counts`: motions determined only by the prior.
     """
 
     firsts: array(dtype=mat44d)
@@ -96,13 +79,11 @@ class Freedom:
 
 @func
 def columns_of(axes: mat33d, column: int) -> vec3d:
-    """A column of a 3x3 matrix."""
     return vec3d(axes[0, column], axes[1, column], axes[2, column])
 
 
 @func
 def rotation_of_state(state: motion_state, turns: int) -> mat44d:
-    """The rotation of a state in the frame, as a pose."""
     pose = rotation_about(0.0, 0.0, 0.0, 1.0)
     if turns == 1:
         pose = rotation_about(state[0], state[1], state[2], state[3])
@@ -113,7 +94,7 @@ def rotation_of_state(state: motion_state, turns: int) -> mat44d:
 
 @func
 def turn_of_state(state: motion_state, frame: mat33d, turns: int) -> mat33d:
-    """The rotation of a state in the target's coordinates, F R F^T; exactly none where nothing turns."""
+    """Rotation of a state in target coordinates, F R F^T; exact identity without rotation."""
     one = float64(1.0)
     zero = float64(0.0)
     turned = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)
@@ -131,13 +112,13 @@ def turn_of_state(state: motion_state, frame: mat33d, turns: int) -> mat33d:
 
 @func
 def shift_of_state(state: motion_state, frame: mat33d) -> vec3d:
-    """The way of the pivot's image in the target's coordinates."""
+    """Displacement of the pivot's image in target coordinates."""
     return frame @ vec3d(state[SHIFT_AT], state[SHIFT_AT + 1], state[SHIFT_AT + 2])
 
 
 @func
 def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_state, turns: int) -> mat44d:
-    """The pose that parameters stand for: what has none is that of the first pose, bit for bit."""
+    """Pose of the parameters; bitwise the first pose if all are 0."""
     turned = turn_of_state(state, frame, turns) * state[SCALE_AT]
     shift = shift_of_state(state, frame)
     start = vec3d(first[0, 3], first[1, 3], first[2, 3])
@@ -162,7 +143,7 @@ def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_stat
 
 @func
 def turning_axes(state: motion_state, frame: mat33d, turns: int) -> mat33d:
-    """The axes that small changes of roll, pitch and yaw turn about, as columns: F (Rz Ry e_x, Rz e_y, e_z)."""
+    """Axes of small changes of roll, pitch and yaw, as columns: F (Rz Ry e_x, Rz e_y, e_z)."""
     axes = frame * 1.0
     if turns == 0:
         one = float64(1.0)
@@ -177,7 +158,7 @@ def turning_axes(state: motion_state, frame: mat33d, turns: int) -> mat33d:
 
 @func
 def quaternion_of(R: mat33d) -> vec4d:
-    """The unit quaternion (x, y, z, w), w >= 0, of a rotation (Shepperd 1978)."""
+    """Unit quaternion (x, y, z, w), w >= 0, of a rotation (Shepperd 1978)."""
     trace = R[0, 0] + R[1, 1] + R[2, 2]
     q = vec4d(R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1], 1.0 + trace)
     if R[0, 0] > trace and R[0, 0] >= R[1, 1] and R[0, 0] >= R[2, 2]:
@@ -194,7 +175,7 @@ def quaternion_of(R: mat33d) -> vec4d:
 
 @func
 def logarithm(R: mat33d) -> vec3d:
-    """The rotation vector of a rotation, 0 to pi [rad] long."""
+    """Rotation vector, 0 to pi [rad] long."""
     q = quaternion_of(R)
     v = vec3d(q[0], q[1], q[2])
     sine = sqrt(dot(v, v))
@@ -206,7 +187,7 @@ def logarithm(R: mat33d) -> vec3d:
 
 @func
 def change_of_logarithm(v: vec3d, w: vec3d) -> vec3d:
-    """How the rotation vector v changes where the rotation is turned by a small w: the inverse left Jacobian."""
+    """Inverse left Jacobian: change of the rotation vector v under a small rotation w."""
     angle = sqrt(dot(v, v))
     share = float64(1.0 / 12.0) + angle * angle * float64(1.0 / 720.0)
     if angle > float64(SMALL_ANGLE):

@@ -1,4 +1,4 @@
-"""What is noted of each job from one iteration to the next, all of it in one allocation and read back in one wait."""
+"""State of all jobs between iterations, in one allocation with one sync to read."""
 
 from typing import TYPE_CHECKING
 
@@ -10,22 +10,17 @@ from ..lang import float32, float64, int32, mat44d, vec3d, vector
 if TYPE_CHECKING:
     from .jobs import Jobs
 
-RUNNING = 0  # what became of a job
+RUNNING = 0  # job outcomes
 CONVERGED = 1
 OUT_OF_ITERATIONS = 2
 NO_PAIRS = 3
 NOT_FINITE = 4
 
-free_directions = vector(36, float64)  # up to six unit vectors, one a row
+free_directions = vector(36, float64)  # up to six unit vectors, one per row
 
 
 def job_states(jobs: "Jobs", poses: np.ndarray) -> SideBySide:
-    """The states of jobs before their first iteration: a SideBySide of arrays that `Matches` and `Progress` describe.
-
-    Args:
-        jobs: The Jobs.
-        poses: Their first poses, float64 [jobs, 4, 4].
-    """
+    """Initial states for first poses float64 (jobs, 4, 4): a SideBySide described by `Matches` and `Progress`."""
     count = jobs.count
     values = {
         "poses": (poses, mat44d),

@@ -1,8 +1,4 @@
-"""Jobs of registration: a source, a target and a pose each, side by side in the same launches.
-
-The source points of a job are its elements, in groups of LEAF that follow each other on the curve; a job begins with a
-whole group. Jobs that share a cloud share its points: an element takes 12 B beside them.
-"""
+"""Batched registration jobs (source, target, pose). A job's elements are its source points in groups of LEAF."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -26,23 +22,8 @@ first_moments = vector(4, float64)
 
 @struct
 class Jobs:
-    """Which source and target each job has, and whose element is whose.
-
-    Args:
-        sources: ManyClouds.
-        targets: A PointForest; None where the targets are voxels.
-        source_of, target_of: The clouds of each job, int [jobs].
-
-    Attributes:
-        sources: The points of all sources.
-        group_jobs: int32 [groups], the job of each group of LEAF elements.
-        job_groups: int32 [jobs], the first group of each job.
-        job_sources, job_targets: int32 [jobs], `source_of` and `target_of` on the device.
-        firsts, counts: The first element of each job and its elements, int64 [jobs] on the host.
-        blocks: The SegmentBlocks of the jobs' elements.
-
-    Raises:
-        ValueError: 2^31 elements or more.
+    """Sources (ManyClouds) and targets (PointForest, None for voxels) of jobs. `group_jobs`: job per group;
+    `job_groups`: first group per job; `firsts`, `counts` of elements. Raises ValueError for 2^31 elements or more.
     """
 
     sources: ManyClouds
@@ -76,7 +57,7 @@ class Jobs:
         self.blocks = SegmentBlocks(self.firsts, self.counts, device)
 
     def sum_moments(self) -> Array1[Any]:
-        """The sums of positions and squares over each source, first_moments [clouds]."""
+        """Sums of positions and squares of each source, first_moments (clouds)."""
         curve = self.sources
         blocks = SegmentBlocks(curve.bases, curve.counts, self.device)
         count = len(curve.counts)
@@ -85,7 +66,7 @@ class Jobs:
         return out
 
     def measure_sources(self, moments: Array1[Any]) -> tuple[np.ndarray, np.ndarray]:
-        """The mean [m], float64 [jobs, 3], and the spread about it [m], [jobs], of each job's source; on the host."""
+        """Mean (jobs, 3) and spread (jobs) [m] of each job's source, float64 on the host."""
         sums = download(moments) / np.maximum(self.sources.counts, 1)[:, None]  # sync
         means, spreads = sums[:, :3], np.sqrt(np.maximum(sums[:, 3] - (sums[:, :3] ** 2).sum(axis=1), 0))
         return means[self.source_of], spreads[self.source_of]
@@ -93,7 +74,6 @@ class Jobs:
 
 @segment_reduction
 def sum_moments(points: array(dtype=vec3)) -> first_moments:
-    """The sum of positions and of their squares."""
     i = tid()
     p = widen(points[i])
     return first_moments(p[0], p[1], p[2], p[0] * p[0] + p[1] * p[1] + p[2] * p[2])
@@ -101,6 +81,5 @@ def sum_moments(points: array(dtype=vec3)) -> first_moments:
 
 @func
 def source_place(i: int, jobs: Jobs) -> int:
-    """Where the source point of element i stands."""
     job = jobs.group_jobs[i // LEAF]
     return jobs.sources.first_places[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF

@@ -1,9 +1,4 @@
-"""Iterative registration of many jobs at once: each job is a source, a target and a pose, all in the same launches.
-
-An iteration is four launches, whatever the number of jobs: match, sums over the pairs, their fold, the step. Nothing is
-read back in between: on CUDA the loop is one graph, on the CPU the only thing looked at is one flag. Memory a source
-point and job: 12 B; jobs that share clouds share their trees.
-"""
+"""Batched iterative registration: four launches per iteration for all jobs, without sync on CUDA."""
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -29,22 +24,9 @@ if TYPE_CHECKING:
 
 
 class RegistrationLoop:
-    """The launches of an iteration over all jobs, and what they work on.
-
-    Args:
-        jobs: The jobs.
-        poses: T_target_source between coordinates about the clouds' origins, float64 [jobs, 4, 4].
-        max_distance: Pairs this far apart or farther do not count [m].
-        gaussians: VoxelGaussians to match with in place of the targets' points.
-        judged_apart: Whether what is degenerate is judged by other rows than those that are solved.
-        alone: Whether each point searches alone; None: on CUDA.
-
-    Attributes:
-        states: What is noted of each job: `job_states`.
-        matches: The poses, and the pairs under them.
-        progress: The sums over the pairs, and what became of each job.
-        velocities: Of each job's pose, for Doppler rows.
-        target_covariances: Of the Gaussians that are matched with, float32 [m, 9]; None where there are none.
+    """Launches of an iteration over all jobs. `poses`: T_target_source about the clouds' origins; pairs closer than
+    `max_distance` [m] count; `judged_apart`: degeneracy by other rows than the solve; `alone`: each point searches
+    alone.
     """
 
     def __init__(
@@ -71,7 +53,6 @@ class RegistrationLoop:
         self.partials = empty(jobs.blocks.count, row_sums, device)
 
     def match(self) -> None:
-        """Find the pairs of all live jobs."""
         jobs, matches = self.jobs, self.matches
         if self.gaussians is not None:
             launch(match_voxels_kernel, matches.pairs.size, [matches, self.gaussians])
@@ -89,10 +70,7 @@ class RegistrationLoop:
         arguments: "Sequence[AnyArray | PointColumns | Loss | DopplerRule | float]",
         plain_arguments: "Sequence[Integers | Array1[Any] | PointColumns | Loss | DopplerRule | float] | None" = None,
     ) -> None:
-        """Sum a reduction's rows over the pairs of all live jobs into `progress.totals`.
-
-        `plain_arguments` are those without robust kernels, which tell what is degenerate; None where they are the same.
-        """
+        """Sum a reduction over all pairs into `progress.totals`; `plain_arguments` without kernels, for degeneracy."""
         blocks, matches, progress = self.jobs.blocks, self.matches, self.progress
         reduce_segments(rows, blocks, matches.live, [matches, *arguments], self.partials, progress.totals)
         if plain_arguments is not None:
@@ -100,11 +78,10 @@ class RegistrationLoop:
             reduce_segments(rows, blocks, matches.live, [matches, *plain_arguments], self.partials, sums)
 
     def measure_velocities(self, period: float) -> None:
-        """The velocity of each job's pose, for Doppler rows."""
         launch(measure_velocities_kernel, self.jobs.count, [self.matches.poses, period, self.velocities])
 
     def step(self, rules: StepRules, freedom: Freedom | None = None) -> None:
-        """Judge all live jobs by StepRules and move them on, as their Freedom has it where they have one."""
+        """Evaluate all live jobs by StepRules and update their poses, within their Freedom if any."""
         threads = self.jobs.count
         if freedom is not None:
             launch(step_constrained_kernel, threads, [rules, self.matches, self.progress, freedom])
@@ -114,7 +91,7 @@ class RegistrationLoop:
         launch(step_jobs_kernel, threads, [rules, self.matches, self.progress])
 
     def run(self, iterate: Callable[[], None], watch: Callable[[], bool] | None = None) -> None:
-        """Run `iterate` until no job is live; `watch` is called after each turn, reads whether one is, and says it."""
+        """Run `iterate` until no job is live; `watch` is called after each iteration and returns whether one is."""
         if watch is None:
             loop_while(self.progress.running, iterate)
             return
@@ -124,7 +101,7 @@ class RegistrationLoop:
             is_live = watch()  # sync
 
     def measure_information(self) -> np.ndarray:
-        """The information of the pairs of each job about its target's origin: upper triangles, float64 [jobs, 21]."""
+        """Information of the pairs of each job about its target's origin: upper triangles, float64 (jobs, 21)."""
         jobs, totals = self.jobs, self.progress.totals
         live = full(jobs.count, 1, int32, jobs.device)
         reduce_segments(sum_information, jobs.blocks, live, [self.matches], self.partials, totals)

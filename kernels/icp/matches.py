@@ -1,4 +1,4 @@
-"""The pairs of all jobs under their poses: what an iteration finds, drops, sums and then moves on from."""
+"""Pairs of all jobs under their poses."""
 
 from typing import TYPE_CHECKING
 
@@ -20,26 +20,8 @@ LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
 
 @struct
 class Matches:
-    """The poses of jobs, and the target point that each source point is paired with.
-
-    Args:
-        jobs: The jobs.
-        states: Their `job_states`.
-        max_distance: Pairs this far apart or farther do not count [m].
-        targets: Positions that pairs refer to, vec3.
-
-    Attributes:
-        jobs: Whose element is whose.
-        targets: The target points at their places, or the means of voxels.
-        reach: Greatest squared distance of a pair [m^2].
-        live: int32 [jobs], 0 where a job has come to its end.
-        poses, earlier: T_target_source of each job between coordinates about the clouds' origins, and the one before.
-        margins: How much farther than the nearest point [m] the search of each job looks.
-        nearest: The place of the target point that each element was found nearest to; -1 for none.
-        lowers: A lower bound [m] of its distance to every other target point.
-        pairs: What each element is paired with, a place in `targets`; NO_PAIR for none.
-        weighted: 1 where the rows of pairs are weighted by their source points.
-        weights: float32 [n, 1], at the places of the source's points; not read where they are not.
+    """Poses of jobs and pairs of source points. `reach` [m^2]; previous poses `earlier`; search `margins` [m];
+    `nearest` position or -1; `lowers` [m]: bound of the distance to all others; `pairs` or NO_PAIR.
     """
 
     jobs: Jobs
@@ -65,22 +47,13 @@ class Matches:
         self.weighted, self.weights = 0, self.lowers.reshape((elements, 1))
 
     def weigh(self, weights: AnyArray) -> None:
-        """Weight the rows of pairs by their source points: float32 [n, 1], at the places of the points."""
+        """Weight the rows by source points: float32 (n, 1), in tree order."""
         self.weighted, self.weights = 1, weights
 
 
 @struct
 class PointColumns:
-    """What the points of one side have beside their positions; only what the rows in question need is there.
-
-    Attributes:
-        normals: vec3, at the places of the points.
-        covariances: float32 [n, 9], row by row.
-        intensities: float32 [n, 1].
-        gradients: Of the intensity along the surface [1 / m], vec3.
-        dopplers: Radial speeds [m/s], float32 [n, 1].
-        directions: Unit vectors from the sensor, vec3.
-    """
+    """Attributes in tree order, if required: `gradients` [1 / m], `dopplers` [m/s], `directions` from the sensor."""
 
     normals: array(dtype=vec3)
     covariances: array(dtype=float32, ndim=2)
@@ -95,20 +68,17 @@ class PointColumns:
 
 @func
 def moved_source(i: int, matches: Matches) -> vec3d:
-    """The source point of element i under its job's pose."""
     job = matches.jobs.group_jobs[i // LEAF]
     return move(matches.poses[job], widen(matches.jobs.sources.points[source_place(i, matches.jobs)]))
 
 
 @func
 def paired_target(i: int, matches: Matches) -> vec3d:
-    """The target point that element i is paired with."""
     return widen(matches.targets[matches.pairs[i]])
 
 
 @func
 def weight_of(i: int, matches: Matches) -> float64:
-    """What the rows of element i's pair count."""
     weight = float64(1.0)
     if matches.weighted != 0:
         weight = float64(matches.weights[source_place(i, matches.jobs), 0])
@@ -117,7 +87,7 @@ def weight_of(i: int, matches: Matches) -> float64:
 
 @func
 def pair_of(i: int, matches: Matches) -> tuple[vec3d, vec3d, float64]:
-    """The source point of element i under its pose, its target point, and 1; zeros where it has no pair."""
+    """Posed source point, target point, and 1; zeros without a pair."""
     p = vec3d(0.0)
     q = vec3d(0.0)
     paired = float64(0.0)

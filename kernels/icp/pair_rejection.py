@@ -1,11 +1,8 @@
-"""Pairs that are left out of an iteration: those whose normals disagree, and the farthest share of a job's.
+"""Rejection of pairs whose normals disagree, and of the farthest fraction of a job's pairs.
 
-The trimmed share (Chetverikov et al. 2002) is found by counting: three rounds of up to 2,048 counts over the bits of
-the squared distances, which order as the distances do. Integer counts, so the same whatever the order of threads.
-
-Where the share is not known, it is the one of the least fractional RMSD (Phillips, Liu and Tomasi 2007, "Outlier robust
-ICP for minimizing fractional RMSD", eq. 2): of the k nearest pairs, sqrt(S / k) / k^a with S the sum of their squared
-distances. One round of counts tells it to an eighth of an octave of the square; no unit of length enters.
+The trimming threshold (Chetverikov et al. 2002) is found by three rounds of histograms over distance bits. An unknown
+fraction minimizes the fractional RMSD (Phillips, Liu and Tomasi 2007, "Outlier robust ICP for minimizing fractional
+RMSD", eq. 2): sqrt(S / k) / k^a over the k nearest pairs, to an eighth of an octave. Integer counts.
 """
 
 import numpy as np
@@ -34,18 +31,17 @@ from .correspondences import LARGEST_BITS
 from .jobs import source_place
 from .matches import NO_PAIR, Matches, moved_source
 
-BINS = 2048  # of a round: 11 bits, three rounds for 31
+BINS = 2048  # per round: 11 bits, three rounds for 31
 BIN_BITS = 11
-SQUARE_SHIFT = 20  # of the one round that tells fractional RMSDs: the eleven highest bits below the sign
-ROUNDING = 2.0**-20  # of a source's spread: distances as short are the rounding of float32 positions, and alike
-LEAST_SHARE = 0.1  # of the pairs in reach that are kept at least: a few that coincide by chance are not the overlap
+SQUARE_SHIFT = 20  # for fractional RMSDs in one round: the eleven highest bits below the sign
+ROUNDING = 2.0**-20  # of a source's spread: smaller distances are float32 rounding, and equal
+LEAST_SHARE = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
 
 
 @kernel
 def reject_normals_kernel(
     matches: Matches, source_normals: array(dtype=vec3), target_normals: array(dtype=vec3), least_cosine: float64
 ):
-    """Drop the pairs whose normals enclose more than an angle."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and matches.pairs[i] >= 0:
@@ -57,7 +53,7 @@ def reject_normals_kernel(
 
 @kernel
 def measure_pairs_kernel(matches: Matches, bits: array(dtype=int32)):
-    """The bits of the squared distance of each pair; the largest where there is none."""
+    """Squared distance bits of each pair; the maximum without one."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
@@ -70,14 +66,13 @@ def measure_pairs_kernel(matches: Matches, bits: array(dtype=int32)):
 
 @kernel
 def clear_counts_kernel(counts: array(dtype=int32)):
-    """counts[i] = 0."""
     i = tid()
     counts[i] = 0
 
 
 @kernel
 def begin_ranks_kernel(wanted: array(dtype=int32), prefixes: array(dtype=int32), ranks: array(dtype=int32)):
-    """Each job looks for the pair of rank wanted - 1 among all."""
+    """Start the search for the pair of rank wanted - 1."""
     i = tid()
     prefixes[i] = 0
     ranks[i] = wanted[i] - 1
@@ -87,19 +82,19 @@ def begin_ranks_kernel(wanted: array(dtype=int32), prefixes: array(dtype=int32),
 def count_bits_kernel(
     matches: Matches, bits: array(dtype=int32), prefixes: array(dtype=int32), shift: int, counts: array(dtype=int32)
 ):
-    """Count the pairs by the next bits of those that agree with what is known of the threshold."""
+    """Histogram of the next bits of pairs that match the threshold prefix."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and bits[i] != LARGEST_BITS:
-        if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may pass 31
-            atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # a count: order does not matter
+        if int(int64(bits[i]) >> int64(shift + BIN_BITS)) == prefixes[job]:  # in 64 bits: the shift may exceed 31
+            atomic_add(counts, job * BINS + ((bits[i] >> shift) & (BINS - 1)), 1)  # integer sum: order-independent
 
 
 @kernel
 def pick_bin_kernel(
     live: array(dtype=int32), counts: array(dtype=int32), prefixes: array(dtype=int32), ranks: array(dtype=int32)
 ):
-    """The next bits of the threshold: those of the bin that holds the rank; all bits set where there are fewer."""
+    """Extend the prefix by the bin that contains the rank; all bits set if there are fewer."""
     i = tid()
     if live[i] != 0:
         chosen = int(BINS - 1)
@@ -123,9 +118,8 @@ def pick_bin_kernel(
 def pick_least_rmsd_kernel(
     live: array(dtype=int32), sizes: array(dtype=float64), counts: array(dtype=int32), thresholds: array(dtype=int32)
 ):
-    """The largest bits of the pairs of the least fractional RMSD, by the counts of all; below zero without any pair.
-
-    With a = 1.25 (the paper: 1.3 in space) the least S / k^3.5: a root rounds alike everywhere, a power need not.
+    """Threshold bits of the least fractional RMSD from the histogram; below zero without any pair. With a = 1.25 (the
+    paper: 1.3 in space) the least S / k^3.5: a root rounds alike everywhere, a power need not.
     """
     i = tid()
     if live[i] != 0:
@@ -154,7 +148,7 @@ def pick_least_rmsd_kernel(
 
 @kernel
 def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: array(dtype=int32)):
-    """Drop the pairs that are farther apart than their job's threshold; below zero there are too few to drop any."""
+    """Reject pairs beyond their job's threshold; a negative threshold rejects none."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
@@ -162,15 +156,7 @@ def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: ar
 
 
 class PairRejection:
-    """The launches that drop pairs after a match.
-
-    Args:
-        matches: The Matches.
-        wanted: How many pairs each job keeps, int [jobs]; None for all.
-        normals: (source normals, target normals, least cosine) at the places of the points; None to let them disagree.
-        sizes: The spread of each source [m], float64 [jobs]: keep the pairs of the least fractional RMSD, however many
-            they are; `wanted` is None then.
-    """
+    """Launches that reject pairs; source spreads `sizes` [m] minimize the fractional RMSD instead of `wanted`."""
 
     def __init__(
         self,
@@ -190,7 +176,6 @@ class PairRejection:
             self.prefixes = empty(jobs.count, int32, device)
 
     def run(self) -> None:
-        """Drop what is to be dropped from the pairs of all live jobs."""
         matches, jobs, elements = self.matches, self.matches.jobs, self.matches.pairs.size
         if self.normals is not None:
             launch(reject_normals_kernel, elements, [matches, *self.normals])
@@ -198,7 +183,7 @@ class PairRejection:
             return
         launch(measure_pairs_kernel, elements, [matches, self.bits])
         if self.sizes is not None:
-            launch(clear_counts_kernel, jobs.count, [self.prefixes])  # every pair's highest bits are counted
+            launch(clear_counts_kernel, jobs.count, [self.prefixes])  # counts the highest bits of every pair
             self._count(SQUARE_SHIFT)
             launch(pick_least_rmsd_kernel, jobs.count, [matches.live, self.sizes, self.counts, self.prefixes])
         else:
@@ -209,6 +194,6 @@ class PairRejection:
         launch(trim_pairs_kernel, elements, [matches, self.bits, self.prefixes])
 
     def _count(self, shift: int) -> None:
-        """Count the pairs of all live jobs by eleven of the bits of their squared distances."""
+        """Histogram of eleven distance bits for all live jobs."""
         launch(clear_counts_kernel, self.counts.size, [self.counts])
         launch(count_bits_kernel, self.matches.pairs.size, [self.matches, self.bits, self.prefixes, shift, self.counts])

@@ -1,12 +1,10 @@
-"""Weights of iteratively re-weighted least squares, w(r) = rho'(r) / r, as Open3D defines them.
-
-Zhang 1997, table 1, but for Geman-McClure, which is Open3D's k / (k + r^2)^2; the general kernel is Barron 2019, eq. 9
-with its special cases.
+"""Weights w(r) = rho'(r) / r of iteratively reweighted least squares, as in Open3D: Zhang 1997, table 1, Open3D's
+Geman-McClure k / (k + r^2)^2, and the general kernel of Barron 2019, eq. 9.
 """
 
 from ..lang import exp, float64, func, pow, struct
 
-GEOMETRY = -1  # not a kernel: rows that only tell which motions the clouds determine
+GEOMETRY = -1  # not a kernel: rows that only measure which motions are determined
 L2 = 0
 L1 = 1
 HUBER = 2
@@ -14,21 +12,15 @@ CAUCHY = 3
 GEMAN_MCCLURE = 4
 TUKEY = 5
 GENERAL = 6
-LEAST_RESIDUAL = 1.0e-9  # [m] where 1/|r| ends: an exact match outweighs others a millionfold, not infinitely
-TO_TWO = 2.0e-3  # shapes as near to 2 as this are 2, as Open3D has it
+LEAST_RESIDUAL = 1.0e-9  # [m] lower limit of |r|: exact matches get a large finite weight
+TO_TWO = 2.0e-3  # closer shapes count as 2, as in Open3D
 TO_ZERO = 1.0e-8
-MINUS_INFINITY = -1.0e7  # shapes below are the limit at minus infinity
+MINUS_INFINITY = -1.0e7  # smaller shapes use the limit at minus infinity
 
 
 @struct
 class Loss:
-    """A robust kernel.
-
-    Attributes:
-        kind: L2, L1, ..., or GEOMETRY.
-        k: Its scale, in the residual's unit.
-        shape: Of the general kernel.
-    """
+    """A robust kernel: `kind` L2, L1, ..., or GEOMETRY; scale `k` in the residual's unit; `shape` if general."""
 
     kind: int
     k: float64
@@ -40,7 +32,6 @@ class Loss:
 
 @func
 def general_weight(r: float64, k: float64, shape: float64) -> float64:
-    """Barron's kernel with scale k."""
     square = (r / k) * (r / k)
     weight = float64(1.0)
     if abs(shape - 2.0) <= float64(TO_TWO):
@@ -57,7 +48,6 @@ def general_weight(r: float64, k: float64, shape: float64) -> float64:
 
 @func
 def robust_weight(loss: Loss, r: float64) -> float64:
-    """The weight of a residual under a robust kernel."""
     size = abs(r)
     weight = float64(1.0)
     if loss.kind == L1:

@@ -1,18 +1,14 @@
-"""The rows of the Gauss-Newton systems of the ICP family, and their sums over the correspondences of each job.
+"""Rows of Gauss-Newton systems of the ICP family, and their float64 sums over the correspondences of each job.
 
-Rows are about the target's origin: p is a source point under the current pose, q its target point, d = p - q, and the
-unknowns x = (rotation, translation) move p by x_r x p + x_t. One element a source point; reads 60 to 130 B where there
-is a pair; sums in float64 leave through the reduction: 21 of J^T J, 6 of J^T r, r^2, |d|^2, the pairs, p and q.
+About the target's origin: p is a posed source point, q its target point, d = p - q; x = (rotation, translation) moves p
+by x_r x p + x_t. Sums: 21 of J^T J, 6 of J^T r, r^2, |d|^2, pairs, p and q.
 
-- point to point: the sums of Horn 1987 in the place of the first 18, then those of p p^T;
+- point to point: the sums of Horn 1987 instead of the first 18, then those of p p^T;
 - point to plane: Chen and Medioni 1991;
-- symmetric: Rusinkiewicz 2019, eqs. 10 and 11, before its points are centred;
-- generalised: Segal, Haehnel and Thrun 2009; voxelised where the targets are voxels (Koide et al. 2021);
-- coloured: Park, Zhou and Koltun 2017, eqs. 12 to 18;
-- Doppler: Hexsel, Vhavle and Chen 2022, as Open3D has it.
-
-Small symmetric matrices of generalised ICP: covariances read, turned, and split into rows that whiten. All in float64;
-a few dozen operations each, but for the symmetric root, which takes the eigenvectors.
+- symmetric: Rusinkiewicz 2019, eqs. 10 and 11, before centering;
+- generalized: Segal, Haehnel and Thrun 2009; voxelized: Koide et al. 2021;
+- colored: Park, Zhou and Koltun 2017, eqs. 12 to 18;
+- Doppler: Hexsel, Vhavle and Chen 2022, as in Open3D.
 """
 
 import numpy as np
@@ -45,7 +41,6 @@ from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
 @func
 def read_covariance(covariances: array(dtype=float32, ndim=2), i: int) -> mat33d:
-    """Row i as a matrix in float64."""
     C = mat33d(0.0)
     for row in range(3):
         for column in range(3):
@@ -55,7 +50,6 @@ def read_covariance(covariances: array(dtype=float32, ndim=2), i: int) -> mat33d
 
 @func
 def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
-    """R C R^T."""
     R = mat33d(0.0)
     for row in range(3):
         for column in range(3):
@@ -70,7 +64,7 @@ def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
 
 @func
 def inverse_root(M: mat33d) -> mat33d:
-    """M^(-1/2), the symmetric root, of a positive definite matrix; directions of no variance do not count."""
+    """Symmetric root M^(-1/2) of a positive definite matrix; directions of no variance are skipped."""
     system = diagonalize_three(M)
     W = mat33d(0.0)
     for k in range(3):
@@ -85,7 +79,7 @@ def inverse_root(M: mat33d) -> mat33d:
 
 @func
 def inverse_factor(M: mat33d) -> mat33d:
-    """A W with W^T W = M^-1 for a positive definite M: the inverse of its Cholesky factor."""
+    """W with W^T W = M^-1 of a positive definite M: inverse Cholesky factor."""
     W = mat33d(0.0)
     d0 = M[0, 0]
     if d0 > 0.0:
@@ -110,7 +104,6 @@ def inverse_factor(M: mat33d) -> mat33d:
 
 @func
 def trace_of_square(M: mat33d) -> float64:
-    """The sum of the squared entries."""
     total = float64(0.0)
     for row in range(3):
         for column in range(3):
@@ -119,9 +112,9 @@ def trace_of_square(M: mat33d) -> float64:
 
 
 row_sums = vector(36, float64)
-SPREAD_AT = 18  # point to point: where the sums of p p^T stand, row by row above the diagonal
-RESIDUAL_AT = 27  # where the sum of w r^2 of rows stands
-DISTANCE_AT = 28  # where, after that of r^2, the sums of |d|^2, pairs, p and q stand
+SPREAD_AT = 18  # point to point: offset of the sums of p p^T, row by row above the diagonal
+RESIDUAL_AT = 27  # offset of the sum of w r^2
+DISTANCE_AT = 28  # offset, after that of r^2, of the sums of |d|^2, pairs, p and q
 COUNT_AT = 29
 SOURCE_AT = 30
 TARGET_AT = 33
@@ -129,7 +122,6 @@ TARGET_AT = 33
 
 @func
 def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
-    """A weighted row with Jacobian (u, v) and residual r."""
     a = w * u
     b = w * v
     z = float64(0.0)
@@ -147,7 +139,6 @@ def sum_row(u: vec3d, v: vec3d, r: float64, w: float64) -> row_sums:
 
 @func
 def row_system(sums: row_sums) -> tuple[triangle, vec6d]:
-    """The system that rows were summed into."""
     h = triangle(0.0)
     for j in range(21):
         h[j] = sums[j]
@@ -156,7 +147,7 @@ def row_system(sums: row_sums) -> tuple[triangle, vec6d]:
 
 @func
 def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
-    """A weighted pair: the sums that `fit_pose` takes, then those of p p^T."""
+    """Weighted pair: the sums of `fit_pose`, then those of p p^T."""
     s = sums_of_pair(p, q, w)
     z = float64(0.0)
     return row_sums(
@@ -168,7 +159,7 @@ def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
 
 @func
 def count_pair(sums: row_sums, p: vec3d, q: vec3d, paired: float64) -> row_sums:
-    """The sums of a row with those of its pair; without one p and q are zero, and so is `paired`."""
+    """Add a pair's sums to a row's; without a pair p, q and `paired` are zero."""
     d = p - q
     counted = sums
     counted[DISTANCE_AT] = dot(d, d)
@@ -181,29 +172,20 @@ def count_pair(sums: row_sums, p: vec3d, q: vec3d, paired: float64) -> row_sums:
 
 @func
 def mean_source(sums: row_sums) -> vec3d:
-    """The mean of the paired source points, under the pose."""
     count = sums[COUNT_AT]
     return vec3d(sums[SOURCE_AT] / count, sums[SOURCE_AT + 1] / count, sums[SOURCE_AT + 2] / count)
 
 
 @func
 def mean_target(sums: row_sums) -> vec3d:
-    """The mean of the paired target points."""
     count = sums[COUNT_AT]
     return vec3d(sums[TARGET_AT] / count, sums[TARGET_AT + 1] / count, sums[TARGET_AT + 2] / count)
 
 
 @struct
 class DopplerRule:
-    """How the speeds that a Doppler LiDAR measures count.
-
-    Attributes:
-        sensor: Where the vehicle stands in the sensor's frame [m].
-        period: Time between the scans [s].
-        share: Of the Doppler term, 0..1.
-        loss: The kernel of its row.
-        geometric_from, doppler_from: Iterations from which the kernels of the two rows count.
-        reject_from: Iteration from which points are dropped whose speed differs by more than `threshold` [m/s].
+    """Weights of Doppler rows. `sensor`: vehicle position in the sensor frame [m]; `period` [s]; `share`, 0..1; first
+    iterations of robust kernels (`geometric_from`, `doppler_from`) and of rejection above `threshold` [m/s].
     """
 
     sensor: vec3d
@@ -232,9 +214,9 @@ class DopplerRule:
         self.reject_from, self.threshold = reject_from, threshold
 
 
-@segment_reduction(most_registers=128)  # two blocks of an SM, not one
+@segment_reduction(most_registers=128)  # for two blocks per SM
 def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> row_sums:
-    """Point to point: sums of pairs about each job's pivot; the weight is that of the distance."""
+    """Point to point: sums of pairs about each job's pivot, weighted by distance."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     a = vec3d(0.0)
@@ -252,7 +234,7 @@ def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> 
     return count_pair(sum_pair(a, b, w), p, q, paired)
 
 
-@segment_reduction(most_registers=128)  # two blocks of an SM, not one
+@segment_reduction(most_registers=128)  # for two blocks per SM
 def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
@@ -267,9 +249,9 @@ def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_su
     return count_pair(sum_row(cross(p, n), n, r, w), p, q, paired)
 
 
-@segment_reduction(most_registers=128)  # two blocks of an SM, not one
+@segment_reduction(most_registers=128)  # for two blocks per SM
 def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
-    """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals, turned to one side."""
+    """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals on one side."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     m = vec3d(0.0)
@@ -291,7 +273,7 @@ def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, targe
 
 @segment_reduction
 def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
-    """Generalised: the rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
+    """Generalized: rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     total = row_sums(0.0)
@@ -313,8 +295,8 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
             r = dot(v, d)
             total += sum_row(cross(p, v), v, r, robust_weight(loss, r))
         if loss.kind == GEOMETRY:
-            # what covariances hold along planes fixes no motion of a smooth surface: take it off, and count pairs alike
-            floor = 1.0 / sqrt(trace_of_square(M))  # no eigenvalue of M is larger than this root
+            # in-plane covariance fixes no motion of a smooth surface: remove it, and count pairs equally
+            floor = 1.0 / sqrt(trace_of_square(M))  # upper bound of the eigenvalues of M is this root
             trace = float64(0.0)
             for row in range(3):
                 e = vec3d(0.0, 0.0, 0.0)
@@ -330,7 +312,7 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
 def sum_colored_rows(
     matches: Matches, loss: Loss, source: PointColumns, target: PointColumns, geometric_share: float64
 ) -> row_sums:
-    """Coloured: a point-to-plane row, and the difference of intensities at p projected onto the target's plane."""
+    """Colored: a point-to-plane row, and the intensity difference at p projected to the target's plane."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     n = vec3d(0.0)

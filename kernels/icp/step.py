@@ -1,11 +1,8 @@
-"""From the sums over its correspondences to the next pose of each job: test of convergence, solve, update.
+"""Next pose of each job from the sums over its correspondences: convergence test, solve, update.
 
-One thread a job, on CUDA a warp of which one lane writes; all in float64. Motions that the pairs do not determine are
-left out of the step (determined_steps.py).
-
-What symmetric ICP does before and after its system is solved (Rusinkiewicz 2019, eqs. 10 and 11). Its rows are summed
-about the origin; they are brought about the means of the paired points, and the solution becomes a motion of which half
-turns the source and half turns back the target. All in float64, in one thread.
+Float64, one thread per job (a warp on CUDA, one lane writes). Undetermined motions are left out (determined_steps.py).
+Symmetric ICP (Rusinkiewicz 2019, eqs. 10 and 11): the system is moved to the means of the pairs, and half of the motion
+rotates the source, half inversely the target.
 """
 
 from typing import TYPE_CHECKING
@@ -62,7 +59,7 @@ if TYPE_CHECKING:
 
 @func
 def center_symmetric(sums: row_sums) -> row_sums:
-    """The symmetric system about the means of its points: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
+    """Symmetric system about the means: C H0 C^T and C (g0 - H0 (0, gap)), C = (I, -[s]x; 0, I)."""
     p = mean_source(sums)
     q = mean_target(sums)
     s = p + q
@@ -101,7 +98,7 @@ def center_symmetric(sums: row_sums) -> row_sums:
 
 @func
 def hold_free(x: vec6d, count: int, free: free_directions, gap: vec3d, size: float64) -> vec6d:
-    """The symmetric step with what takes back, along free directions, that it brings the means together."""
+    """Symmetric step without the alignment of the means along free directions."""
     held = x
     for k in range(6):
         if k < count:
@@ -115,11 +112,11 @@ def hold_free(x: vec6d, count: int, free: free_directions, gap: vec3d, size: flo
 
 @func
 def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
-    """The motion of a symmetric step: half of it turns the source, half turns back the target (eq. 11)."""
+    """Motion of a symmetric step: half rotates the source, half inversely the target (eq. 11)."""
     size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
-    # a rotation by 2 theta about g: the quaternion (g / |g| sin theta, cos theta), along (g, 1) as tan theta = |g|
+    # rotation by 2 theta about g: quaternion (g / |g| sin theta, cos theta), parallel to (g, 1) as tan theta = |g|
     whole = rotation_about(x[0], x[1], x[2], 1.0)
-    # a rotation by theta: the quaternion of half the angle, along (g / |g| (1 - cos theta) / sin theta, 1)
+    # rotation by theta: the quaternion of half the angle, parallel to (g / |g| (1 - cos theta) / sin theta, 1)
     share = float64(0.5)
     if size > 1.0e-9:
         root = sqrt(1.0 + size * size)
@@ -133,26 +130,19 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     return whole
 
 
-GAUSS_NEWTON = 0  # how a pose comes from the sums
-PAIRS = 1  # the best fit of pairs
+GAUSS_NEWTON = 0  # step methods
+PAIRS = 1  # best fit of pairs
 SYMMETRIC = 2
 
-LOOK_AHEAD = 4.0  # steps that a match should outlast: each takes up to twice its length from the gap
-WIDEST_LOOK = 2.0  # of the rmse: beyond this a wider search costs more than it saves
-SMALLEST_SIZE = 1.0e-12  # of a source that is one point: of its distance from the origin, or [m] where that is none
+LOOK_AHEAD = 4.0  # steps that a match should remain valid for: each takes up to twice its length from the gap
+WIDEST_LOOK = 2.0  # of the rmse: a wider search costs more than it saves
+SMALLEST_SIZE = 1.0e-12  # for a single-point source: of its distance from the origin, or [m] if that is zero
 
 
 @struct
 class StepRules:
-    """How jobs are judged and moved on.
-
-    Attributes:
-        method: GAUSS_NEWTON, PAIRS or SYMMETRIC.
-        scaling: 1 where the best fit of pairs may scale.
-        most_iterations: Steps at most.
-        least_fitness, least_rmse: Changes of the fitness and of the rmse [m] below which a job has converged.
-        least_share: The same of the rmse as a share of the source's spread; the limit is the sum of both.
-        least_eigenvalue: Motions with less than this share of the largest eigenvalue are free.
+    """Convergence limits `least_fitness`, `least_rmse` [m] plus `least_share` of the source's spread; motions with less
+    than `least_eigenvalue` of the largest are free.
     """
 
     method: int
@@ -173,25 +163,8 @@ class StepRules:
 
 @struct
 class Progress:
-    """The sums over the pairs of each job, what they said so far, and what became of it.
-
-    Args:
-        jobs: The jobs.
-        states: Their `job_states`.
-        poses: Their first poses, float64 [jobs, 4, 4].
-        judged_apart: Whether what is degenerate is judged by other sums than those that are solved.
-
-    Attributes:
-        totals, plain_totals: row_sums [jobs]: those that are solved, and those without robust kernels, which tell what
-            is degenerate; one array where they are the same.
-        pivots: Where each job's sums of pairs are taken about: the middle of the source under its first pose [m].
-        sizes: The spread of each source about its middle [m].
-        source_counts: Points of each source, at least 1.
-        iterations: Steps so far.
-        fitness, rmse: What the last turn judged.
-        outcomes: RUNNING, CONVERGED, ...
-        free_counts, free: How many motions the pairs leave free, and those.
-        running: int32 [1], how many jobs are live.
+    """Sums over the pairs of each job and its status. `judged_apart`: degeneracy uses `plain_totals`, without robust
+    kernels; `pivots` [m]: centers of the sources under the first pose, origins of pair sums; `sizes` [m].
     """
 
     totals: array(dtype=row_sums)
@@ -215,7 +188,7 @@ class Progress:
         self.totals = zeros(count, row_sums, device)
         self.plain_totals = zeros(count, row_sums, device) if judged_apart else self.totals
         moments = jobs.sum_moments()
-        if device.is_cuda:  # no host waits for what no host needs
+        if device.is_cuda:  # avoids a sync
             launch(measure_sources_kernel, count, [jobs, moments, states.arrays["poses"], self])
             return
         means, spreads = jobs.measure_sources(moments)
@@ -229,7 +202,7 @@ class Progress:
 def measure_sources_kernel(
     jobs: Jobs, moments: array(dtype=first_moments), poses: array(dtype=mat44d), progress: Progress
 ):
-    """The pivot and the size of each job from the sums over its source."""
+    """Pivot and size of each job from the sums over its source."""
     i = tid()
     sums = moments[jobs.job_sources[i]] / progress.source_counts[i]
     mean = vec3d(sums[0], sums[1], sums[2])
@@ -241,7 +214,7 @@ def measure_sources_kernel(
 
 @kernel
 def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, velocities: array(dtype=vec6d)):
-    """The motion of a pose over a period: minus its Euler angles (of Rz Ry Rx) and its translation, a second."""
+    """Velocity of a pose over a period: negative Euler angles (Rz Ry Rx) and translation per second."""
     i = tid()
     T = poses[i]
     x = atan2(T[2, 1], T[2, 2])
@@ -252,13 +225,12 @@ def measure_velocities_kernel(poses: array(dtype=mat44d), period: float64, veloc
 
 @func
 def job_of(thread: int) -> int:
-    """The job of a thread."""
     return thread
 
 
 @job_of.on_cuda
 def job_of_lane(thread: int) -> int:
-    """The job of a warp."""
+    """CUDA variant: a job per warp."""
     return thread // WARP
 
 
@@ -270,33 +242,31 @@ def leads() -> int:
 
 @leads.on_cuda
 def first_lane_leads() -> int:
-    """1 in the first lane."""
     return 1 if lane() == 0 else 0
 
 
 @func
 def said_by_leader(x: int) -> int:
-    """What the thread that writes has found; from here on the job's others see what it wrote."""
+    """Value of the writing thread; afterwards its writes are visible to the job's other threads."""
     return x
 
 
 @said_by_leader.on_cuda
 def said_by_first_lane(x: int) -> int:
-    """The first lane's."""
     sync_lanes()
     return shuffle(x, 0)
 
 
 @func
 def moved_size(i: int, matches: Matches, progress: Progress) -> float64:
-    """The spread of a job's source [m] under its pose, which may scale."""
+    """Spread of a job's source [m] under its pose, which may scale."""
     pose = matches.poses[i]
     return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0]) * progress.sizes[i]
 
 
 @func
 def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) -> int:
-    """Note the fitness and the rmse of a job; whether it goes on, or how it ends."""
+    """Store fitness and rmse of a job; returns whether it continues or how it ends."""
     sums = progress.totals[i]
     count = sums[COUNT_AT]
     share = float64(0.0)
@@ -311,7 +281,7 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     for j in range(36):
         total += sums[j]
     if total - total != 0.0:
-        outcome = NOT_FINITE  # a step of zero would be taken for convergence
+        outcome = NOT_FINITE  # a zero step would be mistaken for convergence
     if outcome == RUNNING and progress.iterations[i] > 0:
         least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
         if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < least:
@@ -325,7 +295,7 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
 
 @func
 def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
-    """The step of a job by its sums, of pairs none; what motions they leave free is noted."""
+    """Step of a job by its sums; stores free motions."""
     step = vec6d(0.0)
     sums = progress.totals[i]
     size = progress.sizes[i]
@@ -339,7 +309,7 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
             sums = center_symmetric(sums)
             plain = center_symmetric(plain)
             center = vec3d(0.0, 0.0, 0.0)
-            size = 2.0 * size  # its rows hold p + q, its rotation half the angle
+            size = 2.0 * size  # its rows have p + q, its rotation half the angle
         h, g = row_system(sums)
         geometry, _ = row_system(plain)
         step = constrained_step(
@@ -350,7 +320,7 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
 
 @func
 def about_pivot(motion: mat44d, pivot: vec3d) -> mat44d:
-    """A motion of coordinates about a pivot, as one of coordinates about the origin."""
+    """Convert a motion of coordinates about a pivot to one about the origin."""
     moved = move(motion, -pivot)
     whole = motion
     for axis in range(3):
@@ -360,7 +330,6 @@ def about_pivot(motion: mat44d, pivot: vec3d) -> mat44d:
 
 @func
 def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
-    """The motion that fits pairs best whose sums were taken about a pivot."""
     pairs = pair_sums(0.0)
     for j in range(18):
         pairs[j] = sums[j]
@@ -369,13 +338,12 @@ def best_fit(sums: row_sums, pivot: vec3d, scaling: int) -> mat44d:
 
 @func
 def motion_of_angles(x: vec6d) -> mat44d:
-    """`euler_motion`."""
     return euler_motion(x)
 
 
 @motion_of_angles.on_cuda
 def motion_of_lanes(x: vec6d) -> mat44d:
-    """The same: lane k takes the cosine and the sine of angle k."""
+    """CUDA variant: lane k computes the cosine and sine of angle k."""
     own = lane()
     angle = x[0] if own == 0 else (x[1] if own == 1 else x[2])
     cosine = cos(angle)
@@ -386,8 +354,7 @@ def motion_of_lanes(x: vec6d) -> mat44d:
 
 @func
 def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
-    """The motion that a job's step stands for."""
-    # A rotation by w is linearized: it misses by |w|^2 / 2 of the distance from its pivot, so that is among the pairs.
+    # The linearized rotation w has an error of |w|^2 / 2 of the distance from its pivot, so that is among the pairs.
     pivot = mean_source(progress.totals[i])
     shift = cross(vec3d(x[0], x[1], x[2]), pivot)
     about = vec6d(x[0], x[1], x[2], x[3] + shift[0], x[4] + shift[1], x[5] + shift[2])
@@ -404,7 +371,7 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
 
 @func
 def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
-    """How far [m] a motion takes a cloud of some size [m] about p; not finite where the motion is not."""
+    """Displacement [m] by a motion of a cloud of some size about p; not finite if the motion is not."""
     moved = move(motion, p) - p
     turned_by = float64(0.0)
     for row in range(3):
@@ -419,7 +386,7 @@ def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
 
 @func
 def note_step(i: int, length: float64, matches: Matches, progress: Progress):
-    """Count a step of a job, and tell its search how far to look after a step as long [m]."""
+    """Count a step, and set the search margin for a step of this length [m]."""
     progress.iterations[i] = progress.iterations[i] + 1
     look = float64(0.0)
     if length * float64(LOOK_AHEAD) < float64(WIDEST_LOOK) * progress.rmse[i]:
@@ -429,15 +396,14 @@ def note_step(i: int, length: float64, matches: Matches, progress: Progress):
 
 @func
 def end_job(i: int, outcome: int, matches: Matches, progress: Progress):
-    """Note how a job has ended."""
     progress.outcomes[i] = outcome
     matches.live[i] = 0
-    atomic_add(progress.running, 0, -1)  # a count: the order does not matter
+    atomic_add(progress.running, 0, -1)  # integer sum: order-independent
 
 
 @func
 def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> int:
-    """Move a job on, and tell its search how far to look; whether the motion is finite."""
+    """Update a job's pose and search margin; returns whether the motion is finite."""
     outcome = int(RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == 0.0:
@@ -450,7 +416,7 @@ def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> in
 
 @kernel
 def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
-    """Judge the pose of a live job by its sums, and take the next step or stop."""
+    """Evaluate a live job by its sums, and take the next step or stop."""
     i = tid()
     job = job_of(i)
     if matches.live[job] != 0:

@@ -1,12 +1,7 @@
-"""One Gaussian a voxel, found through a hash of the voxels: what voxelised generalised ICP aligns points with.
+"""One Gaussian per voxel, found by hashing, for voxelized generalized ICP.
 
-Koide, Yokozuka, Oishi and Banno, "Voxelized GICP for fast and accurate 3D point cloud registration", ICRA 2021,
-section III: the mean of a voxel's points and the mean of their covariances. A voxel is found with one hash instead of a
-search for the nearest point. Several targets, called segments, may stand in one table: a batch of registrations then
-runs in the launches of one.
-
-Cells are counted from a corner in float64. 40 B a voxel and 48 to 96 B of hash; the points are sorted by voxel once,
-each voxel is summed in float64 by one thread in the points' own order.
+Koide, Yokozuka, Oishi and Banno, "Voxelized GICP for fast and accurate 3D point cloud registration", ICRA 2021, section
+III: means of points and covariances. Several targets (segments) share one table. Sums are float64 in point order.
 """
 
 from collections.abc import Sequence
@@ -44,24 +39,16 @@ from ..search.point_tree import LEAF, square_distance
 from .jobs import source_place
 from .matches import NO_PAIR, Matches
 
-COLUMNS = 10  # of a Gaussian: the mean, the upper triangle of the covariance, the number of points
-CELL_LIMIT = 2.0**53  # cells from the corner: float64 counts no further by ones
+COLUMNS = 10  # mean, upper triangle of the covariance, point count
+CELL_LIMIT = 2.0**53  # integers exact in float64
 KEY_BITS = 62
-VOXEL_STEPS = 1  # of a match: a point's own voxel and the six beside it
+VOXEL_STEPS = 1  # for matching: the own voxel and its six face neighbors
 gaussian_sums = vector(9, float64)
 
 
 @struct
 class CellGrid:
-    """The cells that Gaussians stand in: those of the finite points' box, alike for all segments.
-
-    Attributes:
-        corner: Where cells are counted from [m].
-        scale: Cells a metre.
-        first: The lowest cell along each axis that is taken, counted from the corner.
-        cells: Cells along each axis from there.
-        bits: Bits of a key for each axis.
-    """
+    """Cell grid of all segments: `corner` [m]; `scale` cells per meter; `first`, `cells` and key `bits` per axis."""
 
     corner: vec3d
     scale: float64
@@ -83,27 +70,8 @@ class CellGrid:
 
 @struct
 class VoxelGaussians:
-    """A Gaussian for each voxel that holds points, in ascending order of segment, x, y, z.
-
-    Args:
-        points: Device array of vec3, shape [n].
-        covariances: float32 device array of shape [n, 9], symmetric, row by row.
-        voxel_size: Edge of a voxel [m].
-        segments: int32 device array of shape [n], the target that each point belongs to; None where there is one.
-        segment_count: Targets, numbered from 0.
-        corner: Where the cells are counted from [m], float64 [3], the same for all segments.
-
-    Attributes:
-        count: Gaussians m.
-        gaussians: float32 [m, 10]: mean [m], covariance (xx, xy, xz, yy, yz, zz), number of points.
-        keys: int64 [m], by segment, then x, y, z.
-        grid: The CellGrid.
-        table: From keys to rows of `gaussians`.
-
-    Points without a finite place, a finite covariance or a segment in range belong to no voxel.
-
-    Raises:
-        ValueError: A voxel size so small that the grid has more than 2^62 cells, all segments together.
+    """Gaussians of occupied voxels by segment, x, y, z: float32 (m, 10) with mean [m], covariance (xx, xy, xz, yy, yz,
+    zz), point count. Invalid points are skipped. Raises ValueError for more than 2^62 cells.
     """
 
     grid: CellGrid
@@ -149,7 +117,7 @@ class VoxelGaussians:
         self.table.append(self.keys, self.count, self.count)
 
     def unpack(self) -> tuple[Vectors, Array2[float32]]:
-        """(means, covariances) on the device: vec3 [m], float32 [m, 9] row by row."""
+        """(means, covariances) on the device: vec3 (m), float32 (m, 9) row by row."""
         device = self.gaussians.device
         means, covariances = empty(self.count, vec3, device), empty((self.count, 9), float32, device)
         launch(unpack_gaussians_kernel, self.count, [self.gaussians, means, covariances])
@@ -158,17 +126,17 @@ class VoxelGaussians:
 
 @func
 def cell_of(p: vec3, grid: CellGrid) -> vec3d:
-    """A point's cell along each axis, counted from the lowest that is taken; NaN where the point is."""
+    """Cell of a point relative to the first cell; NaN if the point is."""
     d = (widen(p) - grid.corner) * grid.scale
     return vec3d(floor(d[0]) - grid.first[0], floor(d[1]) - grid.first[1], floor(d[2]) - grid.first[2])
 
 
 @func
 def key_of_cell(at: vec3d, segment: int, grid: CellGrid) -> int64:
-    """The key of a cell in a segment, ascending with the segment, then x, y, z; -1 outside the grid."""
+    """Key of a cell in a segment; -1 outside the grid."""
     zero = float64(0.0)
     key = int64(-1)
-    if at[0] >= zero and at[1] >= zero and at[2] >= zero:  # not of NaN
+    if at[0] >= zero and at[1] >= zero and at[2] >= zero:  # false for NaN
         if at[0] < grid.cells[0] and at[1] < grid.cells[1] and at[2] < grid.cells[2]:
             key = (((int64(segment) << int64(grid.bits[0])) | int64(at[0])) << int64(grid.bits[1])) | int64(at[1])
             key = (key << int64(grid.bits[2])) | int64(at[2])
@@ -177,7 +145,6 @@ def key_of_cell(at: vec3d, segment: int, grid: CellGrid) -> int64:
 
 @func
 def find_cell_gaussian(at: vec3d, segment: int, voxels: VoxelGaussians) -> int:
-    """The row of a cell's Gaussian in a segment, or -1."""
     key = key_of_cell(at, segment, voxels.grid)
     row = -1
     if key >= 0:
@@ -187,13 +154,11 @@ def find_cell_gaussian(at: vec3d, segment: int, voxels: VoxelGaussians) -> int:
 
 @func
 def gaussian_mean(row: int, gaussians: array(dtype=float32, ndim=2)) -> vec3:
-    """The mean [m] of a Gaussian."""
     return vec3(gaussians[row, 0], gaussians[row, 1], gaussians[row, 2])
 
 
 @func
 def gaussian_covariance(row: int, gaussians: array(dtype=float32, ndim=2)) -> mat33:
-    """The covariance of a Gaussian."""
     xy = gaussians[row, 4]
     xz = gaussians[row, 5]
     yz = gaussians[row, 7]
@@ -202,16 +167,13 @@ def gaussian_covariance(row: int, gaussians: array(dtype=float32, ndim=2)) -> ma
 
 @func
 def gaussian_weight(row: int, gaussians: array(dtype=float32, ndim=2)) -> float:
-    """The number of points of a Gaussian, exact below 2^24."""
+    """Point count of a Gaussian, exact below 2^24."""
     return gaussians[row, 9]
 
 
 @func
 def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussians) -> int:
-    """The Gaussian with the nearest mean among a point's voxel and its neighbours, or -1; ties to the lower row.
-
-    `steps` along the axes to a neighbour, together: 0 looks into 1 voxel, 1 into 7, 2 into 19, 3 into 27.
-    """
+    """Gaussian with the nearest mean among 1, 7, 19 or 27 voxels (`steps` 0 to 3), or -1; ties to the lower."""
     at = cell_of(p, voxels.grid)
     best = -1
     least = float(INFINITY)
@@ -241,14 +203,14 @@ def encode_gaussians_kernel(
     skipped: int64,
     keys: array(dtype=int64),
 ):
-    """The key of each point's voxel; `skipped` for points without a finite place, a finite covariance or a segment."""
+    """Key of each point's voxel; `skipped` for invalid points."""
     i = tid()
     segment = 0
     if segments.shape[0] > 0:
         segment = segments[i]
     total = 0.0
     for j in range(9):
-        total += covariances[i, j] * 0.0  # NaN where any is not finite
+        total += covariances[i, j] * 0.0  # NaN if any is not finite
     key = int64(-1)
     if total == 0.0 and segment >= 0 and segment < segment_count:
         key = key_of_cell(cell_of(points[i], grid), segment, grid)
@@ -265,7 +227,7 @@ def average_gaussians_kernel(
     starts: array(dtype=int32),
     gaussians: array(dtype=float32, ndim=2),
 ):
-    """The mean of the points and of the covariances of each voxel, and how many they are."""
+    """Means of points and covariances of each voxel, and the count."""
     i = tid()
     total = gaussian_sums(0.0)
     for j in range(starts[i], starts[i + 1]):
@@ -288,7 +250,6 @@ def average_gaussians_kernel(
 def unpack_gaussians_kernel(
     gaussians: array(dtype=float32, ndim=2), means: array(dtype=vec3), covariances: array(dtype=float32, ndim=2)
 ):
-    """Means, and covariances as full matrices."""
     i = tid()
     means[i] = gaussian_mean(i, gaussians)
     C = gaussian_covariance(i, gaussians)
@@ -299,7 +260,6 @@ def unpack_gaussians_kernel(
 
 @kernel
 def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
-    """The voxel with the nearest mean of each source point, among its own and those beside it."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
@@ -315,6 +275,6 @@ def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
 
 
 def _check_cells(voxel_size: float, first: np.ndarray, last: np.ndarray) -> None:
-    """Refuse cells that float64 cannot count."""
+    """Raise if float64 cannot count the cells."""
     if max(np.abs(first).max(), np.abs(last).max()) >= CELL_LIMIT:
         raise ValueError(f"voxel_size: {voxel_size} makes more than 2^53 cells from the corner; take larger voxels")

@@ -1,1 +1,1 @@
-"""Depth and colour images."""
+"""Depth and color images."""

@@ -1,7 +1,4 @@
-"""Depth images: to metres, to points and to normals; and the colours of those points.
-
-One thread a pixel; reads 2 or 4 B, writes 4 or 12 B. Pinhole model: x = (u - cx) z / fx, pixel centres at integers.
-"""
+"""Depth images to meters, points, normals and colors. Pinhole model x = (u - cx) z / fx, pixel centers at integers."""
 
 import numpy as np
 
@@ -35,16 +32,16 @@ from ..lang import (
 )
 from ..memory import download, empty, zeros
 
-RUN = 1024  # pixels a thread of a reduction by atomics, on the CPU
+RUN = 1024  # pixels per thread of an atomic reduction on the CPU
 WORD = 0xFFFF  # the largest raw depth
 BYTE = 0xFF
-NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # metres = scale / (offset - raw), as the data set's toolbox has it
-RED, GREEN, BLUE = 0.2990, 0.5870, 0.1140  # shares of brightness (ITU-R BT.601)
+NYU_SCALE, NYU_OFFSET = 351.3, 1092.5  # meters = scale / (offset - raw), as in the data set's toolbox
+RED, GREEN, BLUE = 0.2990, 0.5870, 0.1140  # weights of brightness (ITU-R BT.601)
 
 
 @kernel
 def decode_sun_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
-    """SUN3D: millimetres, turned left by three bits."""
+    """SUN3D: millimeters, rotated left by three bits."""
     i = tid()
     x = int(raw[i])
     depth[i] = uint16(((x >> 3) | (x << 13)) & WORD)
@@ -52,7 +49,7 @@ def decode_sun_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
 
 @kernel
 def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
-    """NYU Depth v2: the two bytes in the other order, and a disparity; whole millimetres, 0 where it has no depth."""
+    """NYU Depth v2: byte-swapped disparity; whole millimeters, 0 for none."""
     i = tid()
     x = int(raw[i])
     x = ((x & BYTE) << 8) | (x >> 8)
@@ -72,7 +69,7 @@ def scale_depth_kernel(
     depth: array(dtype=float32),
     largest: array(dtype=int32),
 ):
-    """Raw integers to metres, 0 beyond the farthest depth; and a row's largest, as its bits."""
+    """Integers to meters, 0 beyond the limit; and a row's maximum, as bits."""
     i = tid()
     most = 0
     for j in elements_of(i, runs):
@@ -80,9 +77,9 @@ def scale_depth_kernel(
         if d > farthest:
             d = 0.0
         depth[j] = d
-        most = max(most, float_bits(d))  # positive floats are in the order of their bits
+        most = max(most, float_bits(d))  # bits of positive floats are ordered
     if most > 0:
-        atomic_max(largest, row_of(i, runs), most)  # settles which thread's largest is the largest
+        atomic_max(largest, row_of(i, runs), most)  # maximum: resolves the race
 
 
 @kernel
@@ -94,7 +91,7 @@ def limit_depth_kernel(
     depth: array(dtype=float32),
     largest: array(dtype=int32),
 ):
-    """Depth in metres of floats; 0 where there is no measurement (0, negative, NaN, infinite) or one too far."""
+    """Valid depth in meters of floats; 0 if it is 0, negative, not finite or too far."""
     i = tid()
     most = 0
     for j in elements_of(i, runs):
@@ -105,19 +102,12 @@ def limit_depth_kernel(
         depth[j] = metres
         most = max(most, float_bits(metres))
     if most > 0:
-        atomic_max(largest, row_of(i, runs), most)  # settles which thread's largest is the largest
+        atomic_max(largest, row_of(i, runs), most)  # maximum: resolves the race
 
 
 @struct
 class PixelGrid:
-    """Every stride-th pixel of every stride-th row of a picture, row by row.
-
-    Attributes:
-        stride: Pixels from one to the next.
-        columns, rows: Their number.
-        width: Columns of the picture [px].
-        count: How many they are.
-    """
+    """Every `stride`-th pixel of every `stride`-th row: `columns` x `rows`, `count`; image `width` [px]."""
 
     stride: int
     columns: int
@@ -131,13 +121,11 @@ class PixelGrid:
 
 @func
 def grid_pixel(i: int, grid: PixelGrid) -> int:
-    """The pixel of the i-th place of a grid."""
     return (i // grid.columns) * grid.stride * grid.width + (i % grid.columns) * grid.stride
 
 
 @func
 def unproject_pixel(u: int, v: int, d: float, camera: Camera) -> vec3d:
-    """The point [m] in the camera's frame of a pixel at depth d."""
     z = float64(d)
     return vec3d((float64(u) - camera.cx) * z / camera.fx, (float64(v) - camera.cy) * z / camera.fy, z)
 
@@ -151,7 +139,7 @@ def unproject_depth_kernel(
     points: array(dtype=vec3),
     valid: array(dtype=uint8),
 ):
-    """The world points of a grid of pixels, NaN where there is no depth."""
+    """World points of a pixel grid, NaN without depth."""
     i = tid()
     u = (i % grid.columns) * grid.stride
     v = (i // grid.columns) * grid.stride
@@ -175,9 +163,7 @@ def fit_pixel_normals_kernel(
     normals: array(dtype=vec3),
     valid: array(dtype=uint8),
 ):
-    """R times the unit normal, towards the camera, of a grid of pixels: across the ways to the pixels of the grid on
-    the right and below. The fill where one of the three has no depth, and in the last row and column.
-    """
+    """R times unit normals, towards the camera, from the right and lower neighbors; `fill` if one has no depth."""
     i = tid()
     u = (i % grid.columns) * grid.stride
     v = (i // grid.columns) * grid.stride
@@ -202,7 +188,7 @@ def fit_pixel_normals_kernel(
 
 @kernel
 def color_pixels_kernel(pixels: array(dtype=uint8, ndim=2), grid: PixelGrid, colors: array(dtype=vec3)):
-    """Colours 0..1 of a grid of pixels of an 8-bit image of shape [pixels, 3]."""
+    """Colors 0..1 of a pixel grid of an 8-bit image (pixels, 3)."""
     i = tid()
     j = grid_pixel(i, grid)
     colors[i] = vec3(float(pixels[j, 0]) / 255.0, float(pixels[j, 1]) / 255.0, float(pixels[j, 2]) / 255.0)
@@ -210,7 +196,7 @@ def color_pixels_kernel(pixels: array(dtype=uint8, ndim=2), grid: PixelGrid, col
 
 @kernel
 def grey_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors: array(dtype=vec3)):
-    """Grey colours 0..1 of a grid of pixels of a grey image."""
+    """Gray colors 0..1 of a pixel grid of a grayscale image."""
     i = tid()
     g = intensity[grid_pixel(i, grid)]
     colors[i] = vec3(g, g, g)
@@ -218,38 +204,33 @@ def grey_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors:
 
 @kernel
 def weigh_colors_kernel(pixels: array(dtype=uint8, ndim=2), intensity: array(dtype=float32)):
-    """Brightness 0..1 of 8-bit colours."""
     i = tid()
     intensity[i] = (RED * float(pixels[i, 0]) + GREEN * float(pixels[i, 1]) + BLUE * float(pixels[i, 2])) / 255.0
 
 
 def decode_depth(raw: Array1[uint16], layout: str) -> Array1[uint16]:
-    """Millimetres, uint16, of the raw depths of a data set, uint16 [pixels]; `layout` is "sun" or "nyu"."""
+    """Millimeters, uint16, from the raw depths of a data set; `layout` is "sun" or "nyu"."""
     depth = empty(raw.size, uint16, raw.device)
     launch({"sun": decode_sun_kernel, "nyu": decode_nyu_kernel}[layout], raw.size, [raw, depth])
     return depth
 
 
 def metric_depth(raw: Scalars | Array1[uint16], scale: float, farthest: float) -> tuple[Scalars, Integers]:
-    """Depth in metres from a uint16 or float32 device array, divided by `scale`.
-
-    Returns:
-        (depth, largest): float32 [pixels], 0 without measurement, and int32, bits of depths, the largest among them.
-    """
+    """(depth [m] float32 (pixels), 0 for none; int32 bits of maxima) from uint16 or float32, divided by `scale`."""
     depth, largest = empty(raw.size, float32, raw.device), zeros(depth_runs(raw).rows, int32, raw.device)
     scale_depth(raw, scale, farthest, depth, largest)
     return depth, largest
 
 
 def depth_runs(raw: Scalars | Array1[uint16]) -> Runs:
-    """The Runs of a depth image: as many rows as `largest` has."""
+    """Runs of a depth image, with as many rows as `largest`."""
     return Runs(raw.size, raw.device, RUN)
 
 
 def scale_depth(
     raw: Scalars | Array1[uint16], scale: float, farthest: float, depth: Scalars, largest: Integers
 ) -> None:
-    """As `metric_depth`, into arrays that exist; `largest` begins with 0."""
+    """As `metric_depth`, into existing arrays; `largest` starts at 0."""
     runs = depth_runs(raw)
     if raw.dtype == uint16:
         launch(scale_depth_kernel, runs.threads, [raw, runs, float(scale), float(farthest), depth, largest])
@@ -258,24 +239,14 @@ def scale_depth(
 
 
 def largest_depth(largest: Integers) -> float:
-    """The largest depth [m] that `metric_depth` found, 0 for none; one sync."""
+    """Maximum depth [m] of `metric_depth`, 0 for none; one sync."""
     return float(download(largest).max().view(np.float32))  # sync
 
 
 def unproject_depth(
     depth: Scalars, grid: PixelGrid, camera: CameraLike, T_world_camera: np.ndarray
 ) -> tuple[Vectors, Bytes]:
-    """World points of a grid of pixels.
-
-    Args:
-        depth: float32 device array [height * width] in metres.
-        grid: A PixelGrid.
-        camera: A Camera, or what has its attributes.
-        T_world_camera: float64 [4, 4].
-
-    Returns:
-        (points, valid): vec3 [grid.count], NaN without depth, and uint8 of the same length.
-    """
+    """(world points vec3 (grid.count), NaN without depth; valid uint8) of a pixel grid; `depth` in meters."""
     points, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
     launch(unproject_depth_kernel, grid.count, [depth, grid, camera, Transform(T_world_camera), points, valid])
     return points, valid
@@ -284,11 +255,7 @@ def unproject_depth(
 def pixel_normals(
     depth: Scalars, grid: PixelGrid, camera: CameraLike, R: np.ndarray, fill: float = NAN
 ) -> tuple[Vectors, Bytes]:
-    """Unit normals of a grid of pixels, turned by the float64 matrix R; arguments as for `unproject_depth`.
-
-    Returns:
-        (normals, valid): vec3 [grid.count], towards the camera, the fill where there is none; uint8.
-    """
+    """(normals vec3 (grid.count) towards the camera, `fill` for none; valid uint8), rotated by the float64 matrix R."""
     normals, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
     arguments = [depth, grid, camera, mat33d(*R.ravel()), float(fill), normals, valid]
     launch(fit_pixel_normals_kernel, grid.count, arguments)
@@ -296,10 +263,7 @@ def pixel_normals(
 
 
 def color_pixels(pixels: Scalars | Array2[uint8], grid: PixelGrid) -> Vectors:
-    """Colours 0..1, vec3 [grid.count], of a grid of pixels of a device image.
-
-    The image is uint8 [pixels, 3], or grey, float32 [pixels].
-    """
+    """Colors 0..1, vec3 (grid.count), of an image uint8 (pixels, 3) or grayscale float32 (pixels)."""
     colors = empty(grid.count, vec3, pixels.device)
     pick = grey_pixels_kernel if pixels.dtype == float32 else color_pixels_kernel
     launch(pick, grid.count, [pixels, grid, colors])
@@ -307,7 +271,7 @@ def color_pixels(pixels: Scalars | Array2[uint8], grid: PixelGrid) -> Vectors:
 
 
 def intensity_of(pixels: AnyArray) -> Scalars:
-    """Brightness 0..1, float32 [pixels], of a uint8 device image [pixels, 3]."""
+    """Brightness 0..1, float32 (pixels), of a uint8 device image (pixels, 3)."""
     intensity = empty(pixels.shape[0], float32, pixels.device)
     launch(weigh_colors_kernel, intensity.size, [pixels, intensity])
     return intensity

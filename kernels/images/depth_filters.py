@@ -1,15 +1,11 @@
-"""Filters on depth images: without noise, without edges, at half the size; and colours at half the size.
-
-One thread a pixel of the result, one launch a filter; each reads its window from memory that the threads beside it read
-too. Depth is in metres, 0 where there is none, and such pixels neither count nor are filled.
-"""
+"""Depth image filters: bilateral, edge erosion, halving. Depth is in meters; missing pixels (0) stay missing."""
 
 from ..array_types import Array2, Scalars
 from ..lang import array, exp, float32, floor, func, kernel, launch, loop, tid, uint8, vec3
 from ..memory import empty
 
 CENTER, NEAR, FAR = 0.375, 0.25, 0.0625  # the binomial weights 6, 4, 1 of 16
-# The Gaussian of deviation 1 at 0, 1 and 2 pixels, which sums to 1 over five.
+# Gaussian of deviation 1 at 0, 1 and 2 pixels, normalized over five.
 GAUSS_CENTER, GAUSS_NEAR, GAUSS_FAR = 0.40261995, 0.24420134, 0.05448868
 HALF_WINDOW = 2
 
@@ -24,10 +20,7 @@ def filter_bilateral_kernel(
     distance_falloff: float,
     filtered: array(dtype=float32),
 ):
-    """The mean over a disc of pixels, weighted by distance and by difference of depth (Tomasi and Manduchi 1998).
-
-    Beyond the border the image goes on with its last pixels.
-    """
+    """Bilateral filter (Tomasi and Manduchi 1998) with replicated border."""
     i = tid()
     u = i % width
     v = i // width
@@ -44,7 +37,7 @@ def filter_bilateral_kernel(
                 if d > 0.0 and sqdist <= radius * radius:
                     difference = d - center
                     w = exp(-(difference * difference * value_falloff + float(sqdist) * distance_falloff))
-                    total += w * difference  # about the centre, so that flat regions stay to the bit
+                    total += w * difference  # relative to the center, so that flat regions stay bitwise unchanged
                     weights += w
         mean = center + total / weights
     filtered[i] = mean
@@ -54,10 +47,7 @@ def filter_bilateral_kernel(
 def erode_edges_kernel(
     depth: array(dtype=float32), width: int, height: int, radius: int, jump: float, kept: array(dtype=float32)
 ):
-    """Drop pixels whose window holds a pixel without depth, or two side by side whose depths differ by more than jump.
-
-    So many pixels go on each side of an edge as the radius says; the border of the image is none.
-    """
+    """Drop pixels whose window has a missing pixel or a depth step above `jump`."""
     i = tid()
     left = max(i % width - radius, 0)
     right = min(i % width + radius, width - 1)
@@ -86,7 +76,6 @@ def erode_edges_kernel(
 
 @func
 def binomial_weight(offset: int) -> float:
-    """The weight of a pixel at -2..2 along one axis."""
     weight = float(CENTER)
     if offset != 0:
         weight = NEAR
@@ -97,7 +86,6 @@ def binomial_weight(offset: int) -> float:
 
 @func
 def gaussian_weight(offset: int) -> float:
-    """The weight of a pixel at -2..2 along one axis."""
     weight = float(GAUSS_CENTER)
     if offset != 0:
         weight = GAUSS_NEAR
@@ -110,7 +98,7 @@ def gaussian_weight(offset: int) -> float:
 def halve_depth_kernel(
     depth: array(dtype=float32), width: int, height: int, columns: int, jump: float, halved: array(dtype=float32)
 ):
-    """Every second pixel, as the mean of the 5 x 5 around it that differ by less than jump; 0 where it has no depth."""
+    """Every second pixel: mean of the 5 x 5 pixels within `jump` of its depth; 0 without depth."""
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)
@@ -133,7 +121,7 @@ def halve_depth_kernel(
 
 @loop
 def gaussian_window(u: int, v: int, width: int, height: int) -> tuple[int, float]:
-    """The pixels of the 5 x 5 around one, and their weights; the border repeats."""
+    """The 5 x 5 pixels around one with weights; replicated border."""
     for dv in range(-HALF_WINDOW, HALF_WINDOW + 1):
         row = min(max(v + dv, 0), height - 1) * width
         for du in range(-HALF_WINDOW, HALF_WINDOW + 1):
@@ -146,7 +134,6 @@ def gaussian_window(u: int, v: int, width: int, height: int) -> tuple[int, float
 def halve_color_kernel(
     pixels: array(dtype=uint8, ndim=2), width: int, height: int, columns: int, halved: array(dtype=uint8, ndim=2)
 ):
-    """Every second pixel of a colour image of shape [pixels, 3] after a Gaussian."""
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)
@@ -161,7 +148,6 @@ def halve_color_kernel(
 def halve_intensity_kernel(
     intensity: array(dtype=float32), width: int, height: int, columns: int, halved: array(dtype=float32)
 ):
-    """Every second pixel of a grey image after a Gaussian."""
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)
@@ -174,7 +160,7 @@ def halve_intensity_kernel(
 def filter_bilateral(
     depth: Scalars, width: int, height: int, radius: int, value_sigma: float, distance_sigma: float
 ) -> Scalars:
-    """Depth without noise, float32 [height * width]; the deviations in metres and in pixels."""
+    """Bilateral depth, float32 (height * width); deviations in meters and pixels."""
     filtered = empty(depth.size, float32, depth.device)
     falloffs = [0.5 / max(sigma * sigma, 1e-30) for sigma in (value_sigma, distance_sigma)]  # finite in float32
     launch(filter_bilateral_kernel, depth.size, [depth, width, height, radius, *falloffs, filtered])
@@ -182,14 +168,14 @@ def filter_bilateral(
 
 
 def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
-    """Depth without the pixels within `radius` of an edge, float32 [height * width]."""
+    """Depth without pixels within `radius` of an edge, float32 (height * width)."""
     kept = empty(depth.size, float32, depth.device)
     launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), kept])
     return kept
 
 
 def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars:
-    """Depth at half the size, float32 [(height // 2) * (width // 2)]."""
+    """Depth at half the size, float32 ((height // 2) * (width // 2))."""
     columns, rows = width // 2, height // 2
     halved = empty(rows * columns, float32, depth.device)
     launch(halve_depth_kernel, rows * columns, [depth, width, height, columns, float(jump), halved])
@@ -197,7 +183,7 @@ def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars
 
 
 def halve_color(pixels: Scalars | Array2[uint8], width: int, height: int) -> Scalars | Array2[uint8]:
-    """A colour image, uint8 [pixels, 3], or a grey one, float32 [pixels], at half the size."""
+    """Color image, uint8 (pixels, 3), or grayscale, float32 (pixels), at half the size."""
     columns, rows = width // 2, height // 2
     if pixels.dtype == uint8:
         halved = empty((rows * columns, 3), uint8, pixels.device)

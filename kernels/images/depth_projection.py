@@ -1,9 +1,5 @@
-"""Points seen by a pinhole camera: a depth image of them, and their colours.
-
-Two launches: a thread a point offers its depth to a pixel, then a thread a pixel reads what won. The nearest point wins
-by an atomic minimum of one word of 64 bits, the bits of the depth above the index (raster.py), so the image is the same
-whatever the order of the threads; equal depths go to the lower index. 12 B read a point, 8 B written and read a pixel,
-some 30 operations a point in float64: a pixel's own point comes back to its pixel.
+"""Points projected to a depth image with colors. The nearest point wins by an atomic minimum of depth bits above the
+index, independent of thread order. Float64, so a pixel's own point projects back to it.
 """
 
 import numpy as np
@@ -20,7 +16,6 @@ from ..memory import empty, full
 def project_points_kernel(
     points: array(dtype=vec3), T_camera_points: Transform, camera: Camera, farthest: float, words: array(dtype=int64)
 ):
-    """Offer the depth of a point to the pixel whose centre is nearest."""
     i = tid()
     p = points[i]
     if isfinite(p):
@@ -35,7 +30,7 @@ def project_points_kernel(
 
 @kernel
 def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dtype=float32)):
-    """The depth that won a pixel, times the scale; 0 where nothing is seen."""
+    """Depth of each pixel times the scale; 0 if empty."""
     i = tid()
     word = words[i]
     d = 0.0
@@ -46,13 +41,12 @@ def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dt
 
 @func
 def to_byte(value: float) -> int:
-    """0..1 to 0..255, rounded; what lies outside is cut off."""
+    """0..1 to 0..255, rounded and clamped."""
     return int(floor(min(max(value, 0.0), 1.0) * 255.0 + 0.5))
 
 
 @kernel
 def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pixels: array(dtype=uint8, ndim=2)):
-    """The 8-bit colour of the point that won a pixel; black where nothing is seen."""
     i = tid()
     word = words[i]
     c = vec3(0.0, 0.0, 0.0)
@@ -63,14 +57,7 @@ def read_colors_kernel(words: array(dtype=int64), colors: array(dtype=vec3), pix
 
 
 def project_points(points: Points, T_camera_points: np.ndarray, camera: CameraLike, farthest: float) -> LongIntegers:
-    """What each pixel of a camera sees: words for `read_depth` and `read_colors`.
-
-    Args:
-        points: Device array of vec3, shape [n].
-        T_camera_points: float64 [4, 4].
-        camera: A Camera, or what has its attributes.
-        farthest: Largest depth that is seen [m].
-    """
+    """Projected words for `read_depth` and `read_colors`. `T_camera_points` float64 (4, 4); `farthest` depth [m]."""
     words = full(camera.width * camera.height, NO_KEY, int64, points.device)
     arguments = [points, Transform(T_camera_points), camera, float(farthest), words]
     launch(project_points_kernel, points.size, arguments)
@@ -78,14 +65,13 @@ def project_points(points: Points, T_camera_points: np.ndarray, camera: CameraLi
 
 
 def read_depth(words: LongIntegers, scale: float = 1.0) -> Scalars:
-    """Depth [m] times `scale`, float32 [pixels]; 0 where nothing is seen."""
+    """Depth [m] times `scale`, float32 (pixels); 0 if empty."""
     depth = empty(words.size, float32, words.device)
     launch(read_depth_kernel, words.size, [words, float(scale), depth])
     return depth
 
 
 def read_colors(words: LongIntegers, colors: Vectors) -> Array2[uint8]:
-    """8-bit colours, uint8 [pixels, 3]; 0 where nothing is seen."""
     pixels = empty((words.size, 3), uint8, words.device)
     launch(read_colors_kernel, words.size, [words, colors, pixels])
     return pixels

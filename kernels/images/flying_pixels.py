@@ -1,9 +1,5 @@
-"""Depth images without flying pixels: those that lie between two surfaces, where there is none.
-
-Depth that was smoothed or made larger runs from the near surface to the far one within some pixels. The inverse depth
-of a plane is linear along a row, however slanted, so that a pixel on a surface lies on the line through two others on
-one side of it at least; between two surfaces it lies on neither, and between both. One thread a pixel: 8 loads for each
-step of the reach at most, 4 B written. Only + - * /: the same bits on every device.
+"""Removal of flying pixels between two surfaces. Inverse depth of a plane is linear along a row, so a surface pixel is
+on the line through two others on one side; a flying pixel is on neither line and between both.
 """
 
 from ..array_types import Scalars
@@ -13,7 +9,7 @@ from ..memory import empty
 
 @func
 def is_between(w: float, before: float, after: float, jump: float) -> int:
-    """Whether inverse depth w lies between two others, off both by more than this share of it."""
+    """True if inverse depth w is between two others, off both by more than `jump` relatively."""
     limit = jump * w
     between = 0
     if (w - before > limit and after - w > limit) or (before - w > limit and w - after > limit):
@@ -23,7 +19,7 @@ def is_between(w: float, before: float, after: float, jump: float) -> int:
 
 @func
 def inverse_depth(depth: array(dtype=float32), at: int) -> float:
-    """1 / z of a pixel; 0 where it has no depth."""
+    """1 / z of a pixel; 0 without depth."""
     z = depth[at]
     w = 0.0
     if z > 0.0:
@@ -35,7 +31,7 @@ def inverse_depth(depth: array(dtype=float32), at: int) -> float:
 def drop_flying_kernel(
     depth: array(dtype=float32), width: int, height: int, reach: int, jump: float, kept: array(dtype=float32)
 ):
-    """Drop pixels that fly between two surfaces along the row or the column, over 1 .. reach pixels on each side."""
+    """Drop flying pixels along the row or column, over 1 .. reach pixels on each side."""
     i = tid()
     u = i % width
     v = i // width
@@ -59,7 +55,7 @@ def drop_flying_kernel(
                 if near_before > 0.0 and far_before > 0.0 and near_after > 0.0 and far_after > 0.0:
                     line_before = near_before + near_before - far_before
                     line_after = near_after + near_after - far_after
-                    # the pixels themselves too: a line through two surfaces, before or behind a thin post, is none
+                    # also the pixels themselves: a line through two surfaces before or behind a thin post is no surface
                     flies = is_between(w, line_before, line_after, jump) * is_between(w, near_before, near_after, jump)
                 r = r + 1
     if flies == 1:
@@ -68,7 +64,6 @@ def drop_flying_kernel(
 
 
 def drop_flying(depth: Scalars, width: int, height: int, reach: int, jump: float) -> Scalars:
-    """Depth without flying pixels, float32 [height * width]."""
     kept = empty(depth.size, float32, depth.device)
     launch(drop_flying_kernel, depth.size, [depth, width, height, reach, float(jump), kept])
     return kept

@@ -1,9 +1,6 @@
-"""Where the pixels of cameras without distortion lie in a picture of all directions (equirectangular).
-
-A thread a pixel, some 120 operations in float64 and 8 B written; `undistortion.read_places` reads them. The picture
-has a column more on either side, the last and the first of it, so that what lies between them is mixed as everything
-else. Longitude grows to the right, from the middle column, latitude downwards from the middle row (Snyder 1987, Map
-projections, p. 90). Only + - * / and square roots are used (algebra/angles.py): the same bits everywhere.
+"""Positions of pinhole pixels in an equirectangular image (Snyder 1987, Map projections, p. 90), padded by one wrapped
+column on either side. Longitude grows to the right, latitude decreases downwards. Only + - * / and square roots
+(algebra/angles.py): bitwise identical everywhere.
 """
 
 from typing import Any
@@ -18,7 +15,6 @@ from ..memory import empty
 def find_sphere_places_kernel(
     side: int, focal: float64, turns: array(dtype=mat33d), width: int, height: int, places: array(dtype=vec2)
 ):
-    """The place of a pixel of one of several square pictures, which differ by their turn."""
     i = tid()
     face = i // (side * side)
     pixel = i % (side * side)
@@ -37,15 +33,7 @@ def find_sphere_places_kernel(
 def find_sphere_places(
     side: int, focal: float, turns: Array1[Any], width: int, height: int, device: Device
 ) -> Array1[vec2]:
-    """Places in a picture of all directions with a column more on either side, vec2 [faces * side * side].
-
-    Args:
-        side: Of the square pictures [px].
-        focal: Theirs [px].
-        turns: Of each, from its camera to the sphere, mat33d [faces].
-        width, height: Of the picture without the two columns.
-        device: Where the places go.
-    """
+    """Positions of square images' pixels, vec2 (faces * side * side). `turns`: camera to sphere."""
     places = empty(turns.size * side * side, vec2, device)
     launch(find_sphere_places_kernel, places.size, [side, float64(focal), turns, width, height, places])
     return places

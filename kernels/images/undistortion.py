@@ -1,12 +1,6 @@
-"""Pictures of a lens brought to those of a pinhole: where each pixel lies in the lens's picture, and what is there.
-
-The first launch finds the places, a thread a pixel, some 100 operations in float64 and 8 B written: once a camera, as
-all its pictures share them. The second reads them, mixes four pixels a channel in float32, and writes a byte a channel:
-once a picture. A picture that becomes smaller by two or more is averaged over squares before.
-
-Only + - * / and square roots are used (algebra/angles.py has the angle of a fisheye), so that the pictures are the same
-bits on every device and compiler. The family of lenses is that of the host, pcd/lens_projection.py, whose docstring
-has the formulas and their sources.
+"""Undistortion: lens images to pinhole images. Positions are computed once per camera in float64, then each image is
+sampled bilinearly, after averaging if it shrinks by two or more. Only + - * / and square roots: bitwise identical
+everywhere. The lens models are those of pcd/lens_projection.py.
 """
 
 from typing import Any
@@ -18,22 +12,14 @@ from ..lang import array, float64, floor, func, kernel, launch, sqrt, struct, ti
 from ..memory import empty
 
 PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = 0, 1, 2, 3, 4
-UNSEEN = -1.0  # a place that the lens did not see
-FAR = 1.0e30  # in place of an infinite reach
+UNSEEN = -1.0  # position outside the lens
+FAR = 1.0e30  # replaces an infinite reach
 
 
 @struct
 class LensOptics:
-    """A lens as kernels take it; anything with these attributes will do.
-
-    Attributes:
-        kind: How the first step shortens a radius.
-        fx, fy, cx, cy, skew: From bent places to pixels, pixel centres being whole.
-        a1, a2, a3, a4, b1, b2, b3: Radial factors above and below the line.
-        p1, p2, s1, s2: Tangential and prism factors.
-        shape, second: Of the kinds that have a shape.
-        reach: The radius, after the first step, up to which the lens sees.
-        width, height: Of its picture [px].
+    """Lens parameters: `kind` of the radial mapping; radial `a1`-`a4` over `b1`-`b3`; tangential `p1`, `p2`; prism
+    `s1`, `s2`; `shape`, `second` of some kinds; `reach`: maximum mapped radius.
     """
 
     kind: int
@@ -75,7 +61,7 @@ class LensOptics:
 
 @func
 def shortened(r: float64, lens: LensOptics) -> float64:
-    """By what the first step multiplies a place at radius r; -1 where there is no such ray."""
+    """Factor of the radial mapping at radius r; -1 if there is no such ray."""
     factor = float64(1.0)
     if lens.kind == EQUIDISTANT and r > 0.0:
         factor = angle_of(r, 1.0) / r
@@ -103,7 +89,7 @@ def shortened(r: float64, lens: LensOptics) -> float64:
 
 @func
 def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
-    """Column and row at which the lens shows what the first step put at (x, y)."""
+    """Column and row of a radially mapped position (x, y)."""
     t = x * x + y * y
     above = 1.0 + t * (lens.a1 + t * (lens.a2 + t * (lens.a3 + t * lens.a4)))
     below = 1.0 + t * (lens.b1 + t * (lens.b2 + t * lens.b3))
@@ -116,7 +102,7 @@ def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
 
 @kernel
 def find_places_kernel(lens: LensOptics, camera: Camera, places: array(dtype=vec2)):
-    """Where a pixel of the pinhole lies in the lens's picture, cut off half a pixel within its border."""
+    """Lens image position of a pinhole pixel, clamped to half a pixel within the border."""
     i = tid()
     x = (float64(i % camera.width) - camera.cx) / camera.fx
     y = (float64(i // camera.width) - camera.cy) / camera.fy
@@ -145,7 +131,7 @@ def average_squares_kernel(
     channels: int,
     averages: array(dtype=uint8, ndim=2),
 ):
-    """The mean of side x side pixels, rounded, halves up; of those that are there at the right and lower border."""
+    """Rounded mean of side x side pixels, clipped at the right and lower border."""
     i = tid()
     left = (i % columns) * side
     top = (i // columns) * side
@@ -170,10 +156,7 @@ def read_places_kernel(
     places: array(dtype=vec2),
     straight: array(dtype=uint8, ndim=2),
 ):
-    """What a picture shows at the places, between four pixels; 0 where the lens did not see.
-
-    Its pixels are squares of `side` of those that the places count.
-    """
+    """Bilinear image values at positions; 0 outside the lens. Pixels are squares of `side` of the positions' pixels."""
     i = tid()
     place = places[i]
     if place[0] < 0.0:
@@ -200,7 +183,6 @@ def read_places_kernel(
 
 @kernel
 def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
-    """1 where the lens saw a pixel, else 0."""
     i = tid()
     mark = 0
     if places[i][0] >= 0.0:
@@ -209,20 +191,14 @@ def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
 
 
 def find_places(lens: LensOptics, camera: CameraLike, device: Device) -> Array1[vec2]:
-    """Where each pixel of a pinhole lies in the picture of a lens, vec2 [height * width]; (-1, -1) where it is unseen.
-
-    Args:
-        lens: A LensOptics.
-        camera: The pinhole.
-        device: Where the places go.
-    """
+    """Lens image position of each pinhole pixel, vec2 (height * width); (-1, -1) if it is not visible."""
     places = empty(camera.width * camera.height, vec2, device)
     launch(find_places_kernel, places.size, [lens, camera, places])
     return places
 
 
 def read_places(pixels: Array2[uint8], width: int, height: int, side: int, places: Array1[vec2]) -> Array2[uint8]:
-    """A picture, uint8 [height * width, channels], at places; squares of `side` pixels are averaged before."""
+    """Sample an image, uint8 (height * width, channels), at positions; squares of `side` pixels are averaged before."""
     channels = pixels.shape[1]
     if side > 1:
         columns, rows = -(-width // side), -(-height // side)
@@ -235,7 +211,6 @@ def read_places(pixels: Array2[uint8], width: int, height: int, side: int, place
 
 
 def mark_seen(places: Array1[vec2]) -> Mask:
-    """Where the lens saw, uint8 [pixels] of 0 and 1."""
     seen = empty(places.size, uint8, places.device)
     launch(mark_seen_kernel, places.size, [places, seen])
     return seen

@@ -1,1 +1,1 @@
-"""A moving LiDAR: deskewing, the map of voxels, scans against it."""
+"""LiDAR odometry: deskewing, voxel map, scan alignment."""

@@ -1,10 +1,7 @@
-"""Undoing the motion of a scanner during one turn: every point as the sensor would have seen it at one moment.
+"""Motion compensation (deskewing) of a scan: each point as seen at the end of the scan.
 
-The motion is a screw of constant velocity (a twist). One thread a point; reads 16 B, writes 12 B, some 60 operations
-and two sine/cosine pairs in float32: 1e-5 m at 100 m.
-
-Source: Vizzo et al. 2023, "KISS-ICP", eqs. 2 to 4, with the translation on the screw too, so that a vehicle in a
-curve is followed exactly; referred to the end of the scan, not its start.
+Constant-velocity screw motion (Vizzo et al. 2023, "KISS-ICP", eqs. 2 to 4, with the translation on the screw, referred
+to the end). Float32 sine and cosine: 1e-5 m at 100 m.
 """
 
 import math
@@ -34,19 +31,13 @@ from ..lang import (
 from ..linear_algebra import matmul
 from ..memory import empty, full
 
-RUN = 4096  # times a thread on the CPU: its two atomics cost less than 1 % of its reads
-TINY_ANGLE = 1.0e-12  # [rad] below it a rotation is none in float32
+RUN = 4096  # times per thread on the CPU: two atomics cost less than 1 % of the reads
+TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
 
 
 @struct
 class ScrewMotion:
-    """The motion of a scanner during one turn: a screw of constant velocity.
-
-    Attributes:
-        span: float64 [2], times of its beginning and end.
-        axis, angle: Of its rotation, a unit vector and [rad].
-        velocity: Its translation [m] along the screw.
-    """
+    """Constant-velocity screw: `span`, start and end times; rotation `axis`, `angle` [rad]; `velocity` [m]."""
 
     span: array(dtype=float64)
     axis: vec3
@@ -54,7 +45,7 @@ class ScrewMotion:
     velocity: vec3
 
     def __init__(self, span: Doubles, twist: np.ndarray) -> None:
-        """The motion whose logarithm is `twist`, (rotation, translation), float64 [6]."""
+        """Motion exp(`twist`), (rotation, translation), float64 (6)."""
         self.span, self.angle = span, math.sqrt(float(matmul(twist[:3], twist[:3])))
         axis = twist[:3] / self.angle if self.angle > 0 else twist[:3]
         self.axis, self.velocity = vec3(*map(float, axis)), vec3(*map(float, twist[3:]))
@@ -62,10 +53,7 @@ class ScrewMotion:
 
 @func
 def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
-    """The point p under a share of the motion exp(angle * axis, velocity).
-
-    1 - cos(a) is 2 sin^2(a / 2), which keeps its digits where a is small.
-    """
+    """Move p by a fraction of exp(angle * axis, velocity); 2 sin^2(a / 2) is accurate for small a."""
     a = share * motion.angle
     sine = sin(a)
     half = sin(0.5 * a)
@@ -84,7 +72,7 @@ def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
 
 @kernel
 def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), runs: Runs, ends: array(dtype=float64)):
-    """The last finite times, first negative, of points that are finite and not at zero, which means no return."""
+    """Time range of finite nonzero points (zero means no return), the first negated."""
     i = tid()
     low = float64(INFINITY)
     high = -float64(INFINITY)
@@ -97,13 +85,12 @@ def bound_times_kernel(points: array(dtype=vec3), times: array(dtype=float64), r
                 high = max(high, t)
     if low <= high:
         at = 2 * row_of(i, runs)
-        atomic_max(ends, at, -low)  # the outcome of both does not depend on the order
+        atomic_max(ends, at, -low)  # minimum and maximum: order-independent
         atomic_max(ends, at + 1, high)
 
 
 @kernel
 def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
-    """The first and the last of all times, from those of each row of ends."""
     i = tid()
     low = float64(INFINITY)
     high = -float64(INFINITY)
@@ -118,7 +105,7 @@ def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
 def deskew_points_kernel(
     points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
-    """Each point as seen at the last time; NaN where its time is none, unless no point has one."""
+    """Each point as seen at the last time; NaN without a time, unless no point has one."""
     i = tid()
     first = motion.span[0]
     last = motion.span[1]
@@ -132,7 +119,7 @@ def deskew_points_kernel(
 
 
 def bound_times(points: Points, times: Doubles) -> Doubles:
-    """The first and the last time of measured points, float64 [2] on the device; inf and -inf where there are none."""
+    """First and last time of measured points, float64 (2) on the device; inf and -inf without any."""
     runs = Runs(points.size, points.device, RUN)
     ends, span = full(2 * runs.rows, -INFINITY, float64, points.device), empty(2, float64, points.device)
     launch(bound_times_kernel, runs.threads, [points, times, runs, ends])
@@ -141,17 +128,7 @@ def bound_times(points: Points, times: Doubles) -> Doubles:
 
 
 def deskew_points(points: Points, times: Doubles, origin: np.ndarray, span: Doubles, twist: np.ndarray) -> Points:
-    """Points as seen at the last time.
-
-    Args:
-        points: Device array of vec3 relative to `origin` [3], in the sensor's frame at each point's own time.
-        times: float64 device array; a time outside the span counts by the same motion.
-        span: Beginning and end of the turn, as `bound_times` gives them; nothing moves where they are not apart.
-        twist: (rotation, translation), float64 [6]: the logarithm of the sensor's motion from first to last.
-
-    Returns:
-        Device array of vec3 about zero.
-    """
+    """Points, in the sensor frame at their times, as seen at the last time; `twist`: log of the motion in `span`."""
     out = empty(points.size, vec3, points.device)
     motion = ScrewMotion(span, twist)
     launch(deskew_points_kernel, points.size, [points, times, vec3d(*origin), motion, out])

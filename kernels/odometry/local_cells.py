@@ -1,4 +1,4 @@
-"""The voxel of a place; and keys of voxels near a scanner, counted from a corner of their own: short, quick to sort."""
+"""Voxels of positions, and short keys of voxels near a scanner, fast to sort."""
 
 from collections.abc import Sequence
 
@@ -8,28 +8,19 @@ from ..lang import float64, floor, func, int64, struct, vec3, vec3d, vec3i
 
 @func
 def cell_holding(x: vec3d, size: float64) -> vec3i:
-    """The voxel of a place [m]."""
     return vec3i(int(floor(x[0] / size)), int(floor(x[1] / size)), int(floor(x[2] / size)))
 
 
 @func
 def place_in_cell(x: vec3d, cell: vec3i, size: float64) -> vec3:
-    """A place [m] from its voxel's low corner."""
+    """A position [m] relative to its voxel's low corner."""
     y = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * size
     return narrow(x - y)
 
 
 @struct
 class LocalCells:
-    """A cube of voxels with the keys of its own.
-
-    Attributes:
-        size: Edge of a voxel [m].
-        first: The low voxel, counted from zero.
-        bits: Of a key, an axis.
-        skipped: The key of points that belong to none: beyond all others.
-        key_bits: Of a key, that of no voxel included.
-    """
+    """A cube of voxels with short keys: `size` [m]; `first` voxel; `bits` per axis; `skipped`: key of no voxel."""
 
     size: float64
     first: vec3i
@@ -37,14 +28,13 @@ class LocalCells:
     skipped: int64
 
     def __init__(self, size: float, middle: Sequence[int], reach: int) -> None:
-        """The voxels up to `reach` of them from the voxel `middle` along each axis."""
+        """Voxels up to `reach` from the voxel `middle` along each axis."""
         self.size, self.first, self.bits = size, vec3i(*(c - reach for c in middle)), (2 * reach).bit_length()
         self.skipped, self.key_bits = 1 << (3 * self.bits), 3 * self.bits + 1
 
 
 @func
 def local_key(cell: vec3i, cells: LocalCells) -> int64:
-    """The key of a voxel, which is counted from zero."""
     x = int64(cell[0] - cells.first[0])
     y = int64(cell[1] - cells.first[1])
     z = int64(cell[2] - cells.first[2])
@@ -53,7 +43,6 @@ def local_key(cell: vec3i, cells: LocalCells) -> int64:
 
 @func
 def key_cell(key: int64, cells: LocalCells) -> vec3i:
-    """The voxel of a key, counted from zero."""
     low = (1 << int64(cells.bits)) - 1
     x = int(key >> int64(2 * cells.bits)) + cells.first[0]
     y = int((key >> int64(cells.bits)) & low) + cells.first[1]

@@ -1,7 +1,5 @@
-"""A scan against a voxel map, by as many loops of robust ICP as are asked for, with one wait for the device.
-
-What stands on the device stays there from scan to scan: on CUDA the graph is made once for the arrays of a map, which
-move when it grows or is cut. 56 B a point of the largest scan so far, 270 B more on CUDA.
+"""Scan-to-map alignment by a sequence of robust ICP loops with one sync. Device arrays and the CUDA graph are reused
+between scans. 56 B per point of the largest scan, 270 B more on CUDA.
 """
 
 from collections.abc import Sequence
@@ -37,28 +35,17 @@ from .map_course import (
 from .map_icp import SUMS
 from .voxel_map import VoxelMap
 
-CPU_RUN = 32  # points a thread: some tens of threads for a scan, and as few rows to add up
-CUDA_RUN = 1  # a GPU needs the threads; a second stage adds up FOLD rows each
+CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
+CUDA_RUN = 1  # a GPU needs the threads; a second stage sums FOLD rows each
 LEAST_PAIRS = 6  # fewer do not fix a pose against noise
-LEAST_ROOM = 1024  # points of a scan
+LEAST_ROOM = 1024  # minimum room for scan points
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """What a leg of a course is asked for.
-
-    Attributes:
-        pose: Where it begins, T_map_sensor, float64 [4, 4], if `start` is GIVEN.
-        max_distance: Correspondences are closer than this [m], and in the 27 voxels around.
-        kernel_scale: Geman-McClure's scale [m^2].
-        tolerance: Length of the motion (rad, m) of a turn that ends it.
-        least: Fewer correspondences end it, lost.
-        turns: At most so many.
-        to_planes: Whether distances from the map's planes count, not those from its points.
-        few: Whether the scan's fewer points are taken.
-        is_held: Whether the course's matrix is added to the system.
-        start: GIVEN, OF_FIRST or CHEAPEST.
-        is_needed: Whether the course ends if this leg is lost.
+    """Options of an ICP loop: start `pose` if GIVEN; `max_distance` [m], within 27 voxels; Geman-McClure `kernel_scale`
+    [m^2]; `tolerance` of the motion (rad, m); `least` correspondences, else lost; maximum `turns`; `few`: use the
+    reduced scan; `is_held`: add the course's matrix; `is_needed`: stop if lost.
     """
 
     pose: np.ndarray
@@ -76,17 +63,8 @@ class Leg:
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Where a leg ended.
-
-    Attributes:
-        pose: T_map_sensor, float64 [4, 4].
-        state: CONVERGED, EXHAUSTED or LOST; RUNNING if the course ended before it.
-        turns: Turns taken.
-        paired: Correspondences; this and what follows as they were before the last motion.
-        sqsum: Sum of their squared distances [m^2].
-        cost: Mean of Geman-McClure's, 0..1, over the points whose correspondences tell something and those that have
-            none.
-        disagreement: The same over the former alone.
+    """Result of a leg: T_map_sensor; `state`; iterations `turns`; before the last motion: pair count, `sqsum` [m^2],
+    mean `cost` 0..1 over informative pairs and unpaired points, `disagreement` over informative pairs.
     """
 
     pose: np.ndarray
@@ -99,30 +77,19 @@ class Reached:
 
 
 class MapAligner:
-    """Scans against maps, one after the other.
-
-    Args:
-        plane_voxels: Edges of a voxel: points this near to the nearest one make up its plane.
-    """
+    """Scan-to-map alignment. `plane_voxels`: radius in voxel edges of the points that define a plane."""
 
     def __init__(self, plane_voxels: float) -> None:
         self._plane_voxels = plane_voxels
         self.clear()
 
     def clear(self) -> None:
-        """Release the memory."""
         self._course: Course | None = None
         self._arrays: tuple[Any, ...] = ()
         self._counts = (0, 0)
 
     def load(self, points: Points, few: Points | None, voxel_map: VoxelMap) -> None:
-        """Take a scan and the map that it is brought onto, which stays as it is until the next scan.
-
-        Args:
-            points: The scan, device array of vec3, finite, at least one.
-            few: Fewer points of it, at least one; None: none that legs could take.
-            voxel_map: The map, not empty.
-        """
+        """Load a scan (finite vec3, not empty), an optional reduced scan, and a nonempty map that stays unchanged."""
         few = points[:0] if few is None else few
         total = points.size + few.size
         table = voxel_map.table
@@ -153,19 +120,8 @@ class MapAligner:
         self._told = empty((-(-room // PLANE_RUN), TRIANGLE), float64, device)
 
     def run(self, legs: Sequence[Leg], held: np.ndarray | None = None) -> tuple[list[Reached], np.ndarray]:
-        """Where the legs of a course end.
-
-        Args:
-            legs: At most MOST_LEGS.
-            held: float64 [6, 6], what is added to the matrix of legs that are held, in units of its trace over
-                translations.
-
-        Returns:
-            (results, told): a result a leg, and what planes tell at the end of the last one: a matrix [6, 6] over
-            turns [rad] about the sensor and its translation [m], zero without planes. One sync.
-
-        Raises:
-            ValueError: Too many legs.
+        """Run at most MOST_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
+        about the sensor and translation [m]). `held` is in units of the trace over translations. One sync.
         """
         course, corner = self._course, np.triu_indices(UNKNOWNS)
         assert course is not None
@@ -183,7 +139,6 @@ class MapAligner:
         return [self._reached(leg, row) for leg, row in zip(legs, found, strict=False)], told
 
     def _orders(self, legs: Sequence[Leg], held: np.ndarray | None) -> np.ndarray:
-        """The legs as the device reads them."""
         if len(legs) > MOST_LEGS:
             raise ValueError(f"legs: expected up to {MOST_LEGS}, got {len(legs)}")
         orders = np.zeros((MOST_LEGS + 1, ORDER))

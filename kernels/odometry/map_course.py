@@ -1,14 +1,8 @@
-"""The course of a scan through a map: loops of robust ICP that follow each other, all of them one loop of the device.
+"""Device loop over a scan's ICP legs.
 
-A leg is a loop from a pose to where it rests, with a reach, a scale and a tolerance of its own. It begins at a pose
-that is given, where the first leg ended, or where the cheapest of the legs before it did. So a host waits once for all
-that is tried with a scan; on CUDA the graph is kept from scan to scan while the map's arrays stay where they are.
-
-A turn is two launches, three on CUDA: each thread finds the nearest map points of a run of the scan's points and sums
-their parts of the normal equations in the points' own order; one thread adds the runs, solves, moves the pose and says
-whether to go on. Some 1 us a point and turn on one core to points, 3 us to planes.
-
-Source: as map_icp.py.
+A leg starts at a given pose, at the end of the first leg, or at that of the cheapest before it, so a scan needs one
+sync. An iteration is two launches, three on CUDA: runs of points are matched and summed in fixed order; one thread
+solves, moves the pose and decides. Source: as map_icp.py.
 """
 
 from ..algebra.matrices import multiply44
@@ -21,34 +15,25 @@ from .map_icp import PAIRS, SQUARES, SUMS, add_pair, plane, plane_of, sums
 from .voxel_map import VoxelMap
 from .voxel_map_search import find_nearest_in_map, moments_in_map
 
-PLANE_RUN = 32  # points a thread that sums what planes tell
-FOLD = 64  # rows that a second stage adds up on CUDA
+PLANE_RUN = 32  # points per thread for plane information
+FOLD = 64  # rows per second-stage sum on CUDA
 MOST_LEGS = 64
-RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # why a leg stands where it does
-GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # where a leg begins
-# columns of an order: the pose in 16, then these
+RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # states of a leg
+GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # starts of a leg
+# columns of an order: pose (16), then these
 LIMIT, SCALE, TOLERANCE, LEAST, TURNS, TO_PLANES, FIRST, COUNT, HELD, START, NEEDED = range(16, 27)
 ORDER = 27
-LEGS = TRIANGLE  # the column of the last row, behind what is held, with the number of legs
-# columns of a result: the pose in 16, then these, and the cost of the pairs and their number that tell
+LEGS = TRIANGLE  # column in the last row, behind the held matrix, with the number of legs
+# columns of a result: pose (16), then these, and the cost and count of informative pairs
 STATE, TAKEN, SQSUM, PAIRED = range(16, 20)
 RESULT = 22
 
 
 @struct
 class Course:
-    """A scan on its way through a map.
-
-    Attributes:
-        points: The scan, from its beginning on; behind it the fewer points of it.
-        planes, known: A plane a point, and int32, where the map's point that it belongs to stands; -1 for none.
-        orders: float64 [MOST_LEGS + 1, ORDER], a row a leg; in the last what is held, and the number of legs.
-        results: float64 [MOST_LEGS + 1, RESULT], a row a leg; in the last what planes tell at the last leg's end.
-        states: int32 [2], the leg at work and its turns so far.
-        running: int32 [1], whether the loop goes on.
-        poses: mat44d [1], T_map_sensor.
-        voxel_map: The map.
-        plane_reach: Points this near [m] to the nearest one make up its plane.
+    """State of a course: `points` with the reduced scan behind; `planes` and `known` map positions (-1) per point; a
+    row per leg in `orders` (last: held matrix, leg count) and `results` (last: plane information); `states`: leg and
+    iteration; `poses` T_map_sensor; `plane_reach` [m].
     """
 
     points: array(dtype=vec3)
@@ -72,13 +57,11 @@ class Course:
 
 @func
 def leg_number(leg: int, column: int, course: Course) -> int:
-    """A whole number of a leg's order."""
     return int(course.orders[leg, column])
 
 
 @func
 def pose_in(rows: array(dtype=float64, ndim=2), row: int) -> mat44d:
-    """The pose that a row begins with."""
     pose = mat44d(0.0)
     for i in range(4):
         for j in range(4):
@@ -88,7 +71,6 @@ def pose_in(rows: array(dtype=float64, ndim=2), row: int) -> mat44d:
 
 @func
 def cost_of(leg: int, course: Course) -> float64:
-    """The mean cost of a leg, as `Reached` has it."""
     alone = course.orders[leg, COUNT] - course.results[leg, PAIRED]
     telling = course.results[leg, PAIRED + 2]
     cost = float64(1.0)
@@ -99,7 +81,6 @@ def cost_of(leg: int, course: Course) -> float64:
 
 @func
 def start_of(leg: int, course: Course) -> mat44d:
-    """Where a leg begins."""
     pose = pose_in(course.orders, leg)
     start = leg_number(leg, START, course)
     if start != GIVEN:
@@ -118,7 +99,7 @@ def start_of(leg: int, course: Course) -> mat44d:
 
 @kernel
 def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: Course):
-    """The scan, and behind it the fewer points of it; no planes are known yet."""
+    """Copy the scan and the reduced scan; reset the planes."""
     i = tid()
     count = points.shape[0]
     if i < count:
@@ -130,7 +111,7 @@ def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: 
 
 @kernel
 def begin_course_kernel(course: Course):
-    """The first leg's beginning; no leg has come to an end yet. A thread a leg."""
+    """Initialize the first leg and all results. One thread per leg."""
     i = tid()
     course.results[i, STATE] = float64(RUNNING)
     course.results[i, TAKEN] = 0.0
@@ -143,11 +124,7 @@ def begin_course_kernel(course: Course):
 
 @kernel
 def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64, ndim=2)):
-    """The sums of one run of points, each with its nearest point of the map that is closer than the root of limit, or
-    with the plane of the points around that one.
-
-    A plane is kept with the place of the point that it belongs to: from turn to turn most pairs stay the same.
-    """
+    """Sums over a run of points with their nearest map points within sqrt(limit), or planes, which are cached."""
     i = tid()
     leg = course.states[0]
     begin = leg_number(leg, FIRST, course)
@@ -184,7 +161,6 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
 def fold_rows_kernel(
     run: int, course: Course, rows: array(dtype=float64, ndim=2), folded: array(dtype=float64, ndim=2)
 ):
-    """The sum of one column over FOLD rows."""
     i = tid()
     block = i // SUMS
     column = i % SUMS
@@ -197,9 +173,8 @@ def fold_rows_kernel(
 
 @func
 def moved_by(x: vec6d, pose: mat44d) -> mat44d:
-    """The pose moved by a solution (eqs. 11 and 12)."""
     half = float64(0.5)
-    # the quaternion (x / 2, 1) turns by 2 atan(|x| / 2): x itself to third order
+    # the quaternion (x / 2, 1) rotates by 2 atan(|x| / 2): x itself to third order
     moved = multiply44(rotation_about(x[0] * half, x[1] * half, x[2] * half, 1.0), pose)
     for axis in range(3):
         moved[axis, 3] = pose[axis, 3] + x[3 + axis]
@@ -208,7 +183,7 @@ def moved_by(x: vec6d, pose: mat44d) -> mat44d:
 
 @func
 def end_leg(leg: int, state: int, total: sums, course: Course):
-    """Note where a leg ended, and begin the next one."""
+    """Store a leg's result, and start the next one."""
     pose = course.poses[0]
     for i in range(4):
         for j in range(4):
@@ -230,7 +205,7 @@ def end_leg(leg: int, state: int, total: sums, course: Course):
 
 @kernel
 def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, ndim=2)):
-    """Add up the rows, move the pose by the solution, and go on to the next leg where this one has come to its end."""
+    """Sum the rows, solve, move the pose, and go to the next leg at the end."""
     i = tid()
     leg = course.states[0]
     total = sums(0.0)
@@ -271,10 +246,7 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
 
 @kernel
 def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
-    """What the planes of one run of points tell: of each the square of (turn about the sensor, translation) along it.
-
-    The planes are those of the last turns: nothing is searched, and all of them count alike.
-    """
+    """Plane information of a run of points: squares of (rotation about the sensor, translation) along normals."""
     i = tid()
     leg = course.states[0]
     begin = leg_number(leg, FIRST, course)
@@ -298,7 +270,6 @@ def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
 
 @kernel
 def add_planes_kernel(rows: array(dtype=float64, ndim=2), course: Course):
-    """The sum of one column over all runs."""
     i = tid()
     total = float64(0.0)
     for j in range(rows.shape[0]):

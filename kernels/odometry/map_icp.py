@@ -1,13 +1,9 @@
-"""What a pair of a scan's point and a voxel map's adds to the normal equations of robust ICP, to points or to planes.
+"""Robust ICP terms of scan point and voxel map pairs, to points or planes.
 
-Device functions. Sums are in float64 and about the sensor's own place, so their digits do not depend on how far it has
-travelled. The loop stands in map_course.py.
-
-A plane is that of the map's points around the nearest one. A point in it counts along the normal alone, but for a
-little that keeps the system solvable; one among scattered points (leaves) in all directions; one on a line next to
-nothing, since rings that a scanner draws on far ground are lines that move with the scanner.
-
-Source: Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman and McClure's weight; Chen and Medioni 1991 for planes.
+Float64 sums about the sensor, independent of the distance travelled. Points on a plane count along the normal (plus a
+little regularization), points among scattered neighbors in all directions, points on lines almost nothing, since scan
+rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight; Chen and
+Medioni 1991 for planes.
 """
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
@@ -16,22 +12,22 @@ from ..algebra.rigid_solve import TRIANGLE, place_of
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
 from .voxel_map_search import map_moments
 
-SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, pairs that tell
+SUMS = 31  # upper triangle, right side, then squared distance, pairs, cost, informative pairs
 sums = vector(31, float64)
-plane = vector(5, float32)  # normal, share of the weight along it, share of the weight in all directions
+plane = vector(5, float32)  # normal, weight along it, isotropic weight
 SQUARES = 27
 PAIRS = 28
 COST = 29
 TELLING = 30
-FEW = 5.0  # points around the nearest one, below which there is no plane
-FLAT = 0.1  # of the next larger eigenvalue: below it the spread is a plane's, or a line's
-SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one is seldom the same point
-HELD = 1.0e-3  # weight of what a pair does not tell: it keeps the system solvable
+FEW = 5.0  # points around the nearest one; fewer define no plane
+FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
+SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
+HELD = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
 
 @func
 def plane_of(m: map_moments) -> plane:
-    """What the points around the nearest one tell."""
+    """Plane from the moments of the points around the nearest one."""
     result = plane(0.0, 0.0, 0.0, 0.0, HELD)
     if m[0] >= FEW:
         n = float64(m[0])
@@ -55,7 +51,7 @@ def plane_of(m: map_moments) -> plane:
 
 @func
 def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) -> sums:
-    """The sums with one pair more: y from the sensor to the point, r from the map's point to it."""
+    """Add a pair: y from the sensor to the point, r from the map point to it."""
     normal = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
     along = normal[0] * r[0] + normal[1] * r[1] + normal[2] * r[2]
     sqdist = r[0] * r[0] + r[1] * r[1] + r[2] * r[2]

@@ -1,8 +1,5 @@
-"""The points of a scan that odometry works with: those in range, then the first of each voxel.
-
-A point is kept where it was measured, not moved to a mean: Vizzo et al. 2023, "KISS-ICP", section III-B. "First" is
-by the points' own order, so the choice does not depend on threads: the voxels lie in an ordered hash table, and of the
-points of one the least number stays there. 16 B of table a point, twice; one atomic a point, a fifth of a sort's time.
+"""Scan subsampling for odometry: points in range, then the first of each voxel (Vizzo et al. 2023, "KISS-ICP", section
+III-B). An ordered hash table keeps the least index per voxel, independent of threads, in a fifth of a sort's time.
 """
 
 import math
@@ -20,19 +17,18 @@ from ..lang import NAN, array, float64, func, int32, int64, isfinite, kernel, la
 from ..memory import download, empty, full, zeros
 from .local_cells import LocalCells, cell_holding, local_key
 
-ENTRY_BITS = 63  # of an entry in the table: a voxel's key above a point's number
+ENTRY_BITS = 63  # of a table entry: voxel key above point index
 
 
 @kernel
 def shift_points_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dtype=vec3)):
-    """The points about zero."""
     i = tid()
     out[i] = narrow(widen(points[i]) + origin)
 
 
 @func
 def key_in_range(p: vec3, least: float64, most: float64, cells: LocalCells) -> int64:
-    """The voxel of a point whose distance from the sensor lies in least..most, both excluded."""
+    """Voxel of a point with distance in the open range least..most."""
     key = cells.skipped
     if isfinite(p):
         x = widen(p)
@@ -52,7 +48,6 @@ def enter_points_kernel(
     mask: int64,
     entries: array(dtype=int64),
 ):
-    """Enter each point in range under its voxel."""
     i = tid()
     key = key_in_range(points[i], least, most, cells)
     if key != cells.skipped:
@@ -61,7 +56,6 @@ def enter_points_kernel(
 
 @kernel
 def mark_entries_kernel(entries: array(dtype=int64), index_bits: int, marks: array(dtype=uint8)):
-    """1 at each point that stayed in the table."""
     i = tid()
     entry = entries[i]
     if entry != int64(EMPTY):
@@ -72,21 +66,18 @@ def mark_entries_kernel(entries: array(dtype=int64), index_bits: int, marks: arr
 def encode_in_range_kernel(
     points: array(dtype=vec3), least: float64, most: float64, cells: LocalCells, keys: array(dtype=int64)
 ):
-    """The voxel of each point in range."""
     i = tid()
     keys[i] = key_in_range(points[i], least, most, cells)
 
 
 @kernel
 def mark_firsts_kernel(groups: UniqueKeys, marks: array(dtype=uint8)):
-    """1 at the first point of each voxel."""
     i = tid()
     marks[groups.order[groups.starts[i]]] = 1
 
 
 @kernel
 def count_entries_kernel(entries: array(dtype=int64), index_bits: int, ranks: array(dtype=int32)):
-    """As mark_entries_kernel, for a sum of the marks."""
     i = tid()
     entry = entries[i]
     if entry != int64(EMPTY):
@@ -101,7 +92,7 @@ def keep_firsts_kernel(
     kept: array(dtype=vec3),
     counts: array(dtype=int32),
 ):
-    """The marked points in their order, then such as no voxel takes; and their number. Ranks are sums of the marks."""
+    """Flagged points in order, then padding outside all voxels; and the count."""
     i = tid()
     total = ranks[ranks.shape[0] - 1]
     before = 0
@@ -116,7 +107,7 @@ def keep_firsts_kernel(
 
 
 def shift_points(points: Points, origin: np.ndarray) -> Points:
-    """The points about zero instead of about an origin [3]; the array itself where that is zero."""
+    """Points about zero instead of an origin (3); the array itself if that is zero."""
     if not any(origin):
         return points
     out = empty(points.size, vec3, points.device)
@@ -125,19 +116,7 @@ def shift_points(points: Points, origin: np.ndarray) -> Points:
 
 
 def first_in_voxels(points: Points, voxel_size: float, least: float, most: float) -> Points:
-    """The first point of each voxel among those in range, in their own order.
-
-    Args:
-        points: Device array of vec3 about the sensor.
-        voxel_size: Edge of a voxel [m]; voxels are counted from the sensor.
-        least, most: Range [m], both excluded; points at exactly zero are no measurements even if `least` is 0.
-
-    Returns:
-        Device array of vec3.
-
-    Raises:
-        ValueError: The range has more than 2^20 voxels an axis.
-    """
+    """First nonzero point of each voxel in the open range [m], in order. Raises ValueError for 2^20 voxels per axis."""
     if points.size == 0:
         return points
     cells = _cells_within(most, voxel_size)
@@ -155,7 +134,7 @@ def first_in_voxels(points: Points, voxel_size: float, least: float, most: float
 
 
 def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, most: float) -> list[Points]:
-    """As `first_in_voxels`, with voxels of each size [m], each time of those that stayed before; one sync on CUDA."""
+    """Repeated `first_in_voxels` with each size [m]; one sync on CUDA."""
     index_bits = max(points.size - 1, 0).bit_length()
     chain = [_cells_within(most, size) for size in voxel_sizes]
     if not points.device.is_cuda or not points.size or max(c.key_bits for c in chain) + index_bits > ENTRY_BITS:
@@ -167,7 +146,7 @@ def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, mos
     device, n = points.device, points.size
     capacity = 1 << (2 * n - 1).bit_length()
     counts, levels = empty(len(chain), int32, device), []
-    for level, cells in enumerate(chain):  # over as many as there could be, so as not to wait for their number
+    for level, cells in enumerate(chain):  # launched over the maximum count, to avoid a sync
         ranks, entries = zeros(n, int32, device), full(capacity, EMPTY, int64, device)
         launch(enter_points_kernel, n, [points, least, most, cells, index_bits, capacity - 1, entries])
         launch(count_entries_kernel, capacity, [entries, index_bits, ranks])
@@ -188,7 +167,7 @@ def _cells_within(most: float, voxel_size: float) -> LocalCells:
 
 
 def _mark_by_sorting(points: Points, least: float, most: float, cells: LocalCells, marks: Mask) -> None:
-    """The same where a voxel and a point's number have no room in one entry."""
+    """Fallback by sorting if voxel and index do not fit into one entry."""
     keys = empty(points.size, int64, points.device)
     launch(encode_in_range_kernel, points.size, [points, least, most, cells, keys])
     groups = UniqueKeys(keys, cells.key_bits)  # sync

@@ -1,12 +1,7 @@
-"""How much worse a scan lies on the planes of a map at other poses than at its own: what it fixes.
+"""Change of a scan's plane distances at other poses, which shows the motions it constrains.
 
-Distances from planes alone count, and only of points that have a plane at both poses: the rings that a turning
-scanner draws lie at other places in each scan, so distances from points would favour standing still.
-
-One launch finds squared distances, a thread for a pose and a run of points, some 3 us each, 4 B of memory.
-
-Source: Tuna et al. 2023, "X-ICP", ask by direction what a scan tells; here the curvature of the error is measured, with
-the pairs found anew at each pose, not derived.
+Only points with planes at both poses count: scan rings differ between scans, so point distances would favor no motion.
+Related to Tuna et al. 2023, "X-ICP"; here the curvature of the error is measured with new pairs at each pose.
 """
 
 import numpy as np
@@ -24,7 +19,7 @@ from .voxel_map_search import find_nearest_in_map, moments_in_map
 
 @func
 def plane_square(x: vec3d, limit: float, reach: float, voxel_map: VoxelMap) -> float:
-    """The squared distance [m^2] of a place from the plane around its nearest point of the map; -1 without a plane."""
+    """Squared distance [m^2] from the plane around the nearest map point; -1 without a plane."""
     square = -1.0
     found = find_nearest_in_map(x, limit, voxel_map)
     if found[4] >= 0.0:
@@ -47,7 +42,7 @@ def find_squares_kernel(
     voxel_map: VoxelMap,
     squares: array(dtype=float32, ndim=2),
 ):
-    """Squared distances from planes of one run of points at one pose."""
+    """Squared plane distances of one run of points at one pose."""
     i = tid()
     count = squares.shape[1]
     runs = (count + run - 1) // run
@@ -60,19 +55,8 @@ def find_squares_kernel(
 
 
 def compare_poses(points: Points, most: int, voxel_map: VoxelMap, poses: np.ndarray, reach: float) -> np.ndarray:
-    """What changes where a scan moves from its pose to others.
-
-    Args:
-        points: The scan, device array of vec3, finite.
-        most: About so many of its points are taken, each n-th.
-        voxel_map: The map.
-        poses: float64 [k, 4, 4], T_map_sensor; the first is the scan's own.
-        reach: Points this near [m] to the nearest one make up its plane; planes are looked for twice as far.
-
-    Returns:
-        float64 [k, 4], a row a pose: the sum of the differences of the costs (each 0..1) from those of the first
-        pose, the sum of their squares, how many points have a plane at both, and the sum of what is cheaper there.
-        One sync.
+    """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`; one sync. `most`:
+    approximate points used; `reach` [m]: radius of plane neighborhoods, planes are searched twice as far.
     """
     device = points.device
     step = max(1, points.size // max(most, 1))

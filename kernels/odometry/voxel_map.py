@@ -1,18 +1,9 @@
-"""A growing map of points in voxels, at most so many in each.
+"""Growing voxel map with a maximum number of points per voxel (Vizzo et al. 2023, "KISS-ICP", section III-C, with the
+spacing of their implementation).
 
-A point is stored as its place inside its voxel in float32, and the voxel by whole numbers: however far the sensor has
-travelled, a point is exact to 1e-7 of a voxel, and nothing is ever moved. Voxels are found through an ordered hash
-table. 12 B a point of a voxel's room, 24 to 48 B more a voxel.
-
-Points are added by one thread a voxel, in their own order, so what a voxel keeps does not depend on threads: a point
-is taken while there is room and none of those kept lies closer than the spacing at which the room would be filled.
-Points are added all or, where that is interrupted, none (arrays/changes.py). What searches the map stands in
-voxel_map_search.py.
-
-Source: Vizzo et al. 2023, "KISS-ICP", section III-C; the spacing is that of their implementation.
-
-The voxels that new points fall into, found and numbered without the host: it need not know how many there are. Four
-launches and a scan over as many voxels as there are points, 28 B each.
+Points are float32 relative to integer voxels, exact to 1e-7 of a voxel at any distance. Voxels are in an ordered hash
+table. One thread per voxel adds points in order while there is room and none is closer than the spacing, so results are
+deterministic. Additions are atomic (arrays/changes.py). New voxels are numbered without a sync.
 """
 
 import math
@@ -52,14 +43,7 @@ from .local_cells import LocalCells, cell_holding, key_cell, local_key, place_in
 
 @struct
 class TouchedVoxels:
-    """The voxels that new points fall into, of which the device alone knows how many there are.
-
-    Attributes:
-        keys, order, starts: As of UniqueKeys, with room for n of them.
-        told: int32 [3], as `write_heads` gives it.
-        voxels: int32 [n], where each stands in the map.
-        fresh: int32 [n], 1 where a voxel is new to it; then the sums of these.
-    """
+    """Voxels of new points, counted on the device; `voxels`: index in the map; `fresh`: 1 for new, then sums."""
 
     keys: array(dtype=int64)
     order: array(dtype=int32)
@@ -77,7 +61,7 @@ class TouchedVoxels:
 
 @func
 def touched_key(i: int, touched: TouchedVoxels, cells: LocalCells) -> int64:
-    """The map's key of a touched voxel; -1 behind the last one."""
+    """Map key of a touched voxel; -1 behind the last."""
     key = int64(-1)
     if i < touched.told[0]:
         if touched.keys[i] != cells.skipped:
@@ -88,7 +72,7 @@ def touched_key(i: int, touched: TouchedVoxels, cells: LocalCells) -> int64:
 
 @kernel
 def find_voxels_kernel(touched: TouchedVoxels, cells: LocalCells, table: HashTable):
-    """Where each touched voxel stands, -1 for a new one, -2 behind the last one; and which are new."""
+    """Index of each touched voxel, -1 if new, -2 behind the last; and flags of new ones."""
     i = tid()
     key = touched_key(i, touched, cells)
     voxel = -2
@@ -110,7 +94,7 @@ def number_voxels_kernel(
     keys: array(dtype=int64),
     table: HashTable,
 ):
-    """New voxels stand behind those of the map, in the order of their keys; `totals[after]` is their number then."""
+    """Append new voxels in key order; `totals[after]` is the new count."""
     i = tid()
     known = totals[1 - after]
     if touched.voxels[i] == -1:
@@ -125,31 +109,21 @@ def number_voxels_kernel(
 
 @kernel
 def store_voxels_kernel(keys: array(dtype=int64), after: int, totals: array(dtype=int32), table: HashTable):
-    """Store each voxel's place beside its key, which others may have moved."""
+    """Store each voxel's index beside its key, which others may have moved."""
     i = tid()
     if i < totals[after]:
         table.positions[find_slot(keys[i], table)] = i
 
 
-# voxels from the start along each axis: keys have 21 bits an axis, and searches look one further
+# voxels from the start along each axis: keys have 21 bits per axis, and searches go one further
 CELL_LIMIT = 2**20 - 2
-SPARE_CELLS = 2  # voxels that a scan may reach beyond its range: rounding, and the sensor's place inside its own
+SPARE_CELLS = 2  # voxels that a scan may exceed its range by: rounding, and the sensor's position in its voxel
 
 
 @struct
 class VoxelMap:
-    """Points in voxels on one device.
-
-    Attributes:
-        voxel_size: Edge of a voxel [m].
-        room: Points that a voxel may hold.
-        sqspacing: Points of a voxel are as far apart at least, squared [m^2].
-        keys: int64 [capacity], those of the voxels in the order in which they came.
-        table: The HashTable of the keys.
-        counts: int32 [capacity], points of each voxel.
-        places: vec3 [capacity * room], each voxel's points from its low corner [m].
-        totals: int32 [2], on CUDA the voxels after the last change of an even number and of an odd one.
-        changes: How often points were added.
+    """Points in voxels: `voxel_size` [m]; `room` points per voxel; minimum squared distance `sqspacing` [m^2]; `keys`
+    in insertion order; `places` relative to voxel corners [m]; `totals`: CUDA voxel counts after even and odd changes.
     """
 
     voxel_size: float64
@@ -163,7 +137,7 @@ class VoxelMap:
     changes: Changes
 
     def __init__(self, voxel_size: float, room: int, device: Device) -> None:
-        """An empty map of voxels with this edge [m] and room for so many points each."""
+        """An empty map with `room` points per voxel of edge `voxel_size` [m]."""
         self.voxel_size, self.room, self.device = voxel_size, room, device
         self.sqspacing = voxel_size * voxel_size / room
         self._begin(0)
@@ -177,12 +151,11 @@ class VoxelMap:
 
     @property
     def count(self) -> int:
-        """Voxels that hold points; a sync on CUDA where nothing has waited for the device since some were added."""
+        """Occupied voxels; syncs on CUDA if not yet read since the last addition."""
         self._settle()
         return self._known()
 
     def _known(self) -> int:
-        """The voxels after the last change, which on CUDA the device has counted."""
         number = self.changes.count
         if not self.device.is_cuda:
             return self.changes.value
@@ -192,32 +165,21 @@ class VoxelMap:
 
     @property
     def additions(self) -> int:
-        """How often points were added."""
         self._settle()
         return self.changes.count
 
     def _settle(self) -> None:
-        """Bring an addition that was interrupted to its end where its launch was made, else undo it (sync)."""
+        """Complete an interrupted addition if its launch was made, else undo it (sync)."""
         self.changes.settle(self._list_keys)
 
     def _list_keys(self) -> None:
         self.table = list_keys(self.keys, self._known())
 
     def cell_of(self, place: np.ndarray) -> list[int]:
-        """The voxel of a place [m] on the host."""
         return [math.floor(float(x) / self.voxel_size) for x in place]
 
     def add(self, points: Points, pose: np.ndarray, reach: float) -> None:
-        """Add points under a pose.
-
-        Args:
-            points: Device array of vec3; those that are not finite are left out.
-            pose: float64 [4, 4].
-            reach: No finite point lies farther [m] from zero.
-
-        Raises:
-            ValueError: Beyond 2^20 voxels from the start.
-        """
+        """Add finite points under a pose, none farther than `reach` [m]. Raises ValueError beyond 2^20 voxels."""
         if points.size == 0:
             return
         cells = math.ceil(reach / self.voxel_size) + SPARE_CELLS
@@ -254,7 +216,7 @@ class VoxelMap:
         self.changes.end()
 
     def _insert_unread(self, keys: Keys, local: LocalCells, places: Points) -> None:
-        """As `_insert`, over as many voxels as there could be: nothing waits for their number."""
+        """As `_insert` without a sync, over as many voxels as points."""
         n = keys.size
         most = self.count + n
         self._grow(most)
@@ -289,11 +251,10 @@ class VoxelMap:
             copy(counts, self.counts, count=known)
             copy(places, self.places, count=known * self.room)
         self.keys, self.counts, self.places = keys, counts, places
-        self.capacity = capacity  # last: it says how much room all three have
+        self.capacity = capacity  # last: it defines the room of all three
 
     def without_far(self, center: np.ndarray, limit: float) -> "VoxelMap":
-        """The map without the voxels whose middle is farther [m] than a limit from a place, the others in their order;
-        itself where there are none."""
+        """Map without voxels farther than `limit` [m] from a position (by center); itself if there are none."""
         count = self.count
         marks = empty(count, uint8, self.device)
         launch(mark_near_voxels_kernel, count, [self, vec3d(*center), limit, marks])
@@ -309,8 +270,7 @@ class VoxelMap:
         return kept
 
     def points(self, near: np.ndarray) -> tuple[Points, list[float]]:
-        """The points by voxel in the order of the voxels' coming: device array of vec3, about the float64 origin [3]
-        that comes with it: the low corner of the voxel of the place `near` [m]."""
+        """Points by voxel in insertion order about the returned origin (3): the corner of `near`'s voxel."""
         first, count = self.cell_of(near), self.count
         origin = [c * self.voxel_size for c in first]
         if not count:
@@ -325,7 +285,6 @@ class VoxelMap:
 def encode_points_kernel(
     points: array(dtype=vec3), pose: mat44d, cells: LocalCells, keys: array(dtype=int64), places: array(dtype=vec3)
 ):
-    """The voxel of each moved point, and its place in it."""
     i = tid()
     p = points[i]
     key = cells.skipped
@@ -341,7 +300,6 @@ def encode_points_kernel(
 
 @kernel(for_cpu=True)
 def widen_keys_kernel(groups: UniqueKeys, cells: LocalCells, keys: array(dtype=int64)):
-    """Keys of voxels near the scanner as keys of the map."""
     i = tid()
     cell = key_cell(groups.keys[i], cells)
     keys[i] = block_key(cell[0], cell[1], cell[2])
@@ -349,7 +307,6 @@ def widen_keys_kernel(groups: UniqueKeys, cells: LocalCells, keys: array(dtype=i
 
 @kernel
 def gather_keys_kernel(keys: array(dtype=int64), rows: array(dtype=int32), first: int, out: array(dtype=int64)):
-    """out[first + i] = keys[rows[i]]."""
     i = tid()
     out[first + i] = keys[rows[i]]
 
@@ -364,7 +321,7 @@ def take_points(
     new_places: array(dtype=vec3),
     voxel_map: VoxelMap,
 ):
-    """Take the new points of one voxel in their own order, while there is room and none is near."""
+    """Add new points of a voxel in order, while there is room and none is near."""
     first = voxel * voxel_map.room
     count = 0
     if voxel < known:
@@ -387,7 +344,6 @@ def take_points(
 def insert_points_kernel(
     voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
 ):
-    """Take the new points of one voxel."""
     i = tid()
     note_change(i, voxel_map.changes)
     take_points(voxels[i], known, groups.starts[i], groups.starts[i + 1], groups.order, new_places, voxel_map)
@@ -395,7 +351,6 @@ def insert_points_kernel(
 
 @kernel
 def insert_touched_kernel(touched: TouchedVoxels, new_places: array(dtype=vec3), voxel_map: VoxelMap):
-    """Take the new points of one touched voxel."""
     i = tid()
     note_change(i, voxel_map.changes)
     known = voxel_map.totals[1 - int(voxel_map.changes.number & 1)]
@@ -406,7 +361,7 @@ def insert_touched_kernel(touched: TouchedVoxels, new_places: array(dtype=vec3),
 
 @kernel
 def mark_near_voxels_kernel(voxel_map: VoxelMap, center: vec3d, limit: float64, marks: array(dtype=uint8)):
-    """1 where a voxel's middle lies within a distance [m] of a place."""
+    """1 if a voxel's center is within a distance [m] of a position."""
     i = tid()
     cell = key_block(voxel_map.keys[i])
     x = (float64(cell[0]) + 0.5) * voxel_map.voxel_size - center[0]
@@ -422,7 +377,6 @@ def mark_near_voxels_kernel(voxel_map: VoxelMap, center: vec3d, limit: float64, 
 def gather_voxels_kernel(
     rows: array(dtype=int32), counts: array(dtype=int32), places: array(dtype=vec3), voxel_map: VoxelMap
 ):
-    """The points of the voxels that stay."""
     i = tid()
     voxel = rows[i]
     count = counts[voxel]
@@ -433,7 +387,7 @@ def gather_voxels_kernel(
 
 @kernel
 def gather_map_kernel(voxel_map: VoxelMap, offsets: array(dtype=int32), first: vec3i, points: array(dtype=vec3)):
-    """The points of one voxel, relative to the low corner of voxel `first`."""
+    """Points of one voxel, relative to the corner of voxel `first`."""
     i = tid()
     cell = key_block(voxel_map.keys[i]) - first
     corner = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * voxel_map.voxel_size

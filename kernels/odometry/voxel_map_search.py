@@ -1,8 +1,5 @@
-"""What lies near a place in a voxel map: the nearest point, and how the points around a place are spread.
-
-Device functions. Differences are taken inside voxels in float32, so they are as exact far from the start as near it.
-The nearest point is searched in the query's voxel first and of the other 26 only in those that reach nearer than what
-was found; it is exact among the 27.
+"""Voxel map queries: nearest point and local moments, within 27 voxels. Float32 differences inside voxels, equally
+exact at any distance. The query's voxel comes first, then the others that may be nearer.
 """
 
 from ..arrays.block_keys import block_key
@@ -11,13 +8,13 @@ from ..lang import callback, float32, float64, func, loop, vec3, vec3d, vec3i, v
 from .local_cells import cell_holding, place_in_cell
 from .voxel_map import VoxelMap
 
-nearest_place = vector(5, float64)  # vector, its square, where the point stands
+nearest_place = vector(5, float64)  # vector, its square, index of the point
 map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz
 
 
 @func
 def gap_to(offset: float, side: int, size: float) -> float:
-    """How far [m] the neighbouring voxel on a side (-1, 0, 1) is from a place inside a voxel, along one axis."""
+    """Distance [m] from a position in a voxel to the neighbor on a side (-1, 0, 1), along one axis."""
     gap = 0.0
     if side < 0:
         gap = offset
@@ -28,7 +25,7 @@ def gap_to(offset: float, side: int, size: float) -> float:
 
 @func
 def side_of(digit: int, near: int) -> int:
-    """0 for the voxel itself, then its neighbour on the nearer side, then the other."""
+    """0 for the voxel itself, then the nearer neighbor, then the other."""
     side = 0
     if digit == 1:
         side = near
@@ -45,7 +42,7 @@ def side_in_order(digit: int, near: int) -> int:
 
 @func
 def nearer_side(offset: float, size: float) -> int:
-    """The side (-1 or 1) on which a neighbouring voxel is nearer to a place inside a voxel, along one axis."""
+    """Side (-1 or 1) of the nearer neighbor along one axis."""
     return 1 if offset > 0.5 * size else -1
 
 
@@ -53,12 +50,7 @@ def nearer_side(offset: float, size: float) -> int:
 def voxels_around(
     cell: vec3i, place: vec3, sqreach: float, side: callback, near: vec3i, voxel_map: VoxelMap
 ) -> tuple[int, vec3]:
-    """The voxels that hold points among the 27 around a place and within the root of `sqreach` of it, and the way [m]
-    from the place's own voxel to each.
-
-    `side(digit, near)` for digits 0, 1, 2 is the order along an axis, with that axis' part of `near`. `sqreach` may
-    shrink on the way.
-    """
+    """Occupied voxels of the 27 within sqrt(`sqreach`), and offsets [m]; `side` gives the order along an axis."""
     edge = float(voxel_map.voxel_size)
     for turn in range(27):
         sx = side(turn % 3, near[0])
@@ -76,8 +68,7 @@ def voxels_around(
 
 @func
 def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_place:
-    """The vector [m] from the nearest point of the 27 voxels around x to x, its square, and where the point stands in
-    `places`; a square of at least `limit`, and -1, where none is nearer than that."""
+    """Vector [m] from the nearest of the 27 voxels' points to x, its square, and index; (>= limit, -1) if none."""
     cell = cell_holding(x, voxel_map.voxel_size)
     place = place_in_cell(x, cell, voxel_map.voxel_size)
     edge = float(voxel_map.voxel_size)
@@ -100,8 +91,7 @@ def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_
 
 @func
 def moments_in_map(center: vec3d, reach: float, voxel_map: VoxelMap) -> map_moments:
-    """How many points of the 27 voxels around a place lie nearer to it than a reach [m], and the sums of their
-    differences from it and of the products of those (xx, xy, xz, yy, yz, zz)."""
+    """Count of points within `reach` [m], sums of differences and of products (xx, xy, xz, yy, yz, zz)."""
     cell = cell_holding(center, voxel_map.voxel_size)
     place = place_in_cell(center, cell, voxel_map.voxel_size)
     near = vec3i(1, 1, 1)

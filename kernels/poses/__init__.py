@@ -1,1 +1,1 @@
-"""Poses from pairs of points: hypotheses, fits, scores, evidence."""
+"""Poses from correspondences: hypotheses, fits, scores, evidence."""

@@ -1,8 +1,4 @@
-"""Ties between the anchors of a lattice: each neighbour where the anchor's own rotation would have it.
-
-As-rigid-as-possible (Sorkine and Alexa 2007, eqs. 5 to 9) over the edges of the lattice, all of one weight. An anchor's
-rotation is the one that fits its up to six neighbours best, some 3,000 operations; a tie takes 30.
-"""
+"""As-rigid-as-possible regularization (Sorkine and Alexa 2007, eqs. 5 to 9) over lattice edges, equal weights."""
 
 from ..algebra.rotations import best_rotation
 from ..lang import array, dot, float64, func, kernel, mat33d, outer, reduction, tid, vec2d, vec3d
@@ -11,7 +7,7 @@ from .control_lattice import AROUND, ControlLattice
 
 @func
 def rest_between(k: int, cell_size: float64) -> vec3d:
-    """An anchor less its k-th neighbour, where nothing is shifted."""
+    """Offset of an anchor from its k-th neighbor at rest."""
     step = cell_size * float64(1 - 2 * (k & 1))
     d = vec3d(0.0, 0.0, 0.0)
     for axis in range(3):
@@ -22,7 +18,7 @@ def rest_between(k: int, cell_size: float64) -> vec3d:
 
 @kernel
 def turn_anchors_kernel(lattice: ControlLattice, rotations: array(dtype=mat33d)):
-    """The rotation that takes an anchor's neighbours nearest to where they went."""
+    """Rotation that best fits the displacement of an anchor's neighbors."""
     i = tid()
     sums = mat33d(0.0)
     n = int(AROUND)
@@ -36,7 +32,7 @@ def turn_anchors_kernel(lattice: ControlLattice, rotations: array(dtype=mat33d))
 
 @func
 def stretch_between(i: int, k: int, other: int, lattice: ControlLattice, rotation: mat33d) -> vec3d:
-    """How far an anchor and its k-th neighbour lie from where a rotation has them."""
+    """Residual of an anchor and its k-th neighbor under a rotation."""
     rest = rest_between(k, lattice.cell_size)
     return rest + lattice.shifts[i] - lattice.shifts[other] - rotation @ rest
 
@@ -45,7 +41,7 @@ def stretch_between(i: int, k: int, other: int, lattice: ControlLattice, rotatio
 def pull_anchors_kernel(
     lattice: ControlLattice, tie: float64, rotations: array(dtype=mat33d), first: int, images: array(dtype=vec3d)
 ):
-    """Add half the gradient of the ties to that of the rows."""
+    """Add half the gradient of the regularization to that of the rows."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     n = int(AROUND)
@@ -61,7 +57,7 @@ def pull_anchors_kernel(
 
 @reduction
 def sum_stretch(lattice: ControlLattice, tie: float64, rotations: array(dtype=mat33d)) -> vec2d:
-    """(the ties' part of the error, 0) of an anchor."""
+    """(regularization error, 0) of an anchor."""
     i = tid()
     total = float64(0.0)
     n = int(AROUND)
@@ -75,6 +71,5 @@ def sum_stretch(lattice: ControlLattice, tie: float64, rotations: array(dtype=ma
 
 @kernel
 def shift_anchors_kernel(first: int, steps: array(dtype=vec3d), shifts: array(dtype=vec3d)):
-    """Take the anchors' part of a step."""
     i = tid()
     shifts[i] = shifts[i] + steps[first + i]

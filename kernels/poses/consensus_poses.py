@@ -1,24 +1,9 @@
-"""Poses that many correspondences agree with, found from the graph of those that are compatible, without drawing lots.
+"""Poses supported by many correspondences, from a compatibility graph, without random sampling.
 
-A pose is fitted to each seed and the correspondences that share most neighbours with it, all poses are scored by how
-many correspondences they bring within the noise, and the best are fitted again by graduated non-convexity: weights of
-truncated least squares whose surrogate starts nearly convex and ends as the truncated cost itself (Yang et al.,
-"Graduated non-convexity for robust spatial perception", RA-L 2020, eqs. 13 and 14). Since the poses begin near a
-consensus, the surrogate starts at twice the noise bound rather than at the largest residual.
-
-Sums are float64 in a fixed order: by blocks of correspondences in a thread each, then the blocks of a pose in one
-thread. A step of all poses is two launches.
-
-Which correspondences could be right together: those that keep the distance between their ends, as rows of bits. A rigid
-motion keeps distances, so two right correspondences (p, q) and (r, s) have |p - r| and |q - s| alike to within twice
-the noise (the invariant of TEASER: Yang, Shi and Carlone 2021, section IV). Wrong ones agree by chance with a few
-others; right ones agree with all that are right. How many correspondences both ends of an edge agree with tells them
-apart at a percent of right ones, since chance counts twice there (Chen et al., "SC2-PCR: a second order spatial
-compatibility for efficient and robust point cloud registration", CVPR 2022, section 3.2).
-
-A bit an edge: m^2 / 8 bytes, 12.5 MB for 10,000 correspondences. Filling it takes some 20 operations a pair of
-correspondences, without branches; counting common neighbours m / 32 words an edge. Whole numbers throughout: the same
-on every device, whatever the number of threads.
+An edge joins correspondences that preserve the distance between their ends within twice the noise (TEASER: Yang, Shi
+and Carlone 2021, section IV). Common neighbors separate inliers at 1 % (SC2-PCR: Chen et al., CVPR 2022, section 3.2).
+Each seed and its best neighbors give a pose; the best are refined by graduated non-convexity (Yang et al., RA-L 2020,
+eqs. 13 and 14), starting at twice the noise bound. Bit rows of m^2 / 8 bytes; fixed-order sums.
 """
 
 import numpy as np
@@ -63,24 +48,14 @@ from .pair_fits import (
 from .pose_hypotheses import score_poses
 
 WORD = 32  # bits a word
-WORK = 2**29  # words that counting common neighbours may read: half a second of one core
-SUM_BITS = 45  # of a sum of common neighbours: below m^2, and m^2 / 8 bytes fit into memory
+WORK = 2**29  # words read when counting common neighbors: half a second on one core
+SUM_BITS = 45  # of a sum of common neighbors: below m^2, with m^2 / 8 bytes in memory
 
 
 @struct
 class CompatibilityGraph:
-    """Correspondences as vertices; an edge joins two that keep their distance.
-
-    Args:
-        pairs: A PairCoordinates.
-        bound: Most difference [m] of two distances.
-        least: Distances up to this [m] join nothing: near each other, any two agree.
-
-    Attributes:
-        pairs: The correspondences.
-        words: Words of bits a row.
-        bits: int32 device array [m * words]: bit j % 32 of word j // 32 of row i is the edge (i, j).
-        degrees: Edges of each vertex, int32 [m].
+    """Graph of correspondences: edges join two with distances that differ by at most `bound` [m] and exceed `least`
+    [m]. `bits`: bit j % 32 of word j // 32 of row i is the edge (i, j).
     """
 
     pairs: PairCoordinates
@@ -96,11 +71,7 @@ class CompatibilityGraph:
         launch(connect_pairs_kernel, self.count, [self, bound, least])
 
     def support(self, work: int = WORK) -> LongIntegers:
-        """Twice the triangles of each vertex, int64 device array [m].
-
-        Counted for the vertices with most edges until `work` words are read, 0 for the rest: where edges are so many,
-        degrees tell right from wrong already.
-        """
+        """Twice the triangles of each vertex, int64 (m); 0 for low degrees beyond `work` words."""
         sums, degrees = zeros(self.count, int64, self.device), empty(self.count, int64, self.device)
         launch(widen_counts_kernel, self.count, [self.degrees, degrees])
         order = order_descending(degrees)
@@ -110,7 +81,7 @@ class CompatibilityGraph:
         return sums
 
     def peaks(self, sums: LongIntegers, distance: float, most: int) -> Integers:
-        """The vertices with the largest sums, none of them near a larger one at both ends; int32, largest first."""
+        """Vertices with the largest sums, none near a larger one at both ends; int32, descending."""
         mask = empty(self.count, uint8, self.device)
         launch(mark_peaks_kernel, self.count, [self.pairs, distance * distance, sums, mask])
         rows = positions_of(mask)  # sync
@@ -120,7 +91,7 @@ class CompatibilityGraph:
         return gather_rows(rows, order[: min(most, rows.size)])
 
     def common(self, rows: Indices) -> Integers:
-        """Shared neighbours of some rows with all vertices, int32 [rows * m]; 0 without an edge."""
+        """Common neighbors of some rows with all vertices, int32 (rows * m); 0 without an edge."""
         common = empty(rows.size * self.count, int32, self.device)
         launch(list_common_kernel, rows.size, [self, rows, common])
         return common
@@ -128,7 +99,7 @@ class CompatibilityGraph:
 
 @kernel
 def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
-    """One row of the graph: the correspondences that keep their distance to this one, and how many they are."""
+    """One row of the graph and its degree."""
     i = tid()
     px = graph.pairs.coordinates[i]
     py = graph.pairs.coordinates[graph.pairs.count + i]
@@ -150,7 +121,7 @@ def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
             a = sqrt(x * x + y * y + z * z)
             b = sqrt(u * u + v * v + t * t)
             alike = 1 if abs(a - b) <= bound else 0
-            apart = 1 if smaller(a, b) > least else 0  # false of a correspondence with itself
+            apart = 1 if smaller(a, b) > least else 0  # false for a correspondence with itself
             word = word | ((alike & apart) << (j - first))
         graph.bits[i * graph.words + w] = word
         degree += bit_count(word)
@@ -159,21 +130,19 @@ def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
 
 @kernel
 def descending_keys_kernel(values: array(dtype=int64), top: int64, keys: array(dtype=int64)):
-    """Keys whose ascending order is the values' descending one."""
+    """Keys whose ascending order is the descending order of the values."""
     i = tid()
     keys[i] = top - values[i]
 
 
 @kernel
 def widen_counts_kernel(counts: array(dtype=int32), values: array(dtype=int64)):
-    """The counts in 64 bits."""
     i = tid()
     values[i] = int64(counts[i])
 
 
 @func
 def count_shared(row: int, other: int, graph: CompatibilityGraph) -> int:
-    """How many neighbours two correspondences share."""
     a = row * graph.words
     b = other * graph.words
     shared = 0
@@ -184,7 +153,7 @@ def count_shared(row: int, other: int, graph: CompatibilityGraph) -> int:
 
 @kernel
 def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums: array(dtype=int64)):
-    """Over the neighbours of a row, how many neighbours they share with it: twice the triangles that it is in."""
+    """Twice the number of triangles of a row."""
     i = tid()
     row = rows[i] * graph.words
     total = int64(0)
@@ -199,7 +168,7 @@ def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums:
 
 @kernel
 def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), common: array(dtype=int32)):
-    """How many neighbours a row shares with each other correspondence; 0 where they are not neighbours themselves."""
+    """Common neighbors of a row with each adjacent correspondence; 0 for others."""
     i = tid()
     row = rows[i] * graph.words
     for j in range(graph.pairs.count):
@@ -215,7 +184,7 @@ def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), comm
 
 @kernel
 def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=int64), peaks: array(dtype=uint8)):
-    """1 where no correspondence near this one at both ends has more support, or as much and a lower index."""
+    """1 if no correspondence near this one at both ends has more support (ties: lower index)."""
     i = tid()
     own = sums[i]
     px = pairs.coordinates[i]
@@ -242,23 +211,23 @@ def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=in
 
 
 def order_descending(values: LongIntegers, bit_count: int = SUM_BITS) -> Indices:
-    """The order of int64 values that are not negative, largest first, ties by index; int32."""
+    """Descending order of non-negative int64 values, ties by index; int32."""
     keys = empty(values.size, int64, values.device)
     launch(descending_keys_kernel, values.size, [values, (1 << bit_count) - 1, keys])
     return argsort_keys(keys, bit_count)[1]
 
 
-SEEDS = 256  # poses that are scored
-NEIGHBORS = 20  # correspondences of a seed that a pose is fitted to: SC2-PCR takes 20 to 30
-FITTED = 32  # poses that are fitted again, no two of them alike
-SAME = 3.0  # distances of a right correspondence: poses nearer to each other are one
-STEPS = 14  # of graduated non-convexity: the surrogate's share grows from 1/3 by STEP to 40
-FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights vanish at sqrt((mu + 1) / mu) = 2 noise bounds first
+SEEDS = 256  # poses scored
+NEIGHBORS = 20  # correspondences per seed fit: SC2-PCR uses 20 to 30
+FITTED = 32  # distinct poses refitted
+SAME = 3.0  # inlier distances: closer poses are equal
+STEPS = 14  # of graduated non-convexity: mu grows from 1/3 by STEP to 40
+FIRST_SHARE, STEP = 1.0 / 3.0, 1.4  # mu of the paper: weights initially vanish at sqrt((mu + 1) / mu) = 2 noise bounds
 
 
 @func
 def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64:
-    """The weight of a residual under the surrogate `share` of least squares truncated at `limit` [m^2]."""
+    """Weight of a residual under the surrogate `share` of least squares truncated at `limit` [m^2]."""
     w = float64(1.0)
     if sqdist >= limit * (share + 1.0) / share:
         w = 0.0
@@ -269,7 +238,7 @@ def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64
 
 @func
 def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
-    """The number that at least `wanted` entries of a row reach, the largest such number, but at least 1."""
+    """Largest number >= 1 that at least `wanted` entries of a row reach."""
     low = 1
     high = 1
     for j in range(row, row + count):
@@ -295,7 +264,7 @@ def fit_seeds_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
-    """The pose of each seed and those that share most neighbours with it, weighted by how many they share."""
+    """Pose of each seed and its best neighbors, weighted by common neighbors."""
     i = tid()
     row = i * pairs.count
     least = least_common(common, row, pairs.count, wanted)
@@ -320,7 +289,7 @@ def sum_truncated_kernel(
     share: float64,
     partials: array(dtype=float64, ndim=2),
 ):
-    """The weighted sums of one block of correspondences under one pose; last, what they save of the truncated cost."""
+    """Weighted sums of a block of correspondences under one pose; last, the reduction of the truncated cost."""
     i = tid()
     pose = poses[i // pairs.blocks]
     s = pair_sums(0.0)
@@ -336,7 +305,7 @@ def sum_truncated_kernel(
 
 @segment_reduction
 def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: float64, share: float64) -> all_sums:
-    """The weighted sums of one correspondence under one pose; last, what it saves of the truncated cost."""
+    """Weighted sums of a correspondence under one pose; last, the reduction of the truncated cost."""
     i = tid()
     p = source_point(pairs, i % pairs.count)
     q = target_point(pairs, i % pairs.count)
@@ -356,7 +325,7 @@ def step_poses_kernel(
     poses: array(dtype=mat44d),
     saved: array(dtype=float64),
 ):
-    """What each pose saves; then, unless it is the last, fit it to its weighted correspondences where these fix one."""
+    """Cost reduction of each pose; then refit it, except in the last step."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
     saved[i] = total[SUMS]
@@ -365,7 +334,7 @@ def step_poses_kernel(
 
 
 def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indices]:
-    """Poses of seeds and their best neighbours: (mat44d [s], int32 [s] of zeros)."""
+    """Poses of seeds and their best neighbors: (mat44d (s), int32 (s) of zeros)."""
     poses, scores = empty(seeds.size, mat44d, graph.device), empty(seeds.size, int32, graph.device)
     wanted = min(NEIGHBORS, graph.count)
     launch(fit_seeds_kernel, seeds.size, [graph.pairs, seeds, graph.common(seeds), wanted, poses, scores])
@@ -373,12 +342,7 @@ def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indic
 
 
 def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = STEPS) -> Doubles:
-    """Fit poses (device array of mat44d, overwritten) by graduated non-convexity.
-
-    Returns:
-        float64 device array: what each pose saves of the truncated cost, the sum of 1 - (residual / distance)^2 over
-        the correspondences closer than `distance` [m].
-    """
+    """Fit poses (in place) by graduated non-convexity; returns inlier sums of 1 - (residual / distance)^2."""
     saved = empty(poses.size, float64, pairs.device)
     sums, limit, share = PoseSums(pairs, poses.size), distance * distance, FIRST_SHARE
     for step in range(steps + 1):
@@ -389,16 +353,7 @@ def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps
 
 
 def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.ndarray:
-    """Which of some poses to keep so that none moves the source to within `apart` [m] of where an earlier one does.
-
-    Args:
-        poses: float64 [k, 4, 4], the best first.
-        spread: Points [p, 3] that stand for the source.
-        apart: Root mean square distance [m] of these points under two poses that counts as two.
-
-    Returns:
-        int [kept], ascending.
-    """
+    """Ascending indices of poses that differ from all earlier ones by RMS >= `apart` [m] of the points `spread`."""
     moved = np.einsum("kij,pj->kpi", poses[:, :3, :3], spread) + poses[:, None, :3, 3]
     flat = moved.reshape(len(poses), 3 * len(spread)) / np.sqrt(max(len(spread), 1))
     kept, left = [], np.ones(len(poses), bool)
@@ -412,7 +367,6 @@ def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.nd
 
 @kernel
 def stack_poses_kernel(poses: array(dtype=mat44d), values: array(dtype=float64), rows: array(dtype=float64, ndim=2)):
-    """A value and the pose beside it."""
     i = tid()
     rows[i, 0] = values[i]
     pose = poses[i]
@@ -422,7 +376,7 @@ def stack_poses_kernel(poses: array(dtype=mat44d), values: array(dtype=float64),
 
 
 def read_poses(poses: Poses, values: Doubles) -> tuple[np.ndarray, np.ndarray]:
-    """A number of each pose and the poses, float64 [k] and [k, 4, 4] on the host. One sync."""
+    """A value per pose, float64 (k), and the poses (k, 4, 4) on the host; one sync."""
     rows = empty((poses.size, 17), float64, poses.device)
     launch(stack_poses_kernel, poses.size, [poses, values, rows])
     found = download(rows).copy()  # sync
@@ -432,17 +386,8 @@ def read_poses(poses: Poses, values: Doubles) -> tuple[np.ndarray, np.ndarray]:
 def find_consensus(
     pairs: PairCoordinates, bound: float, distance: float, spread: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The poses that most correspondences agree with, the best first, no two of them alike.
-
-    Args:
-        pairs: A PairCoordinates.
-        bound: Most difference [m] of two distances between compatible correspondences.
-        distance: Of a right correspondence under its pose [m].
-        spread: Points [p, 3] about the source's middle that stand for it: poses that move them alike are one.
-
-    Returns:
-        (poses float64 [k, 4, 4] about the middles of the pairs, savings float64 [k]) on the host; k is 0 where no
-        three correspondences are compatible.
+    """Distinct poses with the most consensus, best first, and cost reductions, on the host. `bound`: maximum distance
+    difference [m] of compatible pairs; `distance`: inlier distance [m].
     """
     nothing = np.empty((0, 4, 4)), np.empty(0)
     if pairs.count < FEWEST:

@@ -1,9 +1,6 @@
-"""A lattice of anchors over a frame, which bends what lies in it: points by trilinear weights, normals by the slopes.
+"""Control lattice for non-rigid deformation: points by trilinear weights, normals by the inverse transpose Jacobian.
 
-Space is cut into cells; those that hold points are kept, and their corners are the anchors, each with a shift. A point
-moves by the mean of the eight shifts about it as they weigh; a normal takes the inverse transpose of the Jacobian.
-Anchors stand in the order of their keys, so a lattice does not depend on the order of the points. Zhou and Koltun 2014,
-section 3. A point takes eight look-ups in a hash table and some 100 operations; an anchor 150 B.
+Zhou and Koltun 2014, section 3. Anchors are the corners of occupied cells, in key order, independent of point order.
 """
 
 import numpy as np
@@ -41,23 +38,15 @@ from ..memory import download, empty, zeros
 
 CORNERS = 8
 AROUND = 6
-FARTHEST = 1 << 19  # cells from the origin: what a key holds, with room for neighbours
+FARTHEST = 1 << 19  # cells from the origin: range of a key, with room for neighbors
 REACH = float(FARTHEST)
-NOWHERE = 0x7FFF_FFFF_FFFF_FFFF  # the key of what lies in no cell
+NOWHERE = 0x7FFF_FFFF_FFFF_FFFF  # key of points outside all cells
 
 
 @struct
 class ControlLattice:
-    """Cells, their corners, and how far these are shifted.
-
-    Attributes:
-        cell_size: Edge of a cell [m].
-        cells, anchors: HashTables of the keys of the cells and of their corners.
-        corners: The anchors at a cell's corners, int32 [8 cells]; corner 4 x + 2 y + z lies x, y, z cells further.
-        sharers: The cells whose corner 0 to 7 an anchor is, -1 where there is none, int32 [8 anchors].
-        around: The anchors one cell away along -x, x, -y, y, -z, z, -1 where there is none, int32 [6 anchors].
-        shifts: vec3d [anchors] [m].
-        cell_keys, anchor_keys: Ascending, int64.
+    """Cells of edge `cell_size` [m], their corner anchors (corner 4 x + 2 y + z) and `shifts` [m]; `sharers`: cells
+    with the anchor as corner 0 to 7; `around`: neighbors along -x, x, -y, y, -z, z; -1 for none.
     """
 
     cell_size: float64
@@ -69,7 +58,7 @@ class ControlLattice:
     shifts: array(dtype=vec3d)
 
     def __init__(self, cell_size: float, cell_keys: Keys) -> None:
-        """The lattice of cells by their ascending keys, nothing shifted."""
+        """Lattice of ascending cell keys with zero shifts."""
         device = cell_keys.device
         self.cell_size, self.cell_keys, self.cell_count = float(cell_size), cell_keys, cell_keys.size
         self.cells = list_keys(cell_keys, self.cell_count, self.cell_count)
@@ -88,7 +77,7 @@ class ControlLattice:
 
 @func
 def find_cell(p: vec3, cell_size: float64) -> vec3i:
-    """The cell of a finite place; (FARTHEST, ..) where it lies beyond all keys."""
+    """Cell of a finite position; (FARTHEST, ..) beyond all keys."""
     place = widen(p) / cell_size
     limit = float64(REACH)
     cell = vec3i(FARTHEST, FARTHEST, FARTHEST)
@@ -99,14 +88,13 @@ def find_cell(p: vec3, cell_size: float64) -> vec3i:
 
 @func
 def share_of(p: vec3, cell: vec3i, cell_size: float64) -> vec3d:
-    """How far along its cell a place lies, 0 to 1 an axis."""
+    """Position within a cell, 0 to 1 per axis."""
     place = widen(p) / cell_size
     return place - vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2]))
 
 
 @func
 def corner_weight(corner: int, share: vec3d) -> float64:
-    """What a corner of its cell counts for a place."""
     one = float64(1.0)
     x = share[0]
     y = share[1]
@@ -122,7 +110,6 @@ def corner_weight(corner: int, share: vec3d) -> float64:
 
 @func
 def corner_slope(corner: int, share: vec3d) -> vec3d:
-    """How that changes along each axis, a cell."""
     one = float64(1.0)
     x = share[0]
     y = share[1]
@@ -142,7 +129,6 @@ def corner_slope(corner: int, share: vec3d) -> vec3d:
 
 @kernel
 def key_cells_kernel(points: array(dtype=vec3), cell_size: float64, keys: array(dtype=int64)):
-    """The key of each point's cell."""
     i = tid()
     p = points[i]
     key = int64(NOWHERE)
@@ -155,7 +141,6 @@ def key_cells_kernel(points: array(dtype=vec3), cell_size: float64, keys: array(
 
 @kernel
 def key_corners_kernel(cell_keys: array(dtype=int64), keys: array(dtype=int64)):
-    """The keys of the eight corners of each cell."""
     i = tid()
     cell = key_block(cell_keys[i])
     n = int(CORNERS)
@@ -171,7 +156,6 @@ def join_anchors_kernel(
     sharers: array(dtype=int32),
     around: array(dtype=int32),
 ):
-    """The cells and the neighbours of each anchor."""
     i = tid()
     place = key_block(anchor_keys[i])
     n = int(CORNERS)
@@ -195,7 +179,6 @@ def join_anchors_kernel(
 
 @kernel
 def locate_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, cells: array(dtype=int32)):
-    """The cell that each point lies in, -1 where that is none of the lattice."""
     i = tid()
     p = points[i]
     found = -1
@@ -208,7 +191,7 @@ def locate_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, cel
 
 @kernel
 def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved: array(dtype=vec3)):
-    """Each point moved by the anchors about it; where some are not there, by the others as they weigh."""
+    """Displace points by trilinear weights, renormalized where anchors are missing."""
     i = tid()
     p = points[i]
     q = p + vec3(0.0, 0.0, 0.0)
@@ -239,7 +222,7 @@ def bend_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, moved
 def bend_normals_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), lattice: ControlLattice, bent: array(dtype=vec3)
 ):
-    """Each normal as the surface turns at its point, of its own length; as it was in cells that are not all there."""
+    """Rotate normals with the surface, keeping their length; unchanged in incomplete cells."""
     i = tid()
     p = points[i]
     n = normals[i]
@@ -260,7 +243,7 @@ def bend_normals_kernel(
                     x += shift[0] * slope
                     y += shift[1] * slope
                     z += shift[2] * slope
-                # the cofactors of the Jacobian, whose rows these are
+                # rows of the cofactors of the Jacobian
                 d = widen(n)
                 e = vec3d(dot(cross(y, z), d), dot(cross(z, x), d), dot(cross(x, y), d))
                 size = dot(e, e)
@@ -271,7 +254,6 @@ def bend_normals_kernel(
 
 @func
 def length_of(v: vec3d) -> float64:
-    """The length of a vector."""
     return sqrt(dot(v, v))
 
 
@@ -279,7 +261,6 @@ def length_of(v: vec3d) -> float64:
 def place_anchors_kernel(
     anchor_keys: array(dtype=int64), cell_size: float64, shifts: array(dtype=vec3d), places: array(dtype=vec3d)
 ):
-    """Where each anchor is."""
     i = tid()
     cell = key_block(anchor_keys[i])
     places[i] = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * cell_size + shifts[i]
@@ -287,7 +268,7 @@ def place_anchors_kernel(
 
 @kernel
 def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, shifts: array(dtype=vec3d)):
-    """The shifts of the anchors that another lattice has; zero of those that are new."""
+    """Shifts of the anchors that another lattice has; zero for new ones."""
     i = tid()
     found = find_position(anchor_keys[i], known.anchors)
     shift = vec3d(0.0, 0.0, 0.0)
@@ -298,7 +279,7 @@ def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, 
 
 @reduction
 def sum_bent_pairs(points: array(dtype=vec3), moved: array(dtype=vec3)) -> pair_sums:
-    """What `fit_pose` takes of points and where they went."""
+    """Sums for `fit_pose` of points and displaced points."""
     i = tid()
     total = pair_sums(0.0)
     if isfinite(points[i]) and isfinite(moved[i]):
@@ -307,7 +288,7 @@ def sum_bent_pairs(points: array(dtype=vec3), moved: array(dtype=vec3)) -> pair_
 
 
 def make_lattice(cell_size: float, points: Points, known: ControlLattice | None = None) -> ControlLattice:
-    """The lattice of the cells that points lie in, and of those of another lattice, with its shifts; one sync."""
+    """Lattice of the cells of points and of the `known` lattice, whose shifts it keeps; one sync."""
     device = points.device
     keys = empty(points.size, int64, device)
     launch(key_cells_kernel, points.size, [points, float(cell_size), keys])
@@ -323,14 +304,13 @@ def make_lattice(cell_size: float, points: Points, known: ControlLattice | None 
 
 
 def bend_points(points: Points, lattice: ControlLattice) -> Points:
-    """A device array of vec3, bent."""
     moved = empty(points.size, vec3, points.device)
     launch(bend_points_kernel, points.size, [points, lattice, moved])
     return moved
 
 
 def bend_normals(points: Points, normals: Vectors, lattice: ControlLattice) -> Vectors:
-    """The normals at points that are not bent yet, as the surface turns."""
+    """Deform the normals at undeformed points."""
     bent = empty(points.size, vec3, points.device)
     launch(bend_normals_kernel, points.size, [points, normals, lattice, bent])
     return bent
@@ -338,7 +318,7 @@ def bend_normals(points: Points, normals: Vectors, lattice: ControlLattice) -> V
 
 @kernel
 def fit_motion_kernel(sums: array(dtype=pair_sums), motion: array(dtype=mat44d)):
-    """The rigid motion that is nearest to what the lattice does to the points. One thread."""
+    """Rigid motion nearest to the deformation of the points. One thread."""
     i = tid()
     motion[i] = fit_pose(sums[i], 0)
 
@@ -347,7 +327,6 @@ def fit_motion_kernel(sums: array(dtype=pair_sums), motion: array(dtype=mat44d))
 def move_anchors_kernel(
     anchor_keys: array(dtype=int64), cell_size: float64, motion: mat44d, shifts: array(dtype=vec3d)
 ):
-    """Move each anchor, from where it is, by a rigid motion."""
     i = tid()
     cell = key_block(anchor_keys[i])
     rest = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * cell_size
@@ -355,7 +334,7 @@ def move_anchors_kernel(
 
 
 def motion_of(points: Points, moved: Vectors) -> np.ndarray:
-    """The rigid motion nearest to the way from points to others, float64 [4, 4] (one sync)."""
+    """Best rigid motion from points to moved points, float64 (4, 4) (one sync)."""
     sums, motion = reduce(sum_bent_pairs, points.size, [points, moved]), empty(1, mat44d, points.device)
     launch(fit_motion_kernel, 1, [sums, motion])
     return np.array(download(motion)[0], np.float64)  # sync

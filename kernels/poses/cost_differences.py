@@ -1,10 +1,5 @@
-"""How much worse points lie at other poses than at the first one, by their squared distances from planes.
-
-Only points with a plane at both poses count. The points' own spread about their planes at the first pose sets the
-scale of the costs (three rounds, each weighs by the one before), and the costs' differences are added up in the
-points' order.
-
-Source: Geman and McClure's cost.
+"""Differences of Geman-McClure point-to-plane costs between poses and the first pose, over points with a plane at both.
+The scale comes from the residuals at the first pose (three reweighting rounds).
 """
 
 import numpy as np
@@ -13,12 +8,12 @@ from ..array_types import Array2
 from ..lang import array, float32, float64, kernel, launch, tid
 from ..memory import download, empty, full
 
-CPU_RUN = 64  # points a thread
+CPU_RUN = 64  # points per thread
 CUDA_RUN = 4
 ROUNDS = 3
-SCALES = 9.0  # squared: costs reach a half at three spreads
-FIRST_SCALE = 0.1  # squared edges of a voxel: that of the last ICP of LiDAR odometry
-LEAST_SCALE = 2.0e-4  # likewise: a made-up scan without noise has no spread
+SCALES = 9.0  # squared: costs reach one half at three standard deviations
+FIRST_SCALE = 0.1  # squared voxel edges: scale of the last ICP of LiDAR odometry
+LEAST_SCALE = 2.0e-4  # likewise: a synthetic noise-free scan has no spread
 COLUMNS = 4
 
 
@@ -26,7 +21,7 @@ COLUMNS = 4
 def weigh_squares_kernel(
     squares: array(dtype=float32, ndim=2), run: int, scales: array(dtype=float64), rows: array(dtype=float64, ndim=2)
 ):
-    """The weighted squares of one run at the first pose, and their weights."""
+    """Weighted squares of one run at the first pose, and their weights."""
     i = tid()
     count = squares.shape[1]
     scale = scales[0]
@@ -44,7 +39,6 @@ def weigh_squares_kernel(
 
 @kernel
 def scale_costs_kernel(rows: array(dtype=float64, ndim=2), least: float64, scales: array(dtype=float64)):
-    """The next scale, from the spread that the last one found."""
     i = tid()
     total = float64(0.0)
     weight = float64(0.0)
@@ -59,7 +53,7 @@ def scale_costs_kernel(rows: array(dtype=float64, ndim=2), least: float64, scale
 def compare_squares_kernel(
     squares: array(dtype=float32, ndim=2), run: int, scales: array(dtype=float64), rows: array(dtype=float64, ndim=3)
 ):
-    """Of one run at one pose: the costs' differences from the first pose, their squares, pairs, and what is gained."""
+    """Of one run at one pose: cost differences, their squares, pair count and improvement."""
     i = tid()
     count = squares.shape[1]
     runs = (count + run - 1) // run
@@ -87,7 +81,6 @@ def compare_squares_kernel(
 
 @kernel
 def add_runs_kernel(rows: array(dtype=float64, ndim=3), sums: array(dtype=float64, ndim=2)):
-    """The sum of one column over the runs of one pose."""
     i = tid()
     k = i // COLUMNS
     column = i % COLUMNS
@@ -98,21 +91,12 @@ def add_runs_kernel(rows: array(dtype=float64, ndim=3), sums: array(dtype=float6
 
 
 def run_length(squares: Array2[float32]) -> int:
-    """How many points a thread goes through."""
     return CUDA_RUN if squares.device.is_cuda else CPU_RUN
 
 
 def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
-    """What changes from the first pose to others.
-
-    Args:
-        squares: float32 [k, points], a row a pose: squared distances from planes [m^2], -1 without a plane.
-        voxel_size: Edge of a voxel [m], in which scales are counted.
-
-    Returns:
-        float64 [k, 4], a row a pose: the sum of the differences of the costs (each 0..1) from those of the first
-        pose, the sum of their squares, how many points have a plane at both, and the sum of what is cheaper there.
-        One sync.
+    """Compare costs of poses with the first, float64 (k, 4), from squared plane distances [m^2] (-1: none); one sync.
+    Columns: sum of cost differences (costs 0..1), of their squares, points with a plane at both, sum of improvements.
     """
     device, (k, count), run = squares.device, squares.shape, run_length(squares)
     runs = -(-count // run)

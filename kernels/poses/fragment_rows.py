@@ -1,10 +1,7 @@
-"""Rows of the problem that aligns bent fragments: pairs of points of two fragments, point to plane.
+"""Point-to-plane rows between deformed fragments (Zhou and Koltun 2014, eqs. 4 to 6).
 
-A row is a point p of one fragment and its nearest point q in another, both bent by the lattice they share and moved by
-their fragments' poses; the residual is (p' - q') n', with n' the normal at p. A row depends on two poses and on the
-sixteen anchors about p and q; its slopes are rebuilt from 100 B, so the normal matrix is never written down. Rows stand
-by pair of fragments, then by point. Products with the rows are gathered: those of one pair, and those of one cell, are
-segments, so all sums have a fixed order. Zhou and Koltun 2014, eqs. 4 to 6.
+A row pairs a point p with its nearest point q of another fragment, both deformed by the lattice and posed; the residual
+is (p' - q') n'. Derivatives are recomputed from 100 B per row. Sums have a fixed order.
 """
 
 from collections.abc import Sequence
@@ -56,24 +53,15 @@ from .control_lattice import (
     share_of,
 )
 
-corner_sums = vector(24, float64)  # three a corner of a cell
+corner_sums = vector(24, float64)  # three per cell corner
 slope_sums = vector(6, float64)
 
 
 @struct
 class FragmentRows:
-    """The rows, as they stand at some poses and shifts.
-
-    Attributes:
-        ends: Source and target fragment of each pair, int32 [2 pairs].
-        pairs: The pair of each row, int32 [n].
-        places, normals: q' and n' in the frame of the poses, vec3 [n].
-        source_normals, target_normals: n' in the frames of the two fragments.
-        source_cells, target_cells: Cells of p and q, -1 where nothing bends.
-        source_shares, target_shares: How far along these they lie.
-        residuals: [m], float64 [n].
-        images: A number a row: the rows' product with a step, float64 [n].
-        order: Ends of rows by their cells, int32 [2 n]: 2 row + 1 for the target's.
+    """Rows at given poses and shifts. `ends`: source and target fragments per pair; `places`, `normals`: q' and n' in
+    the pose frame; cells (-1: rigid); `residuals` [m]; `images`: product with a step; `order`: 2 row + 1 for the
+    target.
     """
 
     ends: array(dtype=int32)
@@ -94,14 +82,14 @@ class FragmentRows:
         device, self.count, self.ends = ends.device, count, ends
         self.pairs = empty(count, int32, device)
         self.starts = np.zeros(1, np.int64)
-        self.sums: SegmentBlocks  # over the rows of each pair: set once these are known
+        self.sums: SegmentBlocks  # of the rows of each pair; set once they are known
         for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
         self.residuals, self.images = empty(count, float64, device), empty(count, float64, device)
 
     def sort_by_cell(self, cell_count: int) -> None:
-        """Order the rows' ends by cell; sets the SegmentBlocks of the pairs' rows and of the cells' ends. Syncs."""
+        """Order the row ends by cell and set the SegmentBlocks of pairs and cells. Syncs."""
         device = self.ends.device
         starts = empty(cell_count + 1, int32, device)
         self.order = empty(0, int32, device)
@@ -118,17 +106,7 @@ class FragmentRows:
 
 @struct
 class Fragments:
-    """The clouds of all fragments behind one another, about one origin.
-
-    Args:
-        points, normals: Device arrays of vec3.
-        counts: Points of each fragment.
-        lattice: The ControlLattice that bends all of them.
-
-    Attributes:
-        moved, bent: Points and normals as the lattice bends them.
-        cells: The cell of each point, int32 [n].
-    """
+    """Concatenated clouds of all fragments about one origin; `moved`, `bent`: deformed points and normals."""
 
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
@@ -145,12 +123,10 @@ class Fragments:
         self.bend()
 
     def bend(self) -> None:
-        """Take the lattice as it is now."""
         self.moved = bend_points(self.points, self.lattice)
         self.bent = bend_normals(self.points, self.normals, self.lattice)
 
     def part(self, fragment: int) -> Vectors:
-        """The bent points of one fragment, a part of the array."""
         first, count = int(self.firsts[fragment]), int(self.counts[fragment])
         return self.moved[first : first + count] if count else empty(0, vec3, self.moved.device)
 
@@ -168,7 +144,7 @@ def pair_points_kernel(
     partners: array(dtype=int32),
     kept: array(dtype=uint8),
 ):
-    """The partner of each point of a fragment, where their normals agree; of either sign where they have no sides."""
+    """Partner of each point if the normals agree; of either sign if they are unoriented."""
     i = tid()
     partner = key_index(nearest[i])
     keep = 0
@@ -197,7 +173,6 @@ def fill_rows_kernel(
     fragments: Fragments,
     rows: FragmentRows,
 ):
-    """The row of each pair of points that was kept."""
     i = tid()
     owner = find_owner(row_starts, i)
     position = positions[i]
@@ -224,7 +199,7 @@ def fill_rows_kernel(
 
 @kernel
 def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64)):
-    """The cell of each end of each row; the last number where it has none."""
+    """Cell of each row end; the last number if it has none."""
     i = tid()
     cell = rows.source_cells[i // 2]
     if i % 2 == 1:
@@ -236,7 +211,7 @@ def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64
 
 @func
 def shift_within(cell: int, share: vec3, lattice: ControlLattice, first: int, steps: array(dtype=vec3d)) -> vec3d:
-    """What the anchors' steps, from row `first` on, come to at a place in a cell."""
+    """Displacement at a position in a cell by the anchors' steps from row `first` on."""
     total = vec3d(0.0, 0.0, 0.0)
     if cell >= 0:
         n = int(CORNERS)
@@ -247,7 +222,7 @@ def shift_within(cell: int, share: vec3, lattice: ControlLattice, first: int, st
 
 @kernel
 def map_rows_kernel(first: int, steps: array(dtype=vec3d), lattice: ControlLattice, rows: FragmentRows):
-    """What a step changes each residual by: two vectors a fragment (rotation, translation), then one an anchor."""
+    """Change of each residual under a step: two vectors per fragment (rotation, translation), then one per anchor."""
     i = tid()
     a = 2 * rows.ends[2 * rows.pairs[i]]
     b = 2 * rows.ends[2 * rows.pairs[i] + 1]
@@ -259,15 +234,7 @@ def map_rows_kernel(first: int, steps: array(dtype=vec3d), lattice: ControlLatti
 
 
 class Pairs:
-    """Which fragments are compared, and the search for their pairs of points.
-
-    Args:
-        ends: (source, target), int [pairs, 2].
-        fragments: The Fragments.
-        distance: Of partners [m], excluded.
-        least_cosine: Of the angle between their normals.
-        sided: Whether normals point to one side of the surface.
-    """
+    """Fragment pairs and the search for correspondences within `distance` [m]; `sided`: normals are oriented."""
 
     def __init__(
         self, ends: ArrayLike, fragments: Fragments, distance: float, least_cosine: float, *, sided: bool
@@ -283,7 +250,7 @@ class Pairs:
         self.kept = empty(int(self.firsts[-1]), uint8, device)
 
     def match(self, poses: np.ndarray) -> FragmentRows:
-        """The rows at poses [fragments, 4, 4] and the lattice as it is; syncs."""
+        """Rows at poses (fragments, 4, 4) and the current lattice; syncs."""
         fragments, device = self.fragments, self.partners.device
         trees = {int(t): PointTree(fragments.part(int(t))) for t in np.unique(self.ends[:, 1])}
         for k, (s, t) in enumerate(self.ends.tolist()):

@@ -1,12 +1,8 @@
-"""Gauss-Newton steps of fragments' poses and of the lattice that bends all of them.
+"""Gauss-Newton steps of fragment poses and lattice shifts.
 
-The unknowns are a small motion of each fragment (rotation, translation) in the frame of the poses, and a shift of each
-anchor. Beside the rows (fragment_rows.py) anchors are tied to their neighbours as rigidly as each one's own rotation
-allows (Sorkine and Alexa 2007, eqs. 5 to 9); the rotations are held within a step. The normal equations are solved by
-conjugate gradients whose preconditioner inverts each fragment's 6x6 and each anchor's 3x3 block; the matrix itself is
-never written down. A turn reads some 130 B a row and takes 400 operations; an anchor takes 400 B.
-
-Nothing holds the shifts that all anchors make together, or the poses of fragments without rows: the least damping does.
+Unknowns: a twist per fragment and a shift per anchor. Rows (fragment_rows.py) plus as-rigid-as-possible terms (Sorkine
+and Alexa 2007, eqs. 5 to 9). Matrix-free conjugate gradients with block-Jacobi preconditioner. Damping fixes the common
+shift of all anchors and fragments without rows.
 """
 
 from typing import Any
@@ -42,10 +38,8 @@ from .anchor_ties import pull_anchors_kernel, sum_stretch, turn_anchors_kernel
 from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
 
-DAMPING = 1.0e-6  # of the diagonal: what nothing else holds stays, and the rest moves as if there were none
-TOLERANCE = (
-    1.0e-4  # of a solve: what remains of the right side in the preconditioner's norm; 1e-6 moves no point by 10 um
-)
+DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
+TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned); 1e-6 changes no point by 10 um
 MOST_TURNS = 1000
 pose_block = vector(21, float64)
 anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
@@ -53,24 +47,8 @@ anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
 
 @struct
 class StepSystem:
-    """The normal equations, but for the rows.
-
-    Args:
-        lattice: The ControlLattice.
-        held: Whether each fragment keeps its pose, bool [fragments].
-        ends: int [pairs, 2].
-        tie: What the square of a shift's difference to a neighbour's counts, on top of the rotation.
-
-    Attributes:
-        fragment_count: Fragments; the vectors hold two rows of each, then one an anchor.
-        free: int32 [fragments].
-        fragment_starts, fragment_ends: Where each fragment's entries begin, and 2 pair + 1 for those it is target of.
-        pair_sums: The sums over each pair's rows, slope_sums [pairs].
-        cell_sums: Those over each cell's ends of rows, corner_sums [cells].
-        factors: Of the fragments' blocks.
-        inverses: Of the anchors' blocks.
-        lifts: The damping of each unknown, vec3d [2 fragments + anchors].
-        rotations: Of each anchor, mat33d.
+    """The normal equations except the rows. `held`: fixed fragments; `tie`: weight of squared shift differences;
+    `fragment_ends`: 2 pair + 1 as target. Vectors have two rows per fragment, then one per anchor.
     """
 
     fragment_count: int
@@ -107,7 +85,7 @@ class StepSystem:
 
 @segment_reduction
 def sum_pair_slopes(rows: FragmentRows, values: array(dtype=float64)) -> slope_sums:
-    """The slopes of a row by its source's pose, times the row's value."""
+    """Derivatives of a row by its source's pose, times the row's value."""
     i = tid()
     n = widen(rows.normals[i])
     m = cross(widen(rows.places[i]), n)
@@ -117,7 +95,7 @@ def sum_pair_slopes(rows: FragmentRows, values: array(dtype=float64)) -> slope_s
 
 @segment_reduction
 def sum_pair_squares(rows: FragmentRows) -> pose_block:
-    """The products of a row's slopes by its source's pose; those by its target's are the same."""
+    """Products of a row's derivatives by its source's pose; equal to those by the target's."""
     i = tid()
     n = widen(rows.normals[i])
     m = cross(widen(rows.places[i]), n)
@@ -134,7 +112,6 @@ def sum_pair_squares(rows: FragmentRows) -> pose_block:
 
 @func
 def end_normal(end: int, rows: FragmentRows) -> vec3d:
-    """The slope of a row by the shift of one of its ends."""
     n = widen(rows.source_normals[end // 2])
     if end % 2 == 1:
         n = -widen(rows.target_normals[end // 2])
@@ -143,7 +120,7 @@ def end_normal(end: int, rows: FragmentRows) -> vec3d:
 
 @func
 def end_share(end: int, rows: FragmentRows) -> vec3d:
-    """Where in its cell an end of a row lies."""
+    """Position in its cell of a row end."""
     share = widen(rows.source_shares[end // 2])
     if end % 2 == 1:
         share = widen(rows.target_shares[end // 2])
@@ -152,7 +129,7 @@ def end_share(end: int, rows: FragmentRows) -> vec3d:
 
 @segment_reduction
 def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_sums:
-    """The slopes of a row by the shifts of the corners about one of its ends, times the row's value."""
+    """Derivatives of a row by the corner shifts at one end, times the row's value."""
     i = tid()
     end = rows.order[i]
     n = end_normal(end, rows) * values[end // 2]
@@ -168,7 +145,7 @@ def sum_cell_slopes(rows: FragmentRows, values: array(dtype=float64)) -> corner_
 
 @segment_reduction
 def sum_cell_squares(rows: FragmentRows, corner: int) -> anchor_block:
-    """The products of a row's slopes by the shift of one corner."""
+    """Products of a row's derivatives by the shift of one corner."""
     i = tid()
     end = rows.order[i]
     n = end_normal(end, rows) * corner_weight(corner, end_share(end, rows))
@@ -177,14 +154,12 @@ def sum_cell_squares(rows: FragmentRows, corner: int) -> anchor_block:
 
 @reduction
 def sum_residuals(rows: FragmentRows) -> vec2d:
-    """(squared residual, 1) of a row."""
     i = tid()
     return vec2d(rows.residuals[i] * rows.residuals[i], 1.0)
 
 
 @kernel
 def gather_fragments_kernel(steps: array(dtype=vec3d), system: StepSystem, images: array(dtype=vec3d)):
-    """What the rows' products come to at each fragment, and its damping."""
     i = tid()
     turned = vec3d(0.0, 0.0, 0.0)
     moved = vec3d(0.0, 0.0, 0.0)
@@ -209,7 +184,7 @@ def gather_fragments_kernel(steps: array(dtype=vec3d), system: StepSystem, image
 def gather_anchors_kernel(
     steps: array(dtype=vec3d), lattice: ControlLattice, system: StepSystem, images: array(dtype=vec3d)
 ):
-    """What the rows' products come to at each anchor, its ties, and its damping."""
+    """Sum the row products at each anchor, with ties and damping."""
     i = tid()
     first = 2 * system.fragment_count
     total = vec3d(0.0, 0.0, 0.0)
@@ -232,7 +207,7 @@ def gather_anchors_kernel(
 
 @kernel
 def factor_fragments_kernel(damping: float64, system: StepSystem):
-    """The damping of each fragment's unknowns, and the factors of its block; a fragment without rows has none."""
+    """Damping and block factors of each fragment; zero without rows."""
     i = tid()
     total = triangle(0.0)
     for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
@@ -249,7 +224,6 @@ def factor_fragments_kernel(damping: float64, system: StepSystem):
 
 @kernel
 def add_anchor_blocks_kernel(corner: int, lattice: ControlLattice, system: StepSystem):
-    """Add the products of one corner of the cells to the anchors there."""
     i = tid()
     cell = lattice.sharers[CORNERS * i + corner]
     if cell >= 0:
@@ -259,7 +233,7 @@ def add_anchor_blocks_kernel(corner: int, lattice: ControlLattice, system: StepS
 
 @func
 def invert_symmetric(a: mat33d) -> mat33d:
-    """The inverse of a positive definite matrix, by cofactors; zero where it has none."""
+    """Inverse of a positive definite matrix by cofactors; zero if singular."""
     xx = a[1, 1] * a[2, 2] - a[1, 2] * a[1, 2]
     xy = a[0, 2] * a[1, 2] - a[0, 1] * a[2, 2]
     xz = a[0, 1] * a[1, 2] - a[0, 2] * a[1, 1]
@@ -275,7 +249,7 @@ def invert_symmetric(a: mat33d) -> mat33d:
 
 @kernel
 def invert_anchors_kernel(damping: float64, lattice: ControlLattice, system: StepSystem):
-    """The damping of each anchor, and the inverse of its block with its ties."""
+    """Damping of each anchor, and the inverse of its block with ties."""
     i = tid()
     block = system.blocks[i]
     ties = float64(0.0)
@@ -292,7 +266,6 @@ def invert_anchors_kernel(damping: float64, lattice: ControlLattice, system: Ste
 
 @kernel
 def weigh_fragments_kernel(system: StepSystem, residual: array(dtype=vec3d), forces: array(dtype=vec3d)):
-    """The residual at each fragment, by its block."""
     i = tid()
     a = residual[2 * i]
     b = residual[2 * i + 1]
@@ -304,7 +277,6 @@ def weigh_fragments_kernel(system: StepSystem, residual: array(dtype=vec3d), for
 
 @kernel
 def weigh_anchors_kernel(system: StepSystem, residual: array(dtype=vec3d), forces: array(dtype=vec3d)):
-    """The residual at each anchor, by its block."""
     i = tid()
     row = 2 * system.fragment_count + i
     forces[row] = system.inverses[i] @ residual[row]
@@ -312,19 +284,13 @@ def weigh_anchors_kernel(system: StepSystem, residual: array(dtype=vec3d), force
 
 @kernel
 def negate_kernel(images: array(dtype=vec3d), residual: array(dtype=vec3d)):
-    """The right side: minus half the gradient."""
+    """Right side: minus half the gradient."""
     i = tid()
     residual[i] = -images[i]
 
 
 class FragmentStep:
-    """One step: the errors before it, and the solution.
-
-    Args:
-        rows: The FragmentRows.
-        lattice: The ControlLattice; without cells the fragments move as they are.
-        system: The StepSystem.
-    """
+    """One step: the errors before it, and the solution. Without cells the fragments are rigid."""
 
     def __init__(self, rows: FragmentRows, lattice: ControlLattice, system: StepSystem) -> None:
         device = lattice.shifts.device
@@ -336,7 +302,7 @@ class FragmentStep:
         launch(turn_anchors_kernel, lattice.anchor_count, [lattice, system.rotations])
 
     def errors(self) -> tuple[float, int, float]:
-        """(sum of squared residuals, rows, the ties' part); syncs."""
+        """(sum of squared residuals, rows, regularization error); syncs."""
         ties = [self.lattice, self.system.tie, self.system.rotations]
         residuals = reduce(sum_residuals, self.rows.count, [self.rows])
         stretches = reduce(sum_stretch, self.lattice.anchor_count, ties)
@@ -344,7 +310,7 @@ class FragmentStep:
         return squares, int(count), stretch
 
     def solve(self, tolerance: float = TOLERANCE) -> tuple[Positions, int]:
-        """The step, vec3d [2 fragments + anchors]: two vectors a fragment, then one an anchor; and the turns."""
+        """The step, vec3d (2 fragments + anchors), and the iteration count."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
         state = Gradients(zeros(system.size, vec3d, device), 0.0, MOST_TURNS)
@@ -365,7 +331,7 @@ class FragmentStep:
         self._gather(self.rows.images, state.search, state.image)
 
     def _gather(self, values: Doubles, steps: Positions, images: Positions) -> None:
-        """The normal matrix' part behind the rows: their transpose times values, ties and damping times steps."""
+        """Apply the transposed rows to `values`, and ties and damping to `steps`."""
         system, lattice, rows = self.system, self.lattice, self.rows
         reduce_segments(
             sum_pair_slopes, rows.sums, self.live_pairs, [rows, values], self.pair_partials, system.pair_sums
@@ -399,6 +365,5 @@ class FragmentStep:
 
 @kernel
 def clear_blocks_kernel(blocks: array(dtype=mat33d)):
-    """Zeros."""
     i = tid()
     blocks[i] = mat33d(0.0)

@@ -1,11 +1,7 @@
-"""The planes that most of a surface's points lie on: what floors and walls of any two rooms have in common.
+"""Dominant planes of a surface, such as floors and walls: sequential plane extraction without random sampling.
 
-Some points propose the plane through them; each counts the points that lie on it, and the plane of most is fitted to
-those. Then its points count no more, and the next is looked for: the order of Schnabel, Wahl and Klein 2007 ("Efficient
-RANSAC for point-cloud shape detection"), without drawing lots.
-
-One thread a plane reads 24 B a voter, 12 operations each: VOTERS x PLANES, whatever the number of points. Nothing goes
-to the host: some ten launches a plane, over as many voters as there could be.
+A subset of points (voters) proposes tangent planes; the plane with most inliers is fitted, its inliers are removed, and
+so on, as in Schnabel, Wahl and Klein 2007 ("Efficient RANSAC for point-cloud shape detection"). No sync.
 """
 
 import numpy as np
@@ -37,57 +33,44 @@ from ..lang import (
 from ..memory import download, empty, host_view, upload, zeros
 from ..search.nearest_point import NO_POINT
 
-VOTERS, PLANES = 2048, 256  # at most, evenly spread: a plane that matters has a tenth of the voters
-PARALLEL = 0.95  # 18 degrees: cosine between the normals of a plane and of a point that it is fitted to
-FIT_STEPS = 2  # of the plane to the points on it: the first normal is that of a few voxels
-FEWEST = 5  # points that make a plane
+VOTERS, PLANES = 2048, 256  # maxima, evenly spaced: a dominant plane has 10 % of the voters
+PARALLEL = 0.95  # 18 degrees: cosine between a plane normal and its points' normals
+FIT_STEPS = 2  # of the plane to its inliers: the first normal comes from a few voxels
+FEWEST = 5  # points of a plane
 
 
-VOTERS_AT, STEP_AT, DONE_AT = 0, 1, 2  # of the voters' sizes
+VOTERS_AT, STEP_AT, DONE_AT = 0, 1, 2  # indices in `sizes`
 
 
 @struct
 class MainPlanes:
-    """Planes, the largest first.
-
-    Attributes:
-        middles, directions: A point of each and its normal, vec3 [room].
-        count: int32 [1], how many there are.
-    """
+    """Planes, largest first: `middles`, `directions` vec3 (room); `count` int32 (1)."""
 
     middles: array(dtype=vec3)
     directions: array(dtype=vec3)
     count: array(dtype=int32)
 
     def __init__(self, room: int, device: Device) -> None:
-        """None yet, and room for some."""
         self.middles, self.directions = empty(room, vec3, device), empty(room, vec3, device)
         self.count = zeros(1, int32, device)
 
     @classmethod
     def of(cls, middles: np.ndarray, directions: np.ndarray, device: Device) -> "MainPlanes":
-        """Planes given by arrays [k, 3]."""
         planes = cls.__new__(cls)
         planes.middles, planes.directions = upload(middles, vec3, device), upload(directions, vec3, device)
         planes.count = upload(np.array([len(middles)]), int32, device)
         return planes
 
     def read(self) -> tuple[np.ndarray, np.ndarray]:
-        """A point of each plane and its normal, float32 [k, 3] each on the host. Three syncs."""
+        """Point and normal of each plane, float32 (k, 3) on the host. Three syncs."""
         count = int(download(self.count)[0])
         return download(self.middles)[:count], download(self.directions)[:count]
 
 
 @struct
 class Voters:
-    """Points that stand for all, and the plane that is being fitted to them.
-
-    Attributes:
-        places, ways: Of each its place and its normal, zero once it lies on a plane.
-        firsts: The normals as they were.
-        sizes: int32 [3]: how many voters there are; every so-many-th proposes a plane; 1 once no more are found.
-        counts: int32 [PLANES], the voters on each proposed plane.
-        place, way: vec3d [1], a point of the plane that is being fitted, and its normal.
+    """Subset of points and the current plane (`place`, `way`). `ways`: normals, zero once assigned; `firsts`: original
+    normals; `sizes`: voter count, proposal step, 1 when finished; `counts`: inliers.
     """
 
     places: array(dtype=vec3)
@@ -108,7 +91,7 @@ class Voters:
 def choose_voters_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), ranks: array(dtype=int32), voters: Voters
 ):
-    """Every so-many-th of the marked points, so that VOTERS suffice; ranks are the sums of the marks."""
+    """Choose evenly spaced flagged points as voters; ranks are prefix sums of the flags."""
     i = tid()
     total = ranks[ranks.shape[0] - 1]
     step = max(1, (total + VOTERS - 1) // VOTERS)
@@ -129,7 +112,7 @@ def choose_voters_kernel(
 
 @kernel
 def count_coplanar_kernel(voters: Voters, slab: float, cosine: float):
-    """How many voters lie on the plane through every step-th of them; those with a normal of zero on none."""
+    """Count the inliers of the plane of every step-th voter."""
     i = tid()
     at = i * voters.sizes[STEP_AT]
     total = -1
@@ -146,7 +129,7 @@ def count_coplanar_kernel(voters: Voters, slab: float, cosine: float):
 
 @kernel
 def choose_plane_kernel(voters: Voters):
-    """The plane of most voters, the first of equal ones. One thread."""
+    """Select the plane with most inliers, the first of equal ones. One thread."""
     i = tid()
     best = int(0)
     for k in range(PLANES):
@@ -159,7 +142,6 @@ def choose_plane_kernel(voters: Voters):
 
 @func
 def is_coplanar(i: int, voters: Voters, slab: float, cosine: float) -> int:
-    """Whether a voter lies on the plane that is being fitted."""
     found = 0
     if i < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
         n = narrow(voters.way[0])
@@ -171,7 +153,6 @@ def is_coplanar(i: int, voters: Voters, slab: float, cosine: float) -> int:
 
 @reduction
 def sum_coplanar(voters: Voters, slab: float, cosine: float) -> moments:
-    """Moments about the plane's point of the voters on it."""
     i = tid()
     total = moments(0.0)
     if is_coplanar(i, voters, slab, cosine) == 1:
@@ -181,8 +162,7 @@ def sum_coplanar(voters: Voters, slab: float, cosine: float) -> moments:
 
 @kernel
 def fit_plane_kernel(sums: array(dtype=moments), is_last: int, voters: Voters, planes: MainPlanes):
-    """The plane of the voters on it, and keep it where that is the last step; none where they are too few. One
-    thread."""
+    """Fit the plane to its inliers; store it in the last step if there are enough. One thread."""
     i = tid()
     m = sums[i]
     if m[0] < float64(FEWEST):
@@ -207,7 +187,7 @@ def fit_plane_kernel(sums: array(dtype=moments), is_last: int, voters: Voters, p
 
 @kernel
 def silence_coplanar_kernel(voters: Voters, slab: float, cosine: float):
-    """Take the normal from voters on the plane: they lie on no other."""
+    """Zero the normals of the inliers, which removes them."""
     i = tid()
     if is_coplanar(i, voters, slab, cosine) == 1:
         voters.ways[i] = vec3(0.0, 0.0, 0.0)
@@ -223,7 +203,7 @@ def leave_out_planes_kernel(
     edge: float,
     nearest: array(dtype=int64),
 ):
-    """Take the nearest point from points on planes, and from those where two cross: edges are no more than planes."""
+    """Clear the nearest point of points on planes and near plane intersections (edges belong to the planes)."""
     i = tid()
     p = points[i]
     left_out = 0
@@ -244,19 +224,7 @@ def leave_out_planes_kernel(
 def find_main_planes(
     points: Points, normals: Vectors, mask: Mask, plane_count: int, tight: float, slab: float, cosine: float
 ) -> MainPlanes:
-    """The planes that most of some points lie on, the largest first.
-
-    Args:
-        points, normals: Device arrays of vec3 [n].
-        mask: uint8 device array [n]: which of them count.
-        plane_count: Planes at most.
-        tight: Distance [m] from a plane within which points count for it.
-        slab: Distance [m] within which points that look its way count for no other plane.
-        cosine: Least of the angle between its normal and theirs.
-
-    Returns:
-        The planes, fewer where no more have five points. The same bits from run to run.
-    """
+    """Dominant planes of the points in `mask`, largest first, deterministic; `tight` [m]: inlier distance."""
     device = points.device
     planes = MainPlanes(plane_count, device)
     if not points.size:
@@ -286,14 +254,5 @@ def _ranks_of(mask: Mask) -> Array1[int32]:
 def leave_out_planes(
     points: Points, normals: Vectors, planes: MainPlanes, slab: float, cosine: float, edge: float, nearest: LongIntegers
 ) -> None:
-    """Take the nearest point from those that lie on planes.
-
-    Args:
-        points, normals: Device arrays of vec3 [n].
-        planes: The planes.
-        slab, cosine: Of the points on a plane [m].
-        edge: Distance [m] from two planes that cross within which points belong to neither alone. Planes cross whose
-            normals are apart by more than those of a plane and its points: layers of hills have no edges.
-        nearest: int64 device array [n] of keys, changed: NO_POINT at those points.
-    """
+    """Set `nearest` to NO_POINT for points within `slab` [m] of planes, or `edge` [m] of two intersecting ones."""
     launch(leave_out_planes_kernel, points.size, [points, normals, planes, slab, cosine, edge, nearest])

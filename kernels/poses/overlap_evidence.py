@@ -1,15 +1,8 @@
-"""How much of what two surfaces could say about a pose speaks for it.
+"""How well the overlap of two surfaces constrains their relative pose.
 
-A point whose surface lies where the other's does fixes motion along its normal. The normal equations of all points
-near the other cloud (rows of point-to-plane ICP: Chen and Medioni 1991) hold what the overlap could fix, those of the
-points that match hold what they do fix: sums of a few numbers, so that floor on floor counts once, however many points
-it has, and a wall that matches nothing counts as much.
-
-Three planes fix a pose, so the corner of any room lies on that of any other: what bears a pose out is what matches
-beside the planes that most matches lie on. The same sums over the points beside them say how much that is, and how much
-of it lies on more planes in the same directions: walls and furniture of all rooms stand square to each other.
-
-Per point: one search for the nearest, 40 B read and 90 operations in a reduction; once more beside the planes.
+Compares the point-to-plane normal equations (Chen and Medioni 1991) of all points near the other cloud with those of
+matching points. Any two room corners match, so evidence beside the three dominant planes is measured separately, and
+how much of that is aligned with those planes. One nearest-neighbor search per point, two beside planes.
 """
 
 from collections.abc import Sequence
@@ -49,17 +42,17 @@ from ..surface.hollow_side import Surface
 from .main_planes import MainPlanes, find_main_planes, leave_out_planes
 
 middle_sums = vector(5, float64)  # count, x, y, z, squares
-evidence_sums = vector(46, float64)  # normal matrices of the near and of the matched, then four counts
+evidence_sums = vector(46, float64)  # normal matrices of near points and matches, then four counts
 motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
 
-PLANES = 3  # fix a pose
-MOST_DIRECTIONS = 6  # of as many planes, and square to two of them
-# In distances of a match, which are 1.5 voxels: from a plane to the points that it is fitted to, half a voxel; to those
-# that lie on it, a voxel; to those whose normals it bends, the three voxels of a normal's neighbourhood.
+PLANES = 3  # sufficient to fix a pose
+MOST_DIRECTIONS = 6  # of plane normals, and orthogonal to two of them
+# In match distances (1.5 voxels): half a voxel to the points that fit a plane, one voxel to those on it,
+# three voxels to those whose normals it bends.
 FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
-SQUARE = 0.17  # 10 degrees: cosine between the normals of two planes that stand square to each other
-ALIGNED = 0.95  # 18 degrees: cosine between a normal and a plane's, as where planes are fitted
+SQUARE = 0.17  # 10 degrees: cosine between normals of orthogonal planes
+ALIGNED = 0.95  # 18 degrees: cosine between a normal and a plane's, as in plane fitting
 
 
 @kernel
@@ -70,7 +63,6 @@ def move_surface_kernel(
     moved: array(dtype=vec3),
     turned: array(dtype=vec3),
 ):
-    """Points and normals under a pose."""
     i = tid()
     moved[i] = narrow(move(pose, widen(points[i])))
     turned[i] = narrow(turn(pose, widen(normals[i])))
@@ -78,7 +70,6 @@ def move_surface_kernel(
 
 @reduction
 def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_sums:
-    """Count, coordinates and squares of the points near the other cloud."""
     i = tid()
     out = middle_sums(0.0)
     if nearest[i] != int64(NO_POINT):
@@ -89,19 +80,8 @@ def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_su
 
 @struct
 class Overlap:
-    """Two surfaces, one of them moved onto the other, and what counts as a match.
-
-    Attributes:
-        moved, turned: The points and normals of the one under the pose.
-        nearest: The key of each one's nearest point on the other, or NO_POINT.
-        points, normals: Those of the other.
-        middle: vec3d [1], of the moved points that have a nearest one [m].
-        scale: float64 [1], one over their root mean square distance from there [1 / m].
-        distance: Of agreeing points [m].
-        cosine: Least of the angle between agreeing normals.
-        tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
-        frame: Normals of the planes that are left out, and those square to two of them; none before.
-        frame_size: int32 [1], how many they are.
+    """Two surfaces, the first moved by a pose (`moved`, `turned`). `middle` [m] and `scale` [1 / m] (inverse RMS
+    distance) of points with a nearest one; `tight` [m]: weights end; `frame`: directions of removed planes.
     """
 
     moved: array(dtype=vec3)
@@ -127,7 +107,6 @@ class Overlap:
         cosine: float,
         tight: float,
     ) -> None:
-        """Arguments as of `weigh_overlaps`."""
         count, device = source.points.size, source.device
         self.points, self.normals = target.points, target.normals
         self.distance, self.cosine, self.tight = distance, cosine, tight
@@ -140,12 +119,11 @@ class Overlap:
         self.find_middle()
 
     def find_middle(self) -> None:
-        """The middle and the scale of the points that have a nearest one."""
         total = reduce(sum_near, self.moved.size, [self.moved, self.nearest])
         launch(find_middle_kernel, 1, [total, self])
 
     def leave_out_planes(self) -> None:
-        """Take the nearest point from the points on the planes that most matches lie on."""
+        """Remove the points on the dominant planes of the matches."""
         count = self.moved.size
         mask = empty(count, uint8, self.moved.device)
         launch(mask_matched_kernel, count, [self, mask])
@@ -156,13 +134,12 @@ class Overlap:
         find_directions(planes, self.frame, self.frame_size)
 
     def weigh(self) -> Array1[Any]:
-        """The sums of `sum_evidence`, a device array of one."""
         return reduce(sum_evidence, self.moved.size, [self])
 
 
 @kernel
 def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
-    """The middle and the scale of points from their sums. One thread."""
+    """Center and scale of points from their sums. One thread."""
     i = tid()
     points = max(total[i][0], float64(1.0))
     middle = vec3d(total[i][1] / points, total[i][2] / points, total[i][3] / points)
@@ -173,7 +150,7 @@ def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
 
 @kernel
 def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), count: array(dtype=int32)):
-    """Unit normals of planes, and those square to any two of them that stand square to each other. One thread."""
+    """Unit normals of planes, and those orthogonal to any two mutually orthogonal ones. One thread."""
     i = tid()
     found = planes.count[i]
     for k in range(planes.count[i]):
@@ -189,13 +166,13 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
 
 
 def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
-    """Write the directions of planes and their number, int32 [1]; at most MOST_DIRECTIONS of PLANES."""
+    """Write the directions of planes and their count, at most MOST_DIRECTIONS of PLANES."""
     launch(find_directions_kernel, 1, [planes, directions, count])
 
 
 @func
 def agrees(overlap: Overlap, i: int) -> int:
-    """Whether a point that has a nearest one is within the distance of a match of it, and looks its way or back."""
+    """True if a point is within distance of its nearest point with parallel or opposite normal."""
     key = overlap.nearest[i]
     agreeing = 0
     if key_number(key) < overlap.distance * overlap.distance:
@@ -206,7 +183,7 @@ def agrees(overlap: Overlap, i: int) -> int:
 
 @func
 def match_weight(overlap: Overlap, i: int) -> float:
-    """What a point that agrees with its nearest one counts: the less, the farther they are apart along the normal."""
+    """Weight of a match, decreasing with the distance along the normal."""
     row = key_index(overlap.nearest[i])
     height = dot(overlap.moved[i] - overlap.points[row], overlap.normals[row]) / overlap.tight
     return max(1.0 - height * height, 0.0)
@@ -214,7 +191,7 @@ def match_weight(overlap: Overlap, i: int) -> float:
 
 @func
 def is_aligned(overlap: Overlap, i: int) -> int:
-    """Whether a point looks the way of a plane that is left out, or square to two of them."""
+    """True if a normal is along a removed plane's normal, or orthogonal to two."""
     aligned = 0
     for k in range(overlap.frame_size[0]):
         if abs(dot(overlap.frame[k], overlap.turned[i])) > ALIGNED:
@@ -224,7 +201,6 @@ def is_aligned(overlap: Overlap, i: int) -> int:
 
 @kernel
 def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
-    """1 where a point counts as a match."""
     i = tid()
     matched = 0
     if overlap.nearest[i] != int64(NO_POINT):
@@ -236,7 +212,7 @@ def mask_matched_kernel(overlap: Overlap, mask: array(dtype=uint8)):
 
 @reduction
 def sum_evidence(overlap: Overlap) -> evidence_sums:
-    """Normal matrices of the near points and of those that match, rotations in units of the overlap's radius."""
+    """Normal matrices of near points and of matches, rotations in units of the overlap's radius."""
     i = tid()
     out = evidence_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
@@ -272,20 +248,9 @@ def weigh_overlaps(
     *,
     beside_planes: bool = False,
 ) -> np.ndarray:
-    """The evidence that surfaces give for poses onto others, of all of them with one wait.
-
-    Args:
-        pairs: Source, target and pose, float64 [4, 4] between coordinates about the clouds' origins, each.
-        distance: Of agreeing points [m].
-        near: Distance [m] within which a point should have met the other surface.
-        cosine: Least of the angle between agreeing normals.
-        tight: Distance [m] along the normal at which the weight of a match has fallen to zero, as a parabola.
-        beside_planes: Leave out the points on the three planes that most matches lie on, and on their edges.
-
-    Returns:
-        float64 [pairs, 46] on the host: the upper triangles of two normal matrices row by row, then the counts at
-        NEAR_AT, AGREEING_AT and MATCHED_AT, and at ALIGNED_AT what counts of the matched ones in the directions of the
-        planes that are left out. One sync.
+    """Evidence for (source, target, pose) triples about the clouds' origins; float64 (pairs, 46), one sync. `distance`
+    [m] and `cosine` limit matches, `near` [m] the overlap. Columns: upper triangles of two normal matrices, then counts
+    at NEAR_AT, AGREEING_AT, MATCHED_AT and ALIGNED_AT (matches in the directions of removed planes).
     """
     if not pairs:
         return np.empty((0, len(evidence_sums(0.0))))

@@ -1,13 +1,8 @@
-"""Given correspondences under many poses at once: how well they fit, and the poses that fit those best.
+"""Score and fit many poses to given correspondences.
 
-Coordinates are float32 about a place near each cloud, an array an axis, so that a loop over them has no branch and
-loads whole vector registers. Poses take source to target coordinates about these places. Sums are float64 and in a
-fixed order: by blocks of correspondences in a thread each, then the blocks' sums in one thread a pose. A refinement
-step is two launches, reads 24 B a correspondence and pose, and never comes back to the host.
-
-The closed form is Horn, "Closed-form solution of absolute orientation using unit quaternions", JOSA A 1987. Weights are
-1 within a distance (Lebeda et al., "Fixing the locally optimized RANSAC", BMVC 2012), or those of the scaled
-Geman-McClure estimator (Zhou et al., "Fast global registration", ECCV 2016, eq. 6).
+Float32 coordinates about local centers, one array per axis for vectorization; float64 sums in a fixed order. Closed
+form: Horn, "Closed-form solution of absolute orientation using unit quaternions", JOSA A 1987. Weights: 1 within a
+distance (Lebeda et al., BMVC 2012), or scaled Geman-McClure (Zhou et al., ECCV 2016, eq. 6).
 """
 
 from collections.abc import Sequence
@@ -45,25 +40,18 @@ from ..lang import (
 )
 from ..memory import empty, fill, full, zeros
 
-BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the nearest cache while poses are measured
-SUMS = 18  # numbers that a fit takes
-COLUMNS = SUMS + 1  # and the weighted sum of squared distances
+BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the L1 cache
+SUMS = 18  # numbers of a fit
+COLUMNS = SUMS + 1  # plus the weighted sum of squared distances
 FEWEST = 3  # correspondences that fix a pose
-WITHIN = 0  # weights: 1 below a squared distance
-GEMAN_MCCLURE = 1  # weights: (mu / (mu + d^2))^2
+WITHIN = 0  # weighting: 1 below a squared distance
+GEMAN_MCCLURE = 1  # weighting: (mu / (mu + d^2))^2
 all_sums = vector(19, float64)
 
 
 @struct
 class PairCoordinates:
-    """Correspondences whose ends are finite, their coordinates side by side.
-
-    Attributes:
-        rows: int32 device array [m, 2], rows of source and target.
-        coordinates: float32 [6 m] about the middles: source x, y, z, target x, y, z.
-        count: m.
-        blocks: Blocks of up to BLOCK correspondences.
-    """
+    """Correspondences with finite ends: `coordinates` (6 m) about the centers: source x, y, z, target x, y, z."""
 
     rows: array(dtype=int32, ndim=2)
     coordinates: array(dtype=float32)
@@ -73,7 +61,7 @@ class PairCoordinates:
     def __init__(
         self, source: Points, target: Points, pairs: Array2[int32], source_middle: np.ndarray, target_middle: np.ndarray
     ) -> None:
-        """Take the correspondences `pairs` (int32 [m, 2]) of two device arrays of vec3; middles as float32 [3]."""
+        """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3; centers as float32 (3)."""
         device = source.device
         mask = empty(pairs.shape[0], uint8, device)
         launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
@@ -88,7 +76,7 @@ class PairCoordinates:
         self.blocks = -(-self.count // BLOCK)
 
     def select(self, rows: Indices) -> "PairCoordinates":
-        """The correspondences at some rows (int32 device array), which may repeat."""
+        """Correspondences at some rows (int32 device array), which may repeat."""
         chosen = PairCoordinates.__new__(PairCoordinates)
         chosen.device, chosen.count, chosen.blocks = self.device, rows.size, -(-rows.size // BLOCK)
         chosen.rows = empty((rows.size, 2), int32, self.device)
@@ -105,16 +93,7 @@ class PairCoordinates:
         with_scaling: bool,
         out: tuple[Poses, Array2[float64]] | None = None,
     ) -> tuple[Poses, Array2[float64]]:
-        """Fit each pose to the correspondences closer than a distance [m] under it, several times.
-
-        Args:
-            poses: Device array of mat44d [k], overwritten.
-            out: Where the results go; new arrays where it is None.
-
-        Returns:
-            (best poses, scores): of each pose's course the one with the most correspondences; float64 [k, 2], how many
-            and the sum of their squared distances [m^2].
-        """
+        """Fit poses (in place) repeatedly to pairs within `distance` [m]: best poses, (inliers, squares [m^2])."""
         k = poses.size
         best, scores = (empty(k, mat44d, self.device), empty((k, 2), float64, self.device)) if out is None else out
         fill(scores, -1.0)
@@ -125,19 +104,7 @@ class PairCoordinates:
         return best, scores
 
     def anneal(self, pose: Poses, mu: float, least: float, divisor: float, every: int, steps: int) -> Poses:
-        """Minimise the Geman-McClure cost of all correspondences while its scale mu [m^2] shrinks.
-
-        Each step solves its weighted least squares in closed form, so it is never farther from their minimum than the
-        Gauss-Newton step of the paper.
-
-        Args:
-            pose: Device array of one mat44d, overwritten.
-            least: mu is divided while it is above this.
-            every: Steps between two divisions.
-
-        Returns:
-            The pose before the last step.
-        """
+        """Minimize the Geman-McClure cost with decreasing scale mu [m^2]; returns the pose before the last step."""
         previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
         sums, left = PoseSums(self, 1), full(1, steps, int32, self.device)
         step = [divisor, least, every, steps, left, pose, previous, limits]
@@ -151,18 +118,7 @@ class PairCoordinates:
 
 
 class PoseSums:
-    """Sums over the correspondences under each of some poses: room for them, made once for many steps.
-
-    A core sums blocks of correspondences that stay in its cache; CUDA has a thread a few of them, and leaves one row.
-
-    Args:
-        pairs: A PairCoordinates.
-        count: Poses.
-
-    Attributes:
-        rows: float64 [count * blocks, COLUMNS], the sums of each block of each pose.
-        blocks: Rows a pose.
-    """
+    """Reusable sums under `count` poses: `rows` float64 (count * blocks, COLUMNS), on CUDA one block."""
 
     def __init__(self, pairs: PairCoordinates, count: int) -> None:
         device = self.device = pairs.device
@@ -177,7 +133,7 @@ class PoseSums:
         self._partials = empty(self._segments.count, all_sums, device)
 
     def add_up(self, by_block: Kernel, by_pair: Reduction, arguments: Sequence[Doubles | Poses | float]) -> None:
-        """Sum up: `by_block` is a kernel over blocks on the CPU, `by_pair` a reduction over pairs on CUDA."""
+        """Sum with `by_block` (kernel over blocks, CPU) or `by_pair` (reduction, CUDA)."""
         if self.device.is_cuda:
             reduce_segments(by_pair, self._segments, self._live, [self.pairs, *arguments], self._partials, self._totals)
         else:
@@ -188,7 +144,6 @@ class PoseSums:
 def mask_finite_pairs_kernel(
     source: array(dtype=vec3), target: array(dtype=vec3), pairs: array(dtype=int32, ndim=2), mask: array(dtype=uint8)
 ):
-    """1 where both points of a correspondence are finite."""
     i = tid()
     both = 0
     if isfinite(source[pairs[i, 0]]) and isfinite(target[pairs[i, 1]]):
@@ -198,7 +153,6 @@ def mask_finite_pairs_kernel(
 
 @kernel
 def gather_pairs_kernel(pairs: array(dtype=int32, ndim=2), rows: array(dtype=int32), out: array(dtype=int32, ndim=2)):
-    """The pairs at some rows."""
     i = tid()
     out[i, 0] = pairs[rows[i], 0]
     out[i, 1] = pairs[rows[i], 1]
@@ -212,7 +166,7 @@ def split_pairs_kernel(
     target_middle: vec3,
     pairs: PairCoordinates,
 ):
-    """Source x, y, z and target x, y, z of each pair about the middles, one run of the array a coordinate."""
+    """Coordinates of each pair about the centers, one section of the array per coordinate."""
     i = tid()
     p = source[pairs.rows[i, 0]] - source_middle
     q = target[pairs.rows[i, 1]] - target_middle
@@ -223,7 +177,6 @@ def split_pairs_kernel(
 
 @func
 def source_point(pairs: PairCoordinates, row: int) -> vec3d:
-    """The source's end of a correspondence."""
     x = float64(pairs.coordinates[row])
     y = float64(pairs.coordinates[pairs.count + row])
     z = float64(pairs.coordinates[2 * pairs.count + row])
@@ -232,7 +185,6 @@ def source_point(pairs: PairCoordinates, row: int) -> vec3d:
 
 @func
 def target_point(pairs: PairCoordinates, row: int) -> vec3d:
-    """The target's end of a correspondence."""
     x = float64(pairs.coordinates[3 * pairs.count + row])
     y = float64(pairs.coordinates[4 * pairs.count + row])
     z = float64(pairs.coordinates[5 * pairs.count + row])
@@ -241,7 +193,7 @@ def target_point(pairs: PairCoordinates, row: int) -> vec3d:
 
 @loop
 def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tuple[vec3d, vec3d, float64]:
-    """The two ends of the correspondences of a block, and their squared distances [m^2] under a pose."""
+    """End points of a block's correspondences and their squared distances [m^2] under a pose."""
     for j in range(block * BLOCK, min((block + 1) * BLOCK, pairs.count)):
         p = source_point(pairs, j)
         q = target_point(pairs, j)
@@ -252,7 +204,6 @@ def residuals_of_block(block: int, pose: mat44d, pairs: PairCoordinates) -> tupl
 
 @func
 def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float64, ndim=2)):
-    """Write the sums of a block, and the one behind those that a fit takes."""
     for k in range(SUMS):
         partials[i, k] = s[k]
     partials[i, SUMS] = last
@@ -260,7 +211,6 @@ def store_sums(i: int, s: pair_sums, last: float64, partials: array(dtype=float6
 
 @func
 def weight_of(sqdist: float64, limit: float64, weighting: int) -> float64:
-    """The weight of a squared distance [m^2]."""
     w = float64(0.0)
     if weighting == GEMAN_MCCLURE:
         w = limit / (limit + sqdist)
@@ -273,7 +223,6 @@ def weight_of(sqdist: float64, limit: float64, weighting: int) -> float64:
 
 @func
 def joined_sums(s: pair_sums, last: float64) -> all_sums:
-    """The sums that a fit takes, and one more."""
     total = all_sums(0.0)
     for k in range(18):
         total[k] = s[k]
@@ -285,7 +234,6 @@ def joined_sums(s: pair_sums, last: float64) -> all_sums:
 def sum_weighted(
     pairs: PairCoordinates, poses: array(dtype=mat44d), limits: array(dtype=float64), weighting: int
 ) -> all_sums:
-    """The weighted sums of one correspondence under one pose."""
     i = tid()
     p = source_point(pairs, i % pairs.count)
     q = target_point(pairs, i % pairs.count)
@@ -303,7 +251,6 @@ def sum_pairs_kernel(
     weighting: int,
     partials: array(dtype=float64, ndim=2),
 ):
-    """The weighted sums of one block of correspondences under one pose."""
     i = tid()
     pose = poses[i // pairs.blocks]
     limit = limits[i // pairs.blocks]
@@ -319,7 +266,6 @@ def sum_pairs_kernel(
 
 @func
 def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int) -> all_sums:
-    """The sums of all blocks of one pose, in order."""
     total = all_sums(0.0)
     for block in range(first, first + blocks):
         for k in range(COLUMNS):
@@ -329,7 +275,7 @@ def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int)
 
 @func
 def fit_of(total: all_sums, pose: mat44d, with_scaling: int) -> mat44d:
-    """The pose that fits the weighted correspondences best; the old one where they have no weight."""
+    """Weighted best fit; the old pose if the weights are zero."""
     s = pair_sums(0.0)
     for k in range(SUMS):
         s[k] = total[k]
@@ -348,7 +294,7 @@ def refit_poses_kernel(
     best_poses: array(dtype=mat44d),
     scores: array(dtype=float64, ndim=2),
 ):
-    """Keep a pose that fits more correspondences than the best so far, or as many closer; then fit it to its own."""
+    """Keep a pose with more inliers (ties: closer) than the best so far, then refit it."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
     better = 0
@@ -377,8 +323,7 @@ def anneal_poses_kernel(
     previous: array(dtype=mat44d),
     limits: array(dtype=float64),
 ):
-    """Fit a pose to its weighted correspondences, and at every so-many-th step divide its scale while that is above the
-    least."""
+    """Refit a pose, and every `every` steps divide its scale while it is above `least`."""
     i = tid()
     previous[i] = poses[i]
     poses[i] = fit_of(fold_blocks(partials, i * blocks, blocks), poses[i], 0)
@@ -389,7 +334,6 @@ def anneal_poses_kernel(
 
 @kernel
 def select_coordinates_kernel(pairs: PairCoordinates, rows: array(dtype=int32), out: array(dtype=float32)):
-    """The coordinates of some correspondences."""
     i = tid()
     for axis in range(6):
         out[axis * rows.shape[0] + i] = pairs.coordinates[axis * pairs.count + rows[i]]

@@ -1,8 +1,7 @@
-"""What the surfaces of two clouds tell of the six motions at a pose, and how much worse one lies at other poses.
+"""How firmly matching surfaces constrain a pose, and how the cost changes at other poses.
 
-The rows of point-to-plane ICP (Chen and Medioni 1991) about the middle of the pairs, turns in units of their spread,
-say how firmly each motion is held; noise of the normals holds what nothing holds, so poses beside are compared with
-the pairs found anew. One search for the nearest a point and pose.
+Point-to-plane rows (Chen and Medioni 1991) about the center of the pairs. Noise of the normals constrains even free
+motions, so neighboring poses are compared with correspondences searched anew.
 """
 
 from dataclasses import dataclass
@@ -22,13 +21,8 @@ from .overlap_evidence import MATCHED_AT, Overlap
 
 @dataclass(frozen=True)
 class Hold:
-    """How firmly a pose is held by what matches there.
-
-    Attributes:
-        triangle: Upper triangle of the matches' normal matrix, float64 [21], rotation first.
-        matches: How many they are, those off the surface counting less.
-        middle: Of the points near the other surface, float64 [3], about the target's origin [m].
-        lever: Their root mean square distance from there [m]: the unit of turns.
+    """Constraint of a pose: `triangle` (21) of the normal matrix (rotation first, in units of the RMS distance
+    `lever`); weighted `matches`; `middle` about the target's origin [m].
     """
 
     triangle: np.ndarray
@@ -38,18 +32,7 @@ class Hold:
 
 
 def find_hold(source: Surface, target: Surface, pose: np.ndarray, distance: float, near: float, cosine: float) -> Hold:
-    """The hold of a pose, float64 [4, 4] between coordinates about the clouds' origins.
-
-    Args:
-        source, target: The surfaces.
-        pose: T_target_source.
-        distance: Of agreeing points [m].
-        near: Distance [m] within which a point should have met the other surface.
-        cosine: Least of the angle between agreeing normals.
-
-    Returns:
-        The hold. Three syncs.
-    """
+    """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. Three syncs."""
     overlap = Overlap(source, target, pose, distance, near, cosine, distance)
     sums = download(overlap.weigh())[0]  # sync
     middle, scale = download(overlap.middle)[0], float(download(overlap.scale)[0])  # sync
@@ -60,7 +43,6 @@ def find_hold(source: Surface, target: Surface, pose: np.ndarray, distance: floa
 def place_samples_kernel(
     points: array(dtype=vec3), step: int, count: int, poses: array(dtype=mat44d), moved: array(dtype=vec3)
 ):
-    """Each n-th point at one of the poses."""
     i = tid()
     moved[i] = narrow(move(poses[i // count], widen(points[(i % count) * step])))
 
@@ -77,7 +59,7 @@ def measure_offsets_kernel(
     cosine: float,
     squares: array(dtype=float32, ndim=2),
 ):
-    """The squared distance of a point from its nearest one along the normal there; -1 where their normals disagree."""
+    """Squared distance to the nearest point along its normal; -1 if the normals disagree."""
     i = tid()
     count = squares.shape[1]
     square = -1.0
@@ -93,18 +75,8 @@ def measure_offsets_kernel(
 def compare_pair(
     source: Surface, target: Surface, most: int, poses: np.ndarray, reach: float, cosine: float, voxel_size: float
 ) -> np.ndarray:
-    """What changes where one surface moves from its pose to others.
-
-    Args:
-        source, target: The surfaces, not thinned by voxels of one size: they would lie best where the grids do.
-        most: About so many of the source's points are taken, each n-th.
-        poses: float64 [k, 4, 4], T_target_source about the clouds' origins; the first is the source's own.
-        reach: Points this far [m] from the nearest one have no plane,
-        cosine: nor have those whose normals enclose more than this, as at the edge of another surface.
-        voxel_size: As of `compare_costs` [m].
-
-    Returns:
-        float64 [k, 4], a row a pose, as `compare_costs` gives them. One sync.
+    """Cost changes when one surface moves from its pose (the first) to others, (k, 4) as of `compare_costs`; one sync.
+    The surfaces must not be thinned on a common grid, which would bias the result.
     """
     device = source.device
     step = max(1, len(source) // max(most, 1))

@@ -1,8 +1,4 @@
-"""Sums over the points of clouds that lie somewhere in the world: what holds a pose, and how far two poses agree.
-
-Coordinates are float64 from the points' own ones and the cloud's origin. A reduction each: 12 B a point and 20
-operations, 28 B and 60 for pairs.
-"""
+"""Float64 sums over points of clouds with origins: moments, and agreement of two poses."""
 
 from typing import Any
 
@@ -20,7 +16,7 @@ place_sums = vector(10, float64)
 
 @reduction
 def sum_places(points: array(dtype=vec3), origin: vec3d) -> place_sums:
-    """Count, coordinates and their products xx xy xz yy yz zz of points about an origin."""
+    """Count, coordinates and products xx xy xz yy yz zz of points about an origin."""
     i = tid()
     q = widen(points[i]) + origin
     x = q[0]
@@ -42,7 +38,7 @@ def sum_agreeing(
     target_shift: vec3d,
     limit: float64,
 ) -> vec2d:
-    """How many points have a nearest one, and of how many both lie within the root of `limit` [m^2] under two poses."""
+    """Count of points with a nearest one, and of pairs within the root of `limit` [m^2] under two poses."""
     i = tid()
     total = vec2d(0.0, 0.0)
     key = nearest[i]
@@ -57,7 +53,7 @@ def sum_agreeing(
 
 
 def place_moments(points: Points, origin: np.ndarray) -> np.ndarray:
-    """Count, sums of the coordinates and of their products above the diagonal, float64 [10] on the host. One sync."""
+    """Count, coordinate sums and sums of products, float64 (10) on the host. One sync."""
     return download(reduce(sum_places, points.size, [points, vec3d(*origin)]))[0].copy()  # sync
 
 
@@ -69,15 +65,7 @@ def count_agreeing(
     poses: tuple[np.ndarray, np.ndarray],
     distance: float,
 ) -> Array1[Any]:
-    """How many pairs of points there are, and how many of them two poses bring within a distance [m]: vec2d [1].
-
-    Args:
-        source, target: Device arrays of vec3.
-        nearest: int64, the key of each source point's nearest target point, or NO_POINT.
-        origins: Of the source and of the target, float64 [3].
-        poses: Of both, float64 [4, 4].
-        distance: Included.
-    """
+    """Count of pairs and of those within `distance` [m] (inclusive) under the poses: vec2d (1)."""
     placed = [part for T in poses for part in (mat33d(*T[:3, :3].ravel()), vec3d(*T[:3, 3]))]
     arguments = [source, target, nearest, *(vec3d(*origin) for origin in origins), *placed, distance * distance]
     return reduce(sum_agreeing, source.size, arguments)

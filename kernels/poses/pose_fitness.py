@@ -1,10 +1,7 @@
-"""How many points of a whole cloud have another cloud's point near them, under many poses at once.
+"""Number of points of a cloud with a near point of another cloud, under many poses.
 
-Eight points that follow each other on the source's curve stay close together under any pose: they are one box to the
-target's tree and eight lanes to a leaf's points, and their walk ends as soon as each has met a point. Nothing is
-written but a count a pose, so a pose costs no memory. 12 B read a point and pose beside the tree.
-
-Distances are those of find_nearest, bit for bit: a count equals the number of points whose nearest is within reach.
+Eight consecutive points on the curve form one box for the tree and eight lanes for a leaf; their traversal ends when
+each has a match. Distances are bitwise those of find_nearest.
 """
 
 from typing import Any
@@ -47,23 +44,16 @@ from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measu
 from ..search.tree_search import reach_of
 from .pair_fits import FEWEST, SUMS
 
-CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points a thread: few atomics on the CPU, many threads on CUDA
-STILL = 1.0e-6  # of the sum: less is no progress
+CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points per thread: few atomics on the CPU, many threads on CUDA
+STILL = 1.0e-6  # relative decrease of the sum that counts as progress
 lane_flags = vector(8, int32)
 match_sums = vector(19, float64)
 
 
 @struct
 class PoseFitness:
-    """Scores of poses by a whole source cloud against a target's tree.
-
-    Attributes:
-        source: The finite source points along their curve, device array of vec3.
-        target: The target's points as they were given.
-        tree: Their PointTree.
-        source_middle, target_middle: `middles` for kernels.
-        middles: The middles of the clouds' boxes as float32 [3] each: poses are about these.
-        size: Half the diagonal [m] of the source's box.
+    """Scores of poses by a whole source cloud (finite points in curve order) against a target's tree. `middles`: box
+    centers, the origins of poses; `size`: half the diagonal [m] of the source's box.
     """
 
     source: array(dtype=vec3)
@@ -83,17 +73,13 @@ class PoseFitness:
         self.source_middle, self.target_middle = (vec3(*middle) for middle in self.middles)
 
     def count(self, poses: Poses, distance: float) -> np.ndarray:
-        """How many source points have a target point closer than a distance [m] under each pose: int32 [k], one sync.
-
-        Args:
-            poses: Device array of mat44d [k], some hundred at most.
-        """
+        """Matches closer than a distance [m] under each pose (mat44d (k), up to some hundred): int32 (k), one sync."""
         counts, wanted = zeros(poses.size, int32, self.device), full(poses.size, 1, int32, self.device)
         self.add_counts(poses, wanted, distance, counts)
         return download(counts)  # sync
 
     def add_counts(self, poses: Poses, wanted: Integers, distance: float, counts: Integers) -> None:
-        """Add to counts, int32 [k], what `count` returns, for the poses of which wanted, int32 [k], is not 0."""
+        """Add the counts of poses with nonzero `wanted`, int32 (k), to `counts`."""
         if self.tree.count == 0 or self.source.size == 0:
             return
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
@@ -101,26 +87,14 @@ class PoseFitness:
         launch(count_met_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
 
     def match(self, pose: Poses, distance: float) -> Array1[Any]:
-        """The sums over all points and their nearest target points under one pose (mat44d [1]): match_sums [1].
-
-        Those of `fit_pose`, about the middles, the first being how many; then that of squared distances.
-        """
+        """Sums of `fit_pose` over all matches under one pose, about the centers, then of squared distances [m^2]."""
         matching = Matching(self)
         matching.run(pose, distance)
         return matching.sums
 
     def refine(self, pose: Poses, distance: float, steps: int, with_scaling: bool) -> tuple[np.ndarray, int, float]:
-        """Fit a pose to the nearest points of the whole clouds, several times.
-
-        Each fit lowers the sum over all points of their squared distances, of which none counts more than that of a
-        match at the limit: the sum that decides, since the number of matches alone goes up and down by a few.
-
-        Args:
-            pose: Device array of one mat44d; left as it is.
-
-        Returns:
-            (pose, count, sum): the best pose as float64 [4, 4], its number of points that have a match, and the sum of
-            their squared distances [m^2]. One sync.
+        """Fit a pose repeatedly to the nearest points of the whole clouds: (pose, count, squared distances [m^2]).
+        Minimizes the truncated sum of squares, which is steadier than the match count. One sync.
         """
         course, matching = Course(pose, steps), Matching(self)
 
@@ -131,29 +105,25 @@ class PoseFitness:
         if self.device.is_cuda:
             loop_while(course.running, step)
         else:
-            while download(course.running)[0]:  # the search for the nearest points sorts them on the host
+            while download(course.running)[0]:  # the nearest-point search sorts on the host
                 step()
         found = course.states.download()  # sync
         return found["best"][0].copy(), int(found["counts"][0]), float(found["squares"][0])
 
 
 class Matching:
-    """What finds the nearest target point of each source point under a pose and sums over them; made once for many.
-
-    Attributes:
-        sums: match_sums [1], of the last run.
-    """
+    """Reusable search and sums for one pose; `sums` of the last run, match_sums (1)."""
 
     def __init__(self, fitness: PoseFitness) -> None:
         device, count = fitness.device, fitness.source.size
         self.fitness, self.sums = fitness, zeros(1, match_sums, device)
         self._moved, self._nearest = empty(count, vec3, device), empty(count, int64, device)
-        self._order = positions(count, device) if device.is_cuda else None  # source points stand along their curve
+        self._order = positions(count, device) if device.is_cuda else None  # source points are in curve order
         self._blocks, self._live = SegmentBlocks([0], [count], device), full(1, 1, int32, device)
         self._partials = empty(self._blocks.count, match_sums, device)
 
     def run(self, pose: Poses, distance: float) -> None:
-        """Sum over the points and their nearest ones closer than a distance [m] under a pose, mat44d [1]."""
+        """Sum over the matches closer than a distance [m] under a pose, mat44d (1)."""
         fitness, count = self.fitness, self._moved.size
         launch(move_points_kernel, count, [fitness, pose, self._moved])
         find_nearest(fitness.tree, self._moved, radius=distance, order=self._order, nearest=self._nearest)
@@ -162,21 +132,7 @@ class Matching:
 
 @struct
 class Course:
-    """A pose that is fitted to its matches again and again, and the best so far.
-
-    Args:
-        pose: Device array of one mat44d.
-        steps: Fits at most.
-
-    Attributes:
-        poses: mat44d [1], the one in question.
-        best: mat44d [1], that of the least cost.
-        counts, squares: Of the best, int32 and float64 [1]: points that have a match, their squared distances [m^2].
-        costs: float64 [1], the least one.
-        left: int32 [1], poses that may still be looked at.
-        running: int32 [1], whether there is one.
-        states: The SideBySide of all of these.
-    """
+    """A pose refined repeatedly, and the best so far with `counts`, `squares` [m^2] and `costs`; `left` iterations."""
 
     poses: array(dtype=mat44d)
     best: array(dtype=mat44d)
@@ -204,7 +160,7 @@ class Course:
 
 @func
 def moved_point(pose: mat44d, row: int, fitness: PoseFitness) -> vec3:
-    """A source point in the target's coordinates; the pose is one about the two middles."""
+    """Source point in target coordinates; the pose is about the two centers."""
     p = widen(fitness.source[row])
     return narrow(move(pose, p - widen(fitness.source_middle)) + widen(fitness.target_middle))
 
@@ -213,7 +169,7 @@ def moved_point(pose: mat44d, row: int, fitness: PoseFitness) -> vec3:
 def meet_leaf(
     first: int, tree: PointTree, xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, reach: float, met: lane_flags
 ) -> lane_flags:
-    """The lanes' flags, set where a point of the leaf that begins at a place lies within reach."""
+    """Set the flags of lanes with a leaf point within reach."""
     flags = met
     for i in range(first, min(first + LEAF, tree.count)):
         p = tree.points[i]
@@ -227,14 +183,13 @@ def meet_leaf(
 
 @func
 def count_flags(flags: lane_flags) -> int:
-    """How many lanes are set."""
     total = 0
     for j in range(LEAF):
         total += flags[j]
     return total
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def count_met_kernel(
     fitness: PoseFitness,
     run: int,
@@ -243,7 +198,7 @@ def count_met_kernel(
     reach: float,
     counts: array(dtype=int32),
 ):
-    """How many points of a run of groups meet a target point under one wanted pose; whole sums, in any order."""
+    """Count the matches of a run of groups under one wanted pose; integer sums."""
     i = tid()
     source_count = fitness.source.shape[0]
     groups = (source_count + LEAF - 1) // LEAF
@@ -292,14 +247,13 @@ def count_met_kernel(
 
 @kernel
 def move_points_kernel(fitness: PoseFitness, poses: array(dtype=mat44d), moved: array(dtype=vec3)):
-    """The source under the first pose."""
     i = tid()
     moved[i] = moved_point(poses[0], i, fitness)
 
 
 @segment_reduction
 def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums:
-    """The sums that fit_pose takes over the points and their nearest, then that of their squared distances [m^2]."""
+    """Sums for fit_pose over the matches, then squared distances [m^2]."""
     i = tid()
     out = match_sums(0.0)
     key = nearest[i]
@@ -313,12 +267,12 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
     return out
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_scaling: int, course: Course):
-    """Keep a pose whose matches cost less than those of the best so far, and fit it to them; else end the course."""
+    """Keep and refit a pose whose cost is below the best; else stop."""
     i = tid()
     total = sums[i]
-    cost = total[SUMS] - total[0] * limit  # less that of all points beyond
+    cost = total[SUMS] - total[0] * limit  # minus that of all unmatched points
     course.running[i] = 0
     if not (cost >= course.costs[i] - float64(STILL) * abs(cost)):
         course.best[i] = course.poses[i]
@@ -335,12 +289,12 @@ def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_sca
 
 
 def middle_of(low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """The middle of a box, float32 [3]; zero where it is empty."""
+    """Center of a box, float32 (3); zero if empty."""
     if not np.isfinite(low).all():
         return np.zeros(3, np.float32)
     return (0.5 * (low.astype(np.float64) + high)).astype(np.float32)
 
 
 def half_diagonal(low: np.ndarray, high: np.ndarray) -> float:
-    """Half the diagonal of a box; zero where it is empty."""
+    """Half the diagonal of a box; zero if empty."""
     return 0.5 * float(norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0

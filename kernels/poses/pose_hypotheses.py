@@ -1,10 +1,7 @@
-"""Poses from random samples of correspondences: drawn, checked and scored, all hypotheses of a round at once.
+"""Pose hypotheses from random samples of correspondences, drawn, checked and scored in batches.
 
-Fischler and Bolles, "Random sample consensus", CACM 1981. Samples are distinct and a function of (seed, number of the
-hypothesis). Lengths between their points are compared while they are drawn, since a pose keeps them: most samples end
-there, before a pose was fitted. A thread scores GROUP poses on a run of blocks of correspondences, in vector registers
-on the CPU; counts are whole numbers, so neither the number of threads nor the compiler changes them. 4 B a sampled
-point and 128 B a surviving pose are written.
+Fischler and Bolles, "Random sample consensus", CACM 1981. Samples depend only on (seed, hypothesis number). A length
+check rejects most samples before fitting. A thread scores GROUP poses on a run of blocks with integer counts.
 """
 
 import math
@@ -44,24 +41,19 @@ from ..lang import (
 from ..memory import empty
 from .pair_fits import BLOCK, PairCoordinates, source_point, target_point
 
-GROUP = 8  # poses a thread
-CPU_RUN = 16  # blocks a thread: few atomics
-CUDA_BLOCK = 1024  # correspondences a warp
-REFUSED = -1  # the score of a hypothesis that a checker refused
-COLLAPSED = 1.0e-6  # of the target's extent: a sample that a scaling pose shrinks to less is none
+GROUP = 8  # poses per thread
+CPU_RUN = 16  # blocks per thread: few atomics
+CUDA_BLOCK = 1024  # correspondences per warp
+REFUSED = -1  # score of a rejected hypothesis
+COLLAPSED = 1.0e-6  # of the target's extent: samples shrunk below by scaling are rejected
 eight_counts = vector(GROUP, int32)
 pose_numbers = vector(12, float32)
 
 
 @struct
 class Checks:
-    """What a sample and its pose must hold; the loosest values let all pass.
-
-    Attributes:
-        similarity: Least ratio of two lengths, 0..1.
-        distance: Most distance [m] of a sampled correspondence under its pose.
-        cosine: Least cosine between sampled normals under the pose.
-        rotation: Most size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx.
+    """Checks of samples and poses: minimum length ratio `similarity` 0..1, maximum `distance` [m], minimum `cosine` of
+    normals, maximum `rotation` angles [rad] of Rz Ry Rx.
     """
 
     similarity: float64
@@ -81,22 +73,7 @@ class Checks:
 
 @struct
 class Samples:
-    """The samples of a round of hypotheses.
-
-    Args:
-        pairs: A PairCoordinates.
-        size: Correspondences a sample.
-        count: Samples.
-        checks: The Checks, of which the lengths are looked at here.
-        seed: Whole number.
-        first: Number of the first sample among those of all rounds.
-
-    Attributes:
-        pairs: The correspondences that they are drawn from.
-        size: Correspondences a sample.
-        rows: int32 [count * size], the correspondences of one sample after the other.
-        kept: uint8 [count], 1 for the samples whose lengths agree.
-    """
+    """Samples of a round, from number `first`, with length checks: `rows` (count * size); `kept`: 1 if valid."""
 
     pairs: PairCoordinates
     size: int
@@ -113,19 +90,13 @@ class Samples:
 
     @cached_property
     def similar(self) -> Integers:
-        """The samples whose lengths agree, int32 device array. One sync."""
+        """Samples whose lengths agree, int32 device array. One sync."""
         return positions_of(self.kept)
 
     def fit(
         self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Indices | None = None
     ) -> tuple[Poses, Integers]:
-        """The poses of samples, mat44d [k], and their scores, int32 [k]: 0, or REFUSED, where there is no pose.
-
-        Args:
-            checks: The Checks.
-            normals: Source and target normals, device arrays of vec3; empty where they are not checked.
-            chosen: int32 device array [k], which samples; None for those whose lengths agree.
-        """
+        """Poses of `chosen` samples (None: those whose lengths agree), and scores: 0, or REFUSED without a pose."""
         chosen, device = self.similar if chosen is None else chosen, self.pairs.device
         poses, scores = empty(chosen.size, mat44d, device), empty(chosen.size, int32, device)
         launch(fit_samples_kernel, chosen.size, [self, chosen, checks, *normals, int(with_scaling), poses, scores])
@@ -134,7 +105,7 @@ class Samples:
 
 @func
 def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity: float64) -> int:
-    """1 where the way between two source points is about as long as that between their targets, and neither is zero."""
+    """1 if the source and target lengths are similar and nonzero."""
     u = p - other_p
     v = q - other_q
     a = dot(u, u)
@@ -145,10 +116,7 @@ def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity:
 
 @kernel
 def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int):
-    """Draw sample `first + i`; 1 where all its lengths agree, whatever the rest of the round.
-
-    Floyd's way to draw distinct numbers (Bentley and Floyd, "A sample of brilliance", CACM 1987).
-    """
+    """Draw distinct sample `first + i` (Bentley and Floyd, CACM 1987); 1 if all its lengths agree."""
     i = tid()
     base = i * samples.size
     similar = 1
@@ -173,7 +141,7 @@ def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int)
 
 @func
 def turns_within(pose: mat44d, scale: float64, limits: vec3d) -> int:
-    """1 where none of the angles [rad] of a rotation Rz Ry Rx is larger than its limit."""
+    """1 if no angle [rad] of a rotation Rz Ry Rx exceeds its limit."""
     x = abs(atan2(pose[2, 1], pose[2, 2]))
     y = abs(asin(max(min(pose[2, 0] / scale, 1.0), -1.0)))
     z = abs(atan2(pose[1, 0], pose[0, 0]))
@@ -182,11 +150,10 @@ def turns_within(pose: mat44d, scale: float64, limits: vec3d) -> int:
 
 @func
 def scale_of(pose: mat44d) -> float64:
-    """The scale of a similarity."""
     return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0])
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def fit_samples_kernel(
     samples: Samples,
     chosen: array(dtype=int32),
@@ -197,7 +164,7 @@ def fit_samples_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
-    """The pose of each chosen sample whose lengths agree; its score is 0, or REFUSED where a check refuses it."""
+    """Pose of each chosen sample; score 0, or REFUSED if a check fails."""
     i = tid()
     if samples.kept[chosen[i]] == 0:
         scores[i] = REFUSED
@@ -206,7 +173,7 @@ def fit_samples_kernel(
     middle_p = source_point(samples.pairs, samples.rows[base])
     middle_q = target_point(samples.pairs, samples.rows[base])
     s = pair_sums(0.0)
-    for j in range(base, base + samples.size):  # about the first point: the sums of a small sample lose no digits
+    for j in range(base, base + samples.size):  # relative to the first point, to keep precision
         p = source_point(samples.pairs, samples.rows[j]) - middle_p
         q = target_point(samples.pairs, samples.rows[j]) - middle_q
         s += sums_of_pair(p, q, 1.0)
@@ -235,7 +202,6 @@ def fit_samples_kernel(
 
 @func
 def narrow_pose(pose: mat44d) -> pose_numbers:
-    """Nine numbers of a pose's matrix, then three of its translation, in float32."""
     d = pose_numbers(0.0)
     for row in range(3):
         for column in range(3):
@@ -246,7 +212,6 @@ def narrow_pose(pose: mat44d) -> pose_numbers:
 
 @func
 def paired_sqdist(j: int, pose: pose_numbers, pairs: PairCoordinates) -> float:
-    """The squared distance between the points of a pair under a pose."""
     px = pairs.coordinates[j]
     py = pairs.coordinates[pairs.count + j]
     pz = pairs.coordinates[2 * pairs.count + j]
@@ -265,7 +230,7 @@ def score_poses_kernel(
     limit: float,
     scores: array(dtype=int32),
 ):
-    """How many correspondences lie closer than a squared distance under each pose; whole sums, in any order."""
+    """Count correspondences within a squared distance under each pose; integer sums."""
     i = tid()
     groups = (poses.shape[0] + GROUP - 1) // GROUP
     head = (i // groups) * run
@@ -297,7 +262,7 @@ def score_in_lanes_kernel(
     limit: float,
     scores: array(dtype=int32),
 ):
-    """The same, a lane a correspondence: most poses are refused, and a warp passes over them as one."""
+    """CUDA variant, one correspondence per lane; a warp skips refused poses together."""
     i = tid()
     groups = (poses.shape[0] + GROUP - 1) // GROUP
     first = (i // WARP // groups) * size_of_block
@@ -315,17 +280,11 @@ def score_in_lanes_kernel(
                         is_near = 1
                 found += bit_count(ballot(is_near))
             if lane() == 0 and found > 0:
-                atomic_add(scores, k, found)  # whole sums, in any order
+                atomic_add(scores, k, found)  # integer sum: order-independent
 
 
 def score_poses(pairs: PairCoordinates, poses: Poses, distance: float, scores: Integers) -> None:
-    """Count the correspondences closer than `distance` [m] under each pose into `scores`, but for those REFUSED.
-
-    Args:
-        pairs: A PairCoordinates.
-        poses: Device array of mat44d [k].
-        scores: int32 [k], added to.
-    """
+    """Add the correspondences closer than `distance` [m] under each pose to `scores` int32 (k), except REFUSED."""
     run, block, lanes = (1, CUDA_BLOCK, WARP) if pairs.device.is_cuda else (CPU_RUN, BLOCK, 1)
     threads = -(-pairs.count // (block * run)) * -(-poses.size // GROUP) * lanes
     launch(score_poses_kernel, threads, [pairs, run, block, poses, distance * distance, scores])

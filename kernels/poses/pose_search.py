@@ -1,8 +1,7 @@
-"""The pose under which most of a source cloud lies on a target, from correspondences of which few are right.
+"""RANSAC search for the pose that aligns most of a source cloud, from correspondences with few inliers.
 
-Rounds of hypotheses (pose_hypotheses.py); of each round those that most correspondences agree with are fitted again to
-these (pair_fits.py), and scored by the whole cloud (pose_fitness.py). A round is some 25 launches and one look of the
-host at a few numbers, however many hypotheses it has; two more where poses have as many matches as each other.
+Rounds of hypotheses (pose_hypotheses.py): the best distinct ones are refitted (pair_fits.py) and scored by the whole
+cloud (pose_fitness.py). About 25 launches and one sync per round, two more for ties.
 """
 
 import math
@@ -24,16 +23,16 @@ from .pose_hypotheses import REFUSED, Checks, Samples, score_poses
 if TYPE_CHECKING:
     from .pose_fitness import PoseFitness
 
-FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses between two looks at the best
-SCORED = 4096  # correspondences that rank the hypotheses of a round; with 1 % right 40 of them agree with a right one
-RANKED = 2048  # hypotheses of a round among which those are chosen that are fitted again
-KEPT = 16  # of these, each unlike the others; they are then scored by the whole cloud
-APART = 2.0  # distances of a match by which some point of the source's box lies elsewhere under an unlike pose
-CONTENDER = 0.25  # of the correspondences that agree with the best must agree with a pose that the whole cloud scores
-FITS = 4  # to the correspondences of each of these
-PROBE = 12  # numbers of the four places by which two poses are told apart
+FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses per round
+SCORED = 4096  # correspondences that rank the hypotheses of a round; at 1 % inliers 40 of them support a correct one
+RANKED = 2048  # hypotheses of a round considered for refitting
+KEPT = 16  # distinct ones scored by the whole cloud
+APART = 2.0  # match distances: minimum displacement of some source box point between distinct poses
+CONTENDER = 0.25  # of the best inlier count: minimum for scoring by the whole cloud
+FITS = 4  # refits to the inliers of each of these
+PROBE = 12  # numbers of the four points that distinguish two poses
 probe = vector(12, float64)
-LAST_FITS = 8  # of the winner to the clouds themselves, while that helps
+LAST_FITS = 8  # refits of the winner to the clouds themselves, while it improves
 
 
 @kernel
@@ -45,7 +44,7 @@ def rank_keys_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=in
 
 @func
 def probe_of(pose: mat44d, size: float64) -> probe:
-    """Where a pose brings the source's middle, and the points at a distance from there along the axes."""
+    """Images of the source's center and of points along the axes at distance `size`."""
     p = probe(0.0)
     for row in range(3):
         p[row] = pose[row, 3]
@@ -56,7 +55,7 @@ def probe_of(pose: mat44d, size: float64) -> probe:
 
 @func
 def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -> int:
-    """1 where some point of a probe lies farther than the root of a limit from that of the kept probe k."""
+    """1 if some point of a probe is farther than sqrt(limit) from that of the kept probe k."""
     farthest = float64(0.0)
     total = float64(0.0)
     for point in range(4):
@@ -66,7 +65,7 @@ def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -
         square = x * x + y * y + z * z
         farthest = max(farthest, square)
         total += square
-    return 1 if farthest > limit and total >= 0.0 else 0  # a total that is not a number comes of such a pose
+    return 1 if farthest > limit and total >= 0.0 else 0  # a NaN total comes from an invalid pose
 
 
 @kernel
@@ -80,11 +79,7 @@ def keep_apart_kernel(
     kept: array(dtype=mat44d),
     kept_count: array(dtype=int32),
 ):
-    """The first KEPT poses in an order that ends at the REFUSED, each unlike all before it; in one thread.
-
-    Else all would be that of the largest group of correspondences, right or wrong. Places that stay free repeat the
-    first pose.
-    """
+    """The first KEPT distinct poses in order, up to the REFUSED, in one thread; the rest repeats the first."""
     i = tid()
     found = 0
     ranked = min(order.shape[0], RANKED)
@@ -122,7 +117,7 @@ def keep_apart_in_lanes_kernel(
     kept: array(dtype=mat44d),
     kept_count: array(dtype=int32),
 ):
-    """The same with a warp, whose lanes look at 32 poses at a time."""
+    """CUDA variant: a warp tests 32 poses at a time."""
     i = tid()
     found = 0
     ranked = min(order.shape[0], RANKED)
@@ -169,7 +164,7 @@ def mark_contenders_kernel(
     contends: array(dtype=int32),
     counts: array(dtype=int32),
 ):
-    """1 for the fitted poses that come near the best so far in correspondences; many fits end at the same pose."""
+    """1 for distinct refitted poses with nearly the best inlier count."""
     i = tid()
     best = float64(most)
     for k in range(kept_count[0]):
@@ -188,14 +183,8 @@ def mark_contenders_kernel(
 
 
 class FoundPose:
-    """The best pose of a search.
-
-    Attributes:
-        pose: float64 [4, 4] about the middles of the clouds, None where no hypothesis passed.
-        count, squares: Source points that have a match, and the sum of their squared distances [m^2].
-        inliers: Correspondences that agree.
-        drawn: Hypotheses drawn.
-        confident: Whether the search ended because a better pose was unlikely.
+    """Best `pose` about the cloud centers or None; matched points `count` and their `squares` [m^2]; `inliers`; `drawn`
+    hypotheses; `confident`: ended because a better pose was unlikely.
     """
 
     def __init__(self) -> None:
@@ -205,16 +194,8 @@ class FoundPose:
 
 
 class PoseSearch:
-    """The search for the pose under which most source points have a target point near them."""
-
     def __init__(self, fitness: "PoseFitness", source: Points, target: Points, pairs: Array2[int32]) -> None:
-        """Prepare a search.
-
-        Args:
-            fitness: A PoseFitness of the two clouds.
-            source, target: Device arrays of vec3.
-            pairs: Correspondences, int32 device array [m, 2].
-        """
+        """Prepare a search with a PoseFitness, the clouds (vec3) and correspondences, int32 (m, 2)."""
         self.fitness, self.device = fitness, source.device
         self.pairs = PairCoordinates(source, target, pairs, *fitness.middles)
         self.ranking = self.pairs
@@ -242,18 +223,7 @@ class PoseSearch:
         with_scaling: bool,
         seed: int,
     ) -> FoundPose:
-        """The best of `most` hypotheses at most; of equal counts the one with the smaller distances.
-
-        Args:
-            distance: Of a match [m], excluded.
-            sample_size: Correspondences a hypothesis.
-            checks: A Checks.
-            normals: Source and target normals, device arrays of vec3; empty where they are not checked.
-            confidence: Wanted of having drawn a sample of right correspondences alone: ends the search early.
-
-        Returns:
-            A FoundPose.
-        """
+        """Best of at most `most` hypotheses (ties by distance); ends early at `confidence` of an all-inlier sample."""
         found = FoundPose()
         needed, size = float(most), FIRST_ROUND
         while found.drawn < min(most, needed):
@@ -281,7 +251,7 @@ class PoseSearch:
         seed: int,
     ) -> None:
         samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
-        # on CUDA the others are looked at too: to leave them out would be a wait
+        # on CUDA the others are evaluated too, which avoids a sync
         chosen = positions(size, self.device) if self.device.is_cuda else samples.similar
         if chosen.size == 0:
             return
@@ -302,7 +272,7 @@ class PoseSearch:
         self._contest(found, poses, inliers, states["counts"][rows].copy(), distance)
 
     def _keep_apart(self, poses: Poses, scores: Integers, distance: float) -> int:
-        """Keep the best poses that are unlike each other; how many are to be looked at, all on CUDA."""
+        """Keep the best distinct poses; return how many to evaluate, all on CUDA."""
         keys = empty(scores.size, int64, self.device)
         most = self.ranking.count
         launch(rank_keys_kernel, scores.size, [scores, most, keys])
@@ -315,7 +285,7 @@ class PoseSearch:
     def _contest(
         self, found: FoundPose, poses: np.ndarray, inliers: np.ndarray, counts: np.ndarray, distance: float
     ) -> None:
-        """Take the best of some poses where it beats the best so far."""
+        """Replace the best so far if one of some poses is better."""
         if len(poses) == 0:
             return
         top = int(counts.max())
@@ -324,7 +294,7 @@ class PoseSearch:
         for row in np.flatnonzero(counts == top):
             squares = None
             if top == found.count:
-                if (poses[row] == found.pose).all():  # found again, as the best pose of most rounds is
+                if (poses[row] == found.pose).all():  # the same pose was found again
                     continue
                 if found.squares is None:
                     found.squares = self._squares(found.pose, distance)
@@ -335,4 +305,4 @@ class PoseSearch:
 
     def _squares(self, pose: np.ndarray, distance: float) -> float:
         sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)
-        return float(download(sums)[0][-1])  # sync: only where poses have as many matches as another
+        return float(download(sums)[0][-1])  # sync: only for ties of the match count

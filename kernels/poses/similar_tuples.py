@@ -1,8 +1,5 @@
-"""Triples of correspondences whose triangles have similar sides: the tuple test of fast global registration.
-
-Zhou, Park and Koltun, "Fast global registration", ECCV 2016, section 3.2: of each random triple all three sides must
-agree up to a ratio. Triples are tested all at once and the first that pass are taken by their number, so the choice
-depends on the seed alone. 12 B a triple are written.
+"""Tuple test of fast global registration (Zhou, Park and Koltun, ECCV 2016, section 3.2): random triples whose triangle
+sides agree up to a ratio. The result depends only on the seed.
 """
 
 from ..array_types import Integers
@@ -14,12 +11,11 @@ from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
 TRIPLE = 3
-CPU_BATCH, CUDA_BATCH, MOST_BATCH = 8192, 2**17, 2**20  # to look at fewer would save a GPU less than a wait takes
+CPU_BATCH, CUDA_BATCH, MOST_BATCH = 8192, 2**17, 2**20  # smaller batches would save a GPU less than a sync takes
 
 
 @func
 def distance_of(p: vec3d, q: vec3d) -> float64:
-    """The distance [m] of two points."""
     r = p - q
     return sqrt(dot(r, r))
 
@@ -33,7 +29,7 @@ def test_tuples_kernel(
     tuples: array(dtype=int32, ndim=2),
     passed: array(dtype=uint8),
 ):
-    """Draw triple `first + i`; 1 where each side of one triangle lies within the ratio of the other's."""
+    """Draw triple `first + i`; 1 if all sides agree within the ratio."""
     i = tid()
     for j in range(TRIPLE):
         tuples[i, j] = random_below(random_bits(seed, first + i, j), pairs.count)
@@ -50,16 +46,12 @@ def test_tuples_kernel(
 
 @kernel
 def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=int32), rows: array(dtype=int32)):
-    """The members of the chosen triples, one after the other."""
     i = tid()
     rows[i] = tuples[chosen[i // TRIPLE], i % TRIPLE]
 
 
 def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, most: int) -> Integers:
-    """The rows of a PairCoordinates in the first triples that pass, int32 device array [3 t], t <= `most`.
-
-    A correspondence may come several times, which is its weight. Triples of equal points never pass. One sync a batch.
-    """
+    """Rows of the first triples that pass, int32 (3 t), t <= `most`; repeats act as weights. One sync per batch."""
     device, found, total, done = pairs.device, [], 0, 0
     batch = CUDA_BATCH if device.is_cuda else CPU_BATCH
     while done < trials and total < most and pairs.count:

@@ -1,1 +1,1 @@
-"""Triangles found in space: by rays, by distance, by other triangles, by voxels."""
+"""Triangle searches: rays, distances, intersections, voxels."""

@@ -1,7 +1,4 @@
-"""The point of its nearest triangle that each query is closest to, and on which side of a closed mesh the query lies.
-
-Each query is measured once more against the triangle that nearest_triangle.py found, in float64.
-"""
+"""Closest surface point of each query, and the side of a closed mesh, in float64 after nearest_triangle.py."""
 
 import numpy as np
 
@@ -31,18 +28,12 @@ from .nearest_triangle import NearestTriangles
 from .point_triangle import measure_triangle, point_at
 from .triangle_tree import TriangleTree
 
-INSIDE_OUT = 0.5  # of a winding number: halfway between outside and once around
+INSIDE_OUT = 0.5  # winding number halfway between outside and inside
 
 
 @struct
 class ClosestPoints:
-    """The closest points of queries.
-
-    Attributes:
-        points: vec3 [n], NaN where there is no triangle.
-        uvs: vec2 [n], the weights of the triangle's second and third corner.
-        normals: vec3 [n], the triangle's unit normal; (0, 0, 1) where it has no area, zero where there is none.
-    """
+    """Closest points (NaN if none), `uvs` of the second and third corner, `normals` ((0, 0, 1) if degenerate)."""
 
     points: array(dtype=vec3)
     uvs: array(dtype=vec2)
@@ -56,7 +47,6 @@ class ClosestPoints:
 
 @func
 def measure_row(q: vec3, vertices: array(dtype=vec3), triangles: array(dtype=vec3i), triangle: int) -> vec4d:
-    """`measure_triangle` for a triangle of a mesh."""
     t = triangles[triangle]
     return measure_triangle(widen(q), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
 
@@ -71,7 +61,6 @@ def describe_closest_kernel(
     place: Transform,
     closest: ClosestPoints,
 ):
-    """The closest points on one mesh, moved to where it stands."""
     i = tid()
     if nearest.meshes[i] != mesh:
         return
@@ -88,7 +77,6 @@ def describe_closest_kernel(
 def find_sides_kernel(
     queries: array(dtype=vec3), nearest: NearestTriangles, sides: Pseudonormals, numbers: array(dtype=float64)
 ):
-    """1 for queries inside a closed mesh, else 0."""
     i = tid()
     triangle = nearest.triangles[i]
     if triangle < 0:
@@ -98,7 +86,7 @@ def find_sides_kernel(
     t = sides.triangles[triangle]
     point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
     if found[2] == 0.0:
-        point = widen(sides.vertices[t[0]])  # of the same plane, without rounding
+        point = widen(sides.vertices[t[0]])  # on the same plane, exact
     if side_of_part(widen(q) - point, triangle, int(found[2]), sides) < 0.0:
         numbers[i] = 1.0
 
@@ -110,7 +98,7 @@ def sign_distances_kernel(
     numbers: array(dtype=float64),
     distances: array(dtype=float32),
 ):
-    """Distances, negative where the winding number says inside; NaN for queries that are not finite."""
+    """Distances, negative where the winding number indicates inside; NaN for non-finite queries."""
     i = tid()
     distance = float(sqrt(sqdists[i]))
     number = numbers[i]
@@ -124,22 +112,13 @@ def sign_distances_kernel(
 def describe(
     queries: Points, tree: TriangleTree, nearest: NearestTriangles, mesh: int, place: np.ndarray, closest: ClosestPoints
 ) -> None:
-    """Enter the closest points of the queries whose nearest triangle is one mesh's.
-
-    Args:
-        queries: Device array of vec3, about the mesh's origin.
-        tree: The mesh's TriangleTree.
-        nearest: NearestTriangles of the queries.
-        mesh: The mesh's number there.
-        place: Where the mesh stands: float64 [4, 4], from its coordinates to the result's.
-        closest: ClosestPoints of the queries.
-    """
+    """Store the closest points of queries (about the mesh's origin) nearest to mesh number `mesh`, posed by `place`."""
     mesh_arrays = [tree.vertices, tree.triangles]
     launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(place), closest])
 
 
 def find_sides(queries: Points, nearest: NearestTriangles, sides: Pseudonormals) -> Doubles:
-    """float64 [n], 1 for queries inside a closed mesh, given its Pseudonormals, else 0."""
+    """float64 (n), 1 for queries inside a closed mesh, given its Pseudonormals, else 0."""
     numbers = zeros(queries.size, float64, queries.device)
     launch(find_sides_kernel, queries.size, [queries, nearest, sides, numbers])
     return numbers
@@ -147,7 +126,6 @@ def find_sides(queries: Points, nearest: NearestTriangles, sides: Pseudonormals)
 
 @kernel
 def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=float32)):
-    """1 where a signed distance is at most 0; NaN stays."""
     i = tid()
     mark = distances[i]
     if mark == mark:
@@ -156,14 +134,14 @@ def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=floa
 
 
 def mark_inside(distances: Scalars) -> Scalars:
-    """float32 [n], 1 where signed distances say inside or on the surface, else 0; NaN where they are."""
+    """float32 (n), 1 where signed distances are <= 0, else 0; NaN stays."""
     inside = empty(distances.size, float32, distances.device)
     launch(mark_inside_kernel, inside.size, [distances, inside])
     return inside
 
 
 def sign_distances(queries: Points, sqdists: Doubles, numbers: Doubles) -> Scalars:
-    """float32 [n], the roots of squared distances, negative where the winding number is beyond a half."""
+    """float32 (n), roots of squared distances, negative where the winding number exceeds a half."""
     distances = empty(queries.size, float32, queries.device)
     launch(sign_distances_kernel, queries.size, [queries, sqdists, numbers, distances])
     return distances

@@ -1,20 +1,10 @@
-"""Pairs of triangles that have a point in common, of one mesh or of two.
+"""Intersecting triangle pairs of one mesh or of two.
 
-One thread a triangle walks the tree for the boxes that touch its own, and tests those triangles in float64; pairs that
-this leaves open are tested again by exact arithmetic (triangle_sides.py). The pairs are counted first and then listed
-by triangle. Within one mesh pairs that share a vertex are not tested, as in Open3D, whatever else they do.
-
-Some 20 boxes of triangles touch each triangle's of a mesh, of which one or two need more than the first signs; 8 B
-written a pair.
-
-Whether two triangles have a point in common, corners and edges included, by signs alone. Two triangles meet where an
-edge of one meets the other one (Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation
-predicates", 2003, has the same signs). In one plane they meet where two edges do, or where one holds a corner of the
-other; that is asked in the projections along all three axes, since one of them at least tells the plane's points apart.
-Triangles without area count as the edges that they are.
-
-The signs come from `side3(i, j, k, p)` and `side2(axis, i, j, p)` of vertex numbers (triangle_sides.py); where one of
-them is unsure, so is the answer. Each is called in one loop for all that is asked: compilers write every call out.
+One thread per triangle traverses the tree and tests candidates by signs in float64; undecided pairs are tested exactly
+(triangle_sides.py). Within a mesh, pairs that share a vertex are skipped, as in Open3D. Triangles meet if an edge of
+one meets the other (signs as in Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation
+predicates", 2003); coplanar ones are tested in all three axis projections. Degenerate triangles count as edges.
+Predicates are called in loops because compilers inline every call.
 """
 
 import math
@@ -57,7 +47,7 @@ six_signs = vector(6, int32)
 
 @func
 def plane_sides(s: vec3i, t: vec3i, side3: callback) -> six_signs:
-    """The sides of the corners of t of the plane of s, and those of the corners of s of the plane of t."""
+    """Sides of s's corners of the plane of t, and vice versa."""
     sides = six_signs(0)
     corners = int(6)
     for k in range(corners):
@@ -70,7 +60,7 @@ def plane_sides(s: vec3i, t: vec3i, side3: callback) -> six_signs:
 
 @func
 def are_parted(sides: six_signs) -> int:
-    """1 where one triangle lies on one side of the other's plane."""
+    """1 if one triangle is entirely on one side of the other's plane."""
     parted = 0
     for half in range(2):
         first = 3 * half
@@ -82,7 +72,7 @@ def are_parted(sides: six_signs) -> int:
 
 @func
 def edge_through(p: int, q: int, t: vec3i, side3: callback) -> int:
-    """Whether the line through p and q passes through t."""
+    """True if the line through p and q passes through t."""
     low = 1
     high = -1
     unsure = 0
@@ -103,7 +93,7 @@ def edge_through(p: int, q: int, t: vec3i, side3: callback) -> int:
 
 @func
 def edges_through(s: vec3i, t: vec3i, sides: six_signs, side3: callback) -> int:
-    """Whether an edge of one triangle with its ends on two sides of the other's plane, or one end in it, meets that."""
+    """True if an edge of one triangle that crosses or touches the other's plane meets the other triangle."""
     verdict = int(APART)
     edges = int(6)
     for k in range(edges):
@@ -122,7 +112,6 @@ def edges_through(s: vec3i, t: vec3i, sides: six_signs, side3: callback) -> int:
 
 @func
 def boxes_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int) -> int:
-    """1 where the boxes of two edges touch."""
     meet = 1
     axes = int(3)
     for axis in range(axes):
@@ -135,12 +124,11 @@ def boxes_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int) -> i
 
 @func
 def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side3: callback, side2: callback) -> int:
-    """Whether the edges p q and a b have a point in common."""
     verdict = int(APART)
     if boxes_meet(vertices, p, q, a, b) == 1:
         verdict = MEETING
         before = 0
-        questions = int(12)  # along each axis, the ends of the one on the sides of the other, and the other way round
+        questions = int(12)  # along each axis, both ends' sides of the other edge, and vice versa
         for n in range(questions):
             if verdict != APART:
                 k = n % 4
@@ -165,12 +153,12 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
 
 @func
 def holds(t: vec3i, p: int, side2: callback) -> int:
-    """Whether a triangle holds a point of its plane; APART where it has no area, for its edges are asked too."""
+    """True if a triangle contains a point of its plane; APART if it is degenerate, since its edges are tested too."""
     verdict = int(MEETING)
     has_area = 0
     low = 0
     high = 0
-    questions = int(12)  # along each axis, the point's sides of the three edges, and the triangle's own
+    questions = int(12)  # along each axis, the point's sides of the three edges, and the triangle's orientation
     for n in range(questions):
         k = n % 4
         sign = side2(n // 4, t[k % 3], t[(k + 1) % 3], p if k < 3 else t[2])
@@ -196,7 +184,6 @@ def holds(t: vec3i, p: int, side2: callback) -> int:
 
 @func
 def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
-    """Whether two triangles of one plane meet."""
     verdict = int(APART)
     questions = int(11)
     for n in range(questions):
@@ -220,7 +207,7 @@ def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callba
 
 @func
 def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
-    """Whether two triangles have a point in common: APART, MEETING, or UNSURE."""
+    """APART, MEETING or UNSURE."""
     verdict = int(APART)
     sides = plane_sides(s, t, side3)
     if are_parted(sides) == 0:
@@ -238,12 +225,12 @@ def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callb
     return verdict
 
 
-PART = 2**16  # pairs a launch that are tested exactly: each thread has scratch memory
+PART = 2**16  # pairs per exact-test launch: each thread needs scratch memory
 
 
 @func
 def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -> int:
-    """A byte: bit j is set where the box of a leaf's triangle j touches the box (a, b)."""
+    """Bit mask of a leaf's triangles whose boxes touch the box (a, b)."""
     found = 0
     at = leaf * LEAF_NUMBERS
     for j in range(LEAF):
@@ -260,13 +247,12 @@ def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -
 
 @func
 def next_bucket_touching(step: walk, a: vec3, b: vec3, tree: TriangleTree) -> walk:
-    """Go on to the next node of level 0 whose box touches the box (a, b)."""
+    """Advance to the next node of level 0 whose box touches the box (a, b)."""
     return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, 0.0))
 
 
 @func
 def share_vertex(s: vec3i, t: vec3i) -> int:
-    """1 where two triangles have a vertex in common."""
     shared = 0
     for k in range(3):
         if s[k] == t[0] or s[k] == t[1] or s[k] == t[2]:
@@ -276,13 +262,12 @@ def share_vertex(s: vec3i, t: vec3i) -> int:
 
 @func
 def same_place(p: vec3, q: vec3) -> int:
-    """1 where two points have the same coordinates."""
     return 1 if p[0] == q[0] and p[1] == q[1] and p[2] == q[2] else 0
 
 
 @func
 def look_at_pair(vertices: array(dtype=vec3), s: vec3i, t: vec3i) -> int:
-    """APART where a triangle lies on one side of the other, MEETING where two corners lie at one place, else UNSURE."""
+    """APART if a triangle is on one side of the other, MEETING if two corners coincide, else UNSURE."""
     same = 0
     pairs = int(9)
     for k in range(pairs):
@@ -307,10 +292,7 @@ def find_partners(
     partners: array(dtype=int32),
     verdicts: array(dtype=uint8),
 ) -> int:
-    """How many triangles of a tree meet triangle i or may do so, listed from place `first` on, if that is >= 0.
-
-    Where `within` is 1 the tree is that of the triangle's own mesh, and those of higher number count.
-    """
+    """Count the triangles that meet triangle i or may, `within` one mesh higher ones; list them if `first` >= 0."""
     count = 0
     s = triangles[i]
     p = vertices[s[0]]
@@ -348,7 +330,7 @@ def find_partners(
     return count
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def count_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
@@ -359,12 +341,11 @@ def count_partners_kernel(
     no_verdicts: array(dtype=uint8),
     counts: array(dtype=int32),
 ):
-    """How many triangles each meets or may meet."""
     i = tid()
     counts[i] = find_partners(i, vertices, triangles, within, tree, others, -1, no_partners, no_verdicts)
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def list_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
@@ -376,7 +357,6 @@ def list_partners_kernel(
     partners: array(dtype=int32),
     verdicts: array(dtype=uint8),
 ):
-    """The triangles that each meets or may meet, by number."""
     i = tid()
     first = offsets[i]
     last = offsets[i + 1]
@@ -384,7 +364,7 @@ def list_partners_kernel(
         found = find_partners(i, vertices, triangles, within, tree, others, first, partners, verdicts)
         for j in range(first, first + found):
             owners[j] = i
-            # insertion: the tree's order is not that of the numbers
+            # insertion sort: the tree's order differs
             partner = partners[j]
             verdict = verdicts[j]
             k = j - 1
@@ -407,7 +387,7 @@ def test_pairs_kernel(
     is_meeting: array(dtype=uint8),
     is_open: array(dtype=uint8),
 ):
-    """Test pairs in float64; 1 where they meet, and where that does not tell."""
+    """Test pairs in float64; flags for meeting and for undecided pairs."""
     i = tid()
     verdict = int(verdicts[i])
     if verdict == UNSURE:
@@ -428,7 +408,6 @@ def settle_pairs_kernel(
     given: ExactSides,
     is_meeting: array(dtype=uint8),
 ):
-    """Test pairs exactly; 1 where they meet."""
     i = tid()
     row = rows[i]
     s = triangles[owners[row]]
@@ -440,7 +419,7 @@ def settle_pairs_kernel(
 
 
 def exact_sides(vertices: Points, lowest: np.ndarray, extremes: np.ndarray, threads: int) -> ExactSides:
-    """ExactSides of vertices, those that are not finite aside, of what the host has read about them: see `_about`."""
+    """ExactSides of the finite vertices, from the host values of `_about`."""
     unit, (low, high, _) = bit_of(lowest), box_of(extremes)
     sides = [Fraction(float(b)) - Fraction(float(a)) for a, b in zip(low, high, strict=True)]
     return ExactSides(vertices, unit, max(1, math.ceil(max(sides) / Fraction(2) ** unit)), threads)
@@ -453,22 +432,8 @@ def _about(vertices: Points) -> list[Integers]:
 def find_meeting_pairs(
     tree: TriangleTree, vertices: Points, triangles: Triangles, others: Cells, *, within: bool
 ) -> tuple[Indices, Indices]:
-    """The pairs of triangles that have a point in common.
-
-    Args:
-        tree: A TriangleTree over `others`.
-        vertices: Device array of vec3, of both meshes.
-        triangles: Device array of vec3i.
-        others: Device array of vec3i; the same array where `within` is set.
-        within: One mesh: each pair once, lower number first, and none of triangles that share a vertex.
-
-    Returns:
-        (first, second): int32 device arrays, ascending.
-
-    Raises:
-        ValueError: 2^31 pairs or more.
-
-    Two syncs; one more where float64 does not tell of all.
+    """Intersecting pairs (first, second), ascending; two syncs, three if exact tests are needed. `within` one mesh
+    without common vertices, lower number first. Raises ValueError for 2^31 pairs or more.
     """
     device, count = vertices.device, triangles.size
     search, counts = [vertices, triangles, int(within), tree, others], empty(count, int32, device)
@@ -496,5 +461,5 @@ def find_meeting_pairs(
 
 
 def meet_anywhere(tree: TriangleTree, vertices: Points, triangles: Triangles) -> bool:
-    """Whether two triangles of a mesh without a common vertex meet."""
+    """True if two triangles of a mesh without a common vertex meet."""
     return find_meeting_pairs(tree, vertices, triangles, triangles, within=True)[0].size > 0

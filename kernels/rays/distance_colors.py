@@ -1,4 +1,4 @@
-"""Colours for distances: from dark blue over green to yellow, five colours of viridis with straight lines between."""
+"""Colors of distances: five colors of viridis, linearly interpolated."""
 
 from ..array_types import Doubles, Vectors
 from ..lang import array, float64, isfinite, kernel, launch, tid, vec3
@@ -9,7 +9,7 @@ STEPS = 4
 
 @kernel
 def color_distances_kernel(distances: array(dtype=float64), largest: float, colors: array(dtype=vec3)):
-    """The colour of each distance from 0 to `largest`; grey where it is not finite."""
+    """Color of each distance from 0 to `largest`; gray if it is not finite."""
     i = tid()
     d = float(distances[i])
     color = vec3(0.5, 0.5, 0.5)
@@ -36,7 +36,6 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
 
 
 def color_distances(distances: Doubles, largest: float) -> Vectors:
-    """The colours of float64 distances, vec3 in 0..1."""
     colors = empty(distances.size, vec3, distances.device)
     launch(color_distances_kernel, distances.size, [distances, largest, colors])
     return colors

@@ -1,8 +1,7 @@
-"""How far points lie from a surface on the side that its triangles face, of open surfaces too.
+"""Signed distances from open surfaces, positive on the side that triangles face.
 
-The sign is that of the angle-weighted pseudonormal at the nearest point (pseudonormals.py); an edge of one triangle has
-that triangle's normal. A point whose nearest place is on the rim of an open surface lies beside it: neither side is
-meant, and it is marked. The triangle that was found is measured once more, in float64.
+The sign is that of the angle-weighted pseudonormal at the nearest point (pseudonormals.py), remeasured in float64.
+Points whose nearest point is on the boundary are flagged.
 """
 
 from ..algebra.transform import widen
@@ -18,7 +17,7 @@ from .triangle_tree import TriangleTree
 
 @kernel
 def mark_rim_kernel(sides: Pseudonormals, rim: array(dtype=uint8)):
-    """1 at the vertices of edges that have one triangle, or more than two; whoever writes, writes the same."""
+    """Flag the vertices of edges with one or more than two triangles; all writers write 1."""
     i = tid()
     if sides.twins[i] < 0:
         t = sides.triangles[i // 3]
@@ -35,7 +34,7 @@ def face_distances_kernel(
     distances: array(dtype=float64),
     beside: array(dtype=uint8),
 ):
-    """The distance of each query, positive where triangles face it, and whether the surface ends there."""
+    """Signed distance of each query, and a flag if the nearest point is on the boundary."""
     i = tid()
     triangle = nearest.triangles[i]
     q = queries[i]
@@ -47,7 +46,7 @@ def face_distances_kernel(
         part = int(found[2])
         point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
         if part == 0:
-            point = widen(sides.vertices[t[0]])  # of the same plane, without rounding
+            point = widen(sides.vertices[t[0]])  # on the same plane, exact
         distance = sqrt(nearest.sqdists[i])
         if part > 3:
             is_beside = int(rim[t[part - 4]])
@@ -61,10 +60,7 @@ def face_distances_kernel(
 
 
 def face_distances(tree: TriangleTree, vertices: Points, triangles: Triangles, queries: Points) -> tuple[Doubles, Mask]:
-    """Signed distances [m] of queries from a mesh, float64 [n], and where they lie beside its rim, uint8 [n].
-
-    NaN without triangles and for queries that are not finite.
-    """
+    """Signed distances [m], float64 (n), and boundary flags, uint8 (n). NaN for non-finite queries."""
     nearest = NearestTriangles(queries)
     nearest.look_into(tree, queries, 0)
     sides, rim = Pseudonormals(vertices, triangles, 1.0), zeros(vertices.size, uint8, queries.device)

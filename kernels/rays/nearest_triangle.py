@@ -1,21 +1,9 @@
-"""The nearest triangle of each query.
+"""Nearest triangle of each query.
 
-A query goes down into the nearest child of a node first, and into the others while they reach into the ball of the
-nearest triangle so far. The eight triangles of a leaf are measured as eight lanes in float32, in vector registers:
-the foot on the plane where that lies inside, else the nearest of the edges. Each distance comes with a bound of its
-error. Where the intervals of two triangles do not overlap the nearer one is known, else both are measured in float64
-(point_triangle.py), and of equal ones that of lower number is taken. So the result depends on no order.
-
-About 5,000 operations a query of a mesh of 70k triangles; 12 B read and 4 B written besides the tree. On CUDA eight
-lanes share a query.
-
-The nearest triangle of each query by eight lanes of a CUDA warp: a lane a child of a node, a lane a triangle. Four
-queries that follow each other on the curve share a warp. In each turn a group goes down into the nearest child of its
-node, measures a leaf's eight triangles in float32, or goes up. A lane keeps the nearest of the triangles that it
-measured, and takes float64 only where two of its own cannot be told apart by their bounds (triangle_bounds.py). At the
-end the lanes whose triangle may still be the nearest of all measure it in float64, at once.
-
-Some 25 turns of 200 instructions for four queries; no arrays of a thread's own.
+Nearest-first traversal. A leaf's eight triangles are measured in float32 with error bounds; overlapping intervals are
+resolved in float64 (point_triangle.py), ties by the lower number, so the result is independent of the order. About
+5,000 operations per query of a mesh of 70k triangles. On CUDA eight lanes share a query (a lane per child or triangle,
+triangle_bounds.py), and final candidates are measured in float64.
 """
 
 import math
@@ -57,16 +45,15 @@ from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES, measure_boxes
 from .triangle_bounds import SMALLEST, bound_distance, load_corners, measure_place, reach_of
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
 
-GROUP_BITS = 3  # of a lane's number within its group
+GROUP_BITS = 3  # of a lane index within its group
 BYTE = 255
-EVERY = 255  # BYTE in 64 bits
-WIDER = 1.000002  # as triangle_bounds.SLACK, and the rounding of this product
-LAST = 2147483647  # as a triangle's number: after all others
+EVERY = 255  # one byte, in 64 bits
+WIDER = 1.000002  # as triangle_bounds.SLACK, plus the rounding of this product
+LAST = 2147483647  # triangle number after all others
 
 
 @cuda_func
 def least_of_group(x: float) -> float:
-    """The least number of a group's lanes."""
     found = x
     for bit in range(GROUP_BITS):
         found = smaller(shuffle_xor(found, 1 << bit), found)
@@ -75,7 +62,7 @@ def least_of_group(x: float) -> float:
 
 @cuda_func
 def distance_of_child(tree: TriangleTree, level: int, node: int, left: int, q: vec3) -> float:
-    """The squared distance of a point from the box of the lane's child of a node; infinite where its bit is not set."""
+    """Squared distance to the box of the lane's child; infinite if its bit is not set."""
     own = lane() % FAN
     box = load_six(tree.boxes, (tree.levels[level] + node) * SIDES + own)
     x = max(max(box[0] - q[0], q[0] - box[3]), 0.0)
@@ -86,15 +73,7 @@ def distance_of_child(tree: TriangleTree, level: int, node: int, left: int, q: v
 
 @cuda_func
 def settle(q: vec3, earlier: int, sqdist: float64, place: int, tree: TriangleTree) -> vec2d:
-    """The nearer of two triangles: its squared distance [m^2] and its place; of equal ones that of lower number.
-
-    Args:
-        q: The query.
-        earlier: The place of one.
-        sqdist: Its squared distance, -1 where it is not known.
-        place: The place of the other.
-        tree: The tree.
-    """
+    """Squared distance [m^2] and position of the nearer of two triangles, ties by number; `sqdist` is -1 if unknown."""
     least = sqdist * 1.0
     found = earlier + 0
     if least < 0.0:
@@ -108,14 +87,7 @@ def settle(q: vec3, earlier: int, sqdist: float64, place: int, tree: TriangleTre
 
 @cuda_func
 def least_of_kept(q: vec3, place: int, sqdist: float64, tree: TriangleTree) -> vec2d:
-    """The squared distance [m^2] and the number of the nearest triangle that a group keeps, infinite without any.
-
-    Args:
-        q: The query.
-        place: The place of the lane's, -1 for none.
-        sqdist: Its squared distance, -1 where it is not known.
-        tree: The tree.
-    """
+    """Squared distance [m^2] and number of the group's nearest kept triangle (`place` or -1), infinite if none."""
     least = float64(INFINITY)
     number = int(LAST)
     if place >= 0:
@@ -134,36 +106,27 @@ def least_of_kept(q: vec3, place: int, sqdist: float64, tree: TriangleTree) -> v
 
 @cuda_func
 def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: float, bound: float64) -> vec2d:
-    """The squared distance [m^2] and the number of the nearest triangle of each group's query.
-
-    Args:
-        q: The query, the same in a group's lanes.
-        is_query: 0 in groups without one.
-        tree: The tree.
-        scale: As of `bound_distance`.
-        bound: A squared distance beyond which nothing is looked for.
-
-    Returns:
-        Infinite where nothing lies within the bound; something that lies at it or just beyond may be found.
+    """Squared distance [m^2] and number of the nearest triangle of each group's query; infinite if none is within
+    `bound`, though one slightly beyond may be found.
     """
     own = lane() % FAN
     group = lane() - own
     searching = is_query + 0
     reach = reach_of(bound)
-    place = int(-1)  # of the nearest triangle of the lane,
+    place = int(-1)  # of the lane's nearest triangle,
     low = 0.0  # a lower bound of its squared distance,
-    sqdist = float64(-1.0)  # and this itself where it was needed
+    sqdist = float64(-1.0)  # and the exact one if it was needed
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_place(level)  # a byte a level from 1 on: children not yet looked into
+    pending = int64(EVERY) << byte_place(level)  # one byte per level from 1 on: pending children
     distance = float(INFINITY)
-    above = float(INFINITY)  # the distances of the node of level 1
+    above = float(INFINITY)  # distances of the node of level 1
     if searching == 1:
         distance = distance_of_child(tree, level, node, BYTE, q)
     while ballot(searching) != 0:
         leaf = -1
         moving = searching + 0
-        while ballot(moving) != 0:  # until each group that goes on stands before a leaf
+        while ballot(moving) != 0:  # until each active group is at a leaf
             near = (ballot(1 if distance <= reach else 0) >> group) & BYTE
             if near == 0 and level == 0 and tree.root > 0:
                 level = 1
@@ -220,16 +183,16 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     return least_of_kept(q, place, sqdist, tree)
 
 
-NOBODY = -1  # the number of no triangle
-RUN = 16  # queries a thread
+NOBODY = -1  # no triangle
+RUN = 16  # queries per thread
 CURVE_LEVELS = 10  # of the curve that orders queries
 lane_numbers = vector(8, float32)
-lane_bounds = vector(16, float32)  # upper bounds of eight squared distances, then lower ones
+lane_bounds = vector(16, float32)  # upper bounds of eight squared distances, then lower bounds
 
 
 @func
 def bound_distances(corners: array(dtype=float32), leaf: int, q: vec3, scale: float) -> lane_bounds:
-    """Bounds of the squared distances [m^2] of a point from a leaf's triangles."""
+    """Bounds of the squared distances [m^2] from a point to a leaf's triangles."""
     bounds = lane_bounds(0.0)
     for j in range(LEAF):
         found = bound_distance(load_corners(corners, leaf * LEAF_NUMBERS + j), q, scale)
@@ -240,16 +203,7 @@ def bound_distances(corners: array(dtype=float32), leaf: int, q: vec3, scale: fl
 
 @func
 def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec4d) -> vec4d:
-    """The best so far after a leaf.
-
-    Args:
-        leaf: The leaf.
-        q: The query.
-        tree: The tree.
-        scale: A power of two that brings lengths of triangles near one.
-        best: An upper and a lower bound of the squared distance, the distance itself or -1 where it was not needed,
-            and the triangle's place or -1.
-    """
+    """Update `best` (upper and lower bound of the squared distance, exact or -1, position or -1) with a leaf."""
     bounds = bound_distances(tree.corners, leaf, q, scale)
     shortest = bounds[0]
     for j in range(1, LEAF):
@@ -294,7 +248,7 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
 
 @func
 def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: vec4d) -> vec4d:
-    """The best so far after the leaves of a node of level 0, the nearest first."""
+    """Update the best triangle with the leaves of a node of level 0, nearest first."""
     distances = measure_boxes(tree.boxes, node, q, q)
     result = best + vec4d(0.0, 0.0, 0.0, 0.0)
     searching = 1
@@ -310,7 +264,6 @@ def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: v
 
 @func
 def nearest_of(distances: lane_numbers, wanted: int) -> int:
-    """The nearest of those children whose bits are set."""
     nearest = 0
     least = float(INFINITY)
     for j in range(FAN):
@@ -323,11 +276,11 @@ def nearest_of(distances: lane_numbers, wanted: int) -> int:
 
 @func
 def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4d:
-    """The nearest triangle as `measure_leaf` has it, or `near` where none is nearer."""
+    """Nearest triangle as `measure_leaf`, or `near` if none is nearer."""
     best = near + vec4d(0.0, 0.0, 0.0, 0.0)
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_place(level)  # a byte a level: children not yet looked into
+    pending = int64(EVERY) << byte_place(level)  # one byte per level: pending children
     if level == 0:
         best = measure_bucket(0, q, tree, scale, best)
         level = 1
@@ -357,34 +310,21 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
 
 @struct
 class NearestTriangles:
-    """What queries have found so far.
-
-    Attributes:
-        sqdists: float64 [n], squared distances [m^2]; infinite where there is none, as for queries that are not finite.
-        meshes: int32 [n], which of several; NOBODY where there is none.
-        triangles: int32 [n], its triangle, NOBODY likewise.
-        order: int32 [n], the queries so that neighbours follow each other.
-    """
+    """Current results: `sqdists` [m^2], infinite if none; `meshes`, `triangles` or NOBODY; query `order`."""
 
     sqdists: array(dtype=float64)
     meshes: array(dtype=int32)
     triangles: array(dtype=int32)
 
     def __init__(self, queries: Points, order: Indices | None = None) -> None:
-        """Nothing yet, for vec3 queries; in an order of theirs, if it is given."""
+        """Initialize for vec3 queries, with their order if given."""
         device, n = queries.device, queries.size
         self.sqdists = full(n, math.inf, float64, device)
         self.meshes, self.triangles = full(n, NOBODY, int32, device), full(n, NOBODY, int32, device)
         self.order = order_in_box(queries, CURVE_LEVELS) if order is None else order
 
     def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
-        """Go on in one more mesh; of equally near triangles the one of the earlier mesh, then of lower number, stays.
-
-        Args:
-            tree: Its TriangleTree.
-            queries: Device array of vec3, about the tree's origin; those beyond 1.8e19 m find nothing.
-            mesh: Its number.
-        """
+        """Update with another mesh; ties keep the earlier one. `queries` are about its origin, up to 1.8e19 m."""
         n, run = queries.size, RUN
         threads = -(-n // run)
         if queries.device.is_cuda:
@@ -403,7 +343,6 @@ def find_nearest_triangles_kernel(
     mesh: int,
     nearest: NearestTriangles,
 ):
-    """Enter a mesh's triangle that is nearer than what a query has, for each of a run of queries."""
     i = tid()
     for rank in range(i * run, min((i + 1) * run, queries.shape[0])):
         row = query_order[rank]
@@ -431,7 +370,7 @@ def find_nearest_triangles_of_lanes_kernel(
     mesh: int,
     nearest: NearestTriangles,
 ):
-    """The same, eight lanes a query."""
+    """CUDA variant, eight lanes per query."""
     i = tid()
     rank = i // FAN
     row = query_order[min(rank, queries.shape[0] - 1)]
@@ -439,7 +378,7 @@ def find_nearest_triangles_of_lanes_kernel(
     searching = 1 if rank < queries.shape[0] and tree.count > 0 and isfinite(q) else 0
     least = nearest.sqdists[row]
     found = find_nearest_of_lanes(q, searching, tree, scale, min(least, float64(LARGEST_SQDIST)))
-    sync_lanes()  # all have read what one writes
+    sync_lanes()  # all lanes have read before one writes
     if i % FAN == 0 and found[0] < least:
         nearest.sqdists[row] = found[0]
         nearest.meshes[row] = mesh
@@ -447,7 +386,7 @@ def find_nearest_triangles_of_lanes_kernel(
 
 
 def scale_of(tree: TriangleTree) -> float:
-    """A power of two that brings the lengths of a tree's triangles near one."""
+    """Power of two that normalizes the lengths of a tree's triangles."""
     extent = float((tree.high.astype(np.float64) - tree.low).max()) if tree.count else 0.0
     size = extent / math.sqrt(max(1, tree.count))
     return 2.0 ** -round(math.log2(min(max(size, 1e-30), 1e30)))

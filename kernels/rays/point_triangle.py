@@ -1,23 +1,22 @@
-"""The point of a triangle that lies nearest to a query, in float64, and on which part of the triangle it lies.
+"""Nearest point of a triangle to a query in float64, and its feature (face, edge, corner).
 
-Inside the triangle it is the foot of the perpendicular (Ericson, Real-Time Collision Detection, 2004, section 5.1.5),
-else the nearest of the three edges'. Edges are measured from the end whose coordinates come first, so that triangles
-that share an edge or a corner are equally far to the bit where the nearest point lies there. A triangle without area,
-or narrower than a float32 can tell, is as near as its edges. Some 120 operations.
+Inside it is the perpendicular foot (Ericson, Real-Time Collision Detection, 2004, section 5.1.5), else the nearest of
+the edges. Edges start at the lexicographically smaller end, so triangles with a common edge or corner have bitwise
+equal distances there. Degenerate triangles count as their edges.
 """
 
 from ..algebra.transform import widen
 from ..lang import cross, dot, float64, func, vec2d, vec3, vec3d, vec4d
 
-NARROW = 1e-16  # sine squared of the angle at the first corner, below which the normal's rounding shows
-FACE = 0  # parts: the inside, the edges from corner 0, 1 and 2, and the corners
+NARROW = 1e-16  # squared sine of the first corner's angle, below which the normal is dominated by rounding
+FACE = 0  # features: face, edges from corner 0, 1 and 2, corners
 EDGE = 1
 CORNER = 4
 
 
 @func
 def stands_before(a: vec3d, b: vec3d) -> int:
-    """1 where the coordinates of a come before those of b."""
+    """1 if a is lexicographically before b."""
     before = 0
     if a[0] < b[0] or (a[0] == b[0] and (a[1] < b[1] or (a[1] == b[1] and a[2] < b[2]))):
         before = 1
@@ -26,7 +25,7 @@ def stands_before(a: vec3d, b: vec3d) -> int:
 
 @func
 def share_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
-    """How far along the edge from a to b the nearest point lies, 0..1."""
+    """Parameter of the nearest point on the edge from a to b, 0..1."""
     along = dot(p - a, b - a)
     whole = dot(b - a, b - a)
     share = float64(0.0)
@@ -39,7 +38,7 @@ def share_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
 
 @func
 def measure_edge(p: vec3d, a: vec3d, b: vec3d) -> vec2d:
-    """How far along the edge from a to b the nearest point lies, 0..1, and its squared distance [m^2]."""
+    """Parameter of the nearest point on the edge from a to b, 0..1, and its squared distance [m^2]."""
     swapped = stands_before(b, a)
     tail = a + vec3d(0.0, 0.0, 0.0)
     head = b + vec3d(0.0, 0.0, 0.0)
@@ -55,7 +54,6 @@ def measure_edge(p: vec3d, a: vec3d, b: vec3d) -> vec2d:
 
 @func
 def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
-    """`measure_triangle` for the three edges alone."""
     ab = measure_edge(p, a, b)
     bc = measure_edge(p, b, c)
     ca = measure_edge(p, c, a)
@@ -83,11 +81,7 @@ def measure_edges(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
 
 @func
 def measure_triangle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
-    """The nearest point of the triangle (a, b, c).
-
-    Returns:
-        The weights of b and c, the part of the triangle, and the squared distance [m^2].
-    """
+    """Nearest point of the triangle (a, b, c): weights of b and c, feature, squared distance [m^2]."""
     ab = b - a
     ac = c - a
     ap = p - a
@@ -109,5 +103,4 @@ def measure_triangle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
 
 @func
 def point_at(a: vec3, b: vec3, c: vec3, second: float64, third: float64) -> vec3d:
-    """The point with these weights of b and c."""
     return widen(a) * (1.0 - second - third) + widen(b) * second + widen(c) * third

@@ -1,9 +1,7 @@
-"""What rays meet in a scene: the first triangle, whether there is one, how many there are, and all of them in order.
+"""Ray queries against a scene: first hit, occlusion, hit count, and all hits in order.
 
-One thread a ray; reads 24 B of it and writes up to 32. Hits of one place at one parameter are one: so many triangles as
-may share an edge or a corner that the ray passes through, it is crossed once, and the one with the smallest number is
-it. Hits are counted and listed by asking for the next one again and again, so they come in order and want no memory.
-A ray that is not finite, or has no direction, meets nothing.
+One thread per ray. Hits of one object at the same parameter count once, with the smallest triangle number. Further hits
+are found by repeated queries, in order and without memory. Non-finite and zero-direction rays hit nothing.
 """
 
 import math
@@ -34,20 +32,13 @@ from .ray_hits import next_hit, turn_back
 from .scene_trees import NUMBER, ROW, SceneTrees
 from .triangle_tree import LEAF, leaf_corner
 
-NO_ID = -1  # as an unsigned number 0xFFFFFFFF
+NO_ID = -1  # 0xFFFFFFFF as unsigned
 BEFORE = -1.0  # a parameter before all others
 
 
 @struct
 class RayHits:
-    """What rays meet, one row a hit.
-
-    Attributes:
-        t_hit: float32, the parameter; infinite where nothing is met.
-        geometry_ids: int32, the number of the place; NO_ID where nothing is met.
-        primitive_ids: int32, the number of the triangle in its mesh; NO_ID likewise.
-        primitive_uvs: vec2, the weights of the triangle's second and third corner; 0 likewise.
-    """
+    """Hits of rays: `t_hit`, infinite if none; ids or NO_ID; `primitive_uvs`, weights of corners 2 and 3."""
 
     t_hit: array(dtype=float32)
     geometry_ids: array(dtype=int32)
@@ -62,19 +53,17 @@ class RayHits:
 
 @func
 def ray_origin(rays: array(dtype=float32), i: int) -> vec3:
-    """Where a ray begins."""
     return vec3(rays[6 * i], rays[6 * i + 1], rays[6 * i + 2])
 
 
 @func
 def ray_direction(rays: array(dtype=float32), i: int) -> vec3:
-    """Where it goes."""
     return vec3(rays[6 * i + 3], rays[6 * i + 4], rays[6 * i + 5])
 
 
 @func
 def normal_of(place: int, row: int, trees: SceneTrees) -> vec3:
-    """The unit normal of a triangle by the right-hand rule, in the scene's frame."""
+    """Unit normal of a triangle by the right-hand rule, in the scene's frame."""
     a = leaf_corner(trees.corners, place // LEAF, place % LEAF, 0)
     b = leaf_corner(trees.corners, place // LEAF, place % LEAF, 1)
     c = leaf_corner(trees.corners, place // LEAF, place % LEAF, 2)
@@ -84,7 +73,6 @@ def normal_of(place: int, row: int, trees: SceneTrees) -> vec3:
 
 @kernel
 def cast_rays_kernel(rays: array(dtype=float32), trees: SceneTrees, hits: RayHits, normals: array(dtype=vec3)):
-    """The first triangle that each ray meets."""
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
@@ -107,7 +95,6 @@ def cast_rays_kernel(rays: array(dtype=float32), trees: SceneTrees, hits: RayHit
 def test_occlusions_kernel(
     rays: array(dtype=float32), nearest: float, farthest: float, trees: SceneTrees, occluded: array(dtype=uint8)
 ):
-    """1 where a ray meets anything."""
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
@@ -117,7 +104,6 @@ def test_occlusions_kernel(
 
 @kernel
 def count_hits_kernel(rays: array(dtype=float32), trees: SceneTrees, counts: array(dtype=int32)):
-    """How often each ray meets a place."""
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
@@ -141,7 +127,6 @@ def list_hits_kernel(
     hits: RayHits,
     ray_ids: array(dtype=int32),
 ):
-    """All that each ray meets, in order."""
     i = tid()
     o = ray_origin(rays, i)
     d = ray_direction(rays, i)
@@ -159,15 +144,7 @@ def list_hits_kernel(
 
 
 def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
-    """The first triangle that each ray meets.
-
-    Args:
-        trees: SceneTrees.
-        rays: float32 device array [6 n], origin and direction in the scene's frame.
-
-    Returns:
-        (RayHits, vec3 [n] of unit normals, 0 where nothing is met).
-    """
+    """First hits of rays, float32 (6 n): (RayHits, unit normals vec3 (n), 0 without a hit)."""
     count = rays.size // 6
     hits, normals = RayHits(count, rays.device), empty(count, vec3, rays.device)
     launch(cast_rays_kernel, count, [rays, trees, hits, normals])
@@ -175,25 +152,20 @@ def cast_rays(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Vectors]:
 
 
 def test_occlusions(trees: SceneTrees, rays: Scalars, nearest: float = 0.0, farthest: float = math.inf) -> Mask:
-    """Whether each ray meets anything with a parameter from `nearest` to `farthest`: uint8 [n]."""
+    """True if a ray hits anything with a parameter from `nearest` to `farthest`: uint8 (n)."""
     occluded = empty(rays.size // 6, uint8, rays.device)
     launch(test_occlusions_kernel, occluded.size, [rays, nearest, farthest, trees, occluded])
     return occluded
 
 
 def count_hits(trees: SceneTrees, rays: Scalars) -> Integers:
-    """How often each ray meets a place, int32 [n]."""
     counts = empty(rays.size // 6, int32, rays.device)
     launch(count_hits_kernel, counts.size, [rays, trees, counts])
     return counts
 
 
 def list_hits(trees: SceneTrees, rays: Scalars) -> tuple[RayHits, Indices, Integers]:
-    """All that rays meet, by ray, then parameter, then number of the place.
-
-    Returns:
-        (RayHits, int32 [hits]: the ray of each, int32 [n + 1]: where those of each ray begin, and end).
-    """
+    """All hits by ray, parameter, object: (RayHits, ray of each hit int32, start of each ray int32 (n + 1))."""
     offsets, total = exclusive_scan(count_hits(trees, rays))  # sync
     hits, ray_ids = RayHits(total, rays.device), empty(total, int32, rays.device)
     launch(list_hits_kernel, rays.size // 6, [rays, offsets, trees, hits, ray_ids])

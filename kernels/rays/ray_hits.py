@@ -1,20 +1,9 @@
-"""The next triangle that a ray meets in a scene: by parameter, then by the number of the place, then of the triangle.
+"""Next hit of a ray in a scene, ordered by parameter, object, triangle.
 
-All queries of rays are this one. It takes each place whose box the ray enters, the nearest first, turns the ray into
-the frame of the mesh there, and walks that mesh's tree; what is farther than the best so far is left out.
-Equal parameters go to the smallest numbers, whatever the trees look like.
-
-The walk of a ray through a tree of boxes, and the triangles that it meets in a leaf. A ray is seen along its main axis,
-the largest component of its direction, as in Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1),
-2013: it is sheared to that axis, and what is left is where the origin lies in a triangle of the plane. The float32
-products of that test are compared, and where they are equal float64 decides, which holds them exactly: the side on
-which a ray passes an edge is the same for both triangles there, and no ray slips between them. Depth along the main
-axis and weights are float64; on an edge or a corner the depth is that of the edge or the corner alone, the same bits
-for all triangles there.
-
-A box is entered wherever a triangle in it could be met: its sides stand off by a margin that is larger than the
-rounding of the sheared corners and of the box's own test, so what is found depends on no box. The children of a node
-are measured together and the nearest is entered first; which are left is one byte a level, so there is no stack.
+Rays are sheared to their main axis (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
+Float32 edge products are compared, and ties are resolved exactly in float64, so no ray passes between adjacent
+triangles. Depth and weights are float64; on an edge or corner the depth is bitwise equal for all its triangles. Boxes
+are enlarged by more than all rounding, so results are independent of them. Nearest-first traversal.
 """
 
 from ..algebra.plain_min_max import larger, smaller
@@ -43,9 +32,9 @@ from .triangle_tree import LEAF, LEAF_NUMBERS
 BYTE = 255
 WHOLE_BYTE = 255
 FLATTEST = 1.0e-30
-MARGIN = 1.0e-6  # of the reach from the origin to the farthest corner: 16 roundings of float32, twice what there are
-STEEPEST = 1.0e30  # of the main axis' share to another's; steeper moves by less than the margin
-NOT_ENTERED = 0x7FFFFFFF  # larger than the bits of any number
+MARGIN = 1.0e-6  # of the distance to the farthest corner: 16 float32 roundings, twice the actual error
+STEEPEST = 1.0e30  # maximum slope to the main axis; steeper ones move by less than the margin
+NOT_ENTERED = 0x7FFFFFFF  # above the bits of any number
 entry_keys = vector(8, int32)
 leaf_walk = vector(4, int64)
 lane_numbers = vector(8, float32)
@@ -55,7 +44,6 @@ weights_and_depth = vector(3, float64)
 
 @func
 def find_main_axis(d: vec3) -> int:
-    """The axis of the largest component."""
     axis = 0
     if abs(d[1]) > abs(d[0]):
         axis = 1
@@ -73,7 +61,7 @@ def ray_axes(d: vec3) -> vec3i:
 
 @func
 def is_ray(o: vec3, d: vec3) -> int:
-    """1 where origin and direction are finite and the direction is not zero."""
+    """1 if origin and direction are finite and the direction is not zero."""
     found = 0
     if isfinite(o) and isfinite(d):
         if max(abs(d[0]), max(abs(d[1]), abs(d[2]))) > 0.0:
@@ -83,14 +71,14 @@ def is_ray(o: vec3, d: vec3) -> int:
 
 @func
 def shear_of(d: vec3, axes: vec3i) -> vec3:
-    """How far the ray moves along the other axes a unit of the main one, and the main component."""
+    """Shear along the other axes per unit of the main one, and the main component."""
     main = d[axes[2]]
     return vec3(d[axes[0]] / main, d[axes[1]] / main, main)
 
 
 @func
 def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3:
-    """How much the boxes' sides stand off, by axis, with the sign of the direction."""
+    """Margins of the boxes' sides per axis, with the sign of the direction."""
     reach = vec3(0.0, 0.0, 0.0)
     for k in range(3):
         reach[k] = larger(abs(low[k] - o[k]), abs(high[k] - o[k]))
@@ -103,7 +91,7 @@ def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3
 
 @func
 def rates_of(d: vec3, axes: vec3i) -> vec3:
-    """How much depth along the main axis a unit of each axis takes; with the direction's sign."""
+    """Depth along the main axis per unit of each axis; with the direction's sign."""
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
@@ -114,7 +102,7 @@ def rates_of(d: vec3, axes: vec3i) -> vec3:
 
 @func
 def near_sides(d: vec3) -> vec3i:
-    """Where in a record the sides begin at which the ray enters boxes, by axis."""
+    """Offsets in a record of the sides at which the ray enters boxes, per axis."""
     sides = vec3i(0, 0, 0)
     for k in range(3):
         sides[k] = k * FAN if d[k] >= 0.0 else (k + 3) * FAN
@@ -125,10 +113,7 @@ def near_sides(d: vec3) -> vec3i:
 def measure_entries(
     boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
 ) -> entry_keys:
-    """Where a ray enters the boxes of a node's children: the bits of the depth, the lowest three the child's number.
-
-    NOT_ENTERED for those that it does not enter by `reach`. Bits of depths, none negative, compare as the depths do.
-    """
+    """Depth bits at which a ray enters the child boxes, lowest three bits the child; NOT_ENTERED beyond `reach`."""
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -152,7 +137,6 @@ def measure_entries(
 
 @func
 def first_entered(keys: entry_keys, left: int) -> int:
-    """The smallest key of the children whose bits are set."""
     passed = BYTE ^ left
     open_keys = keys
     for j in range(FAN):
@@ -164,7 +148,6 @@ def first_entered(keys: entry_keys, left: int) -> int:
 
 @func
 def entered_bits(keys: entry_keys) -> int:
-    """A byte: bit j is set where child j is entered."""
     bits = keys
     for j in range(FAN):
         bits[j] = ((keys[j] - NOT_ENTERED) >> 31) & (1 << j)
@@ -184,7 +167,7 @@ def leaves_on_ray(
     begin: float,
     reach: float,
 ) -> int:
-    """The leaves whose boxes a ray enters by `reach`, which the body may shrink; the nearest of siblings first."""
+    """Leaves whose boxes a ray enters by `reach`, which the body may shrink; nearest sibling first."""
     level = root
     node = 0
     pending = ~int64(0)
@@ -230,10 +213,7 @@ def next_leaf(
     begin: float,
     reach: float,
 ) -> leaf_walk:
-    """Go on to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 where there is no other.
-
-    The walk is the level, the node, a byte a level of what is left to visit, and the leaf.
-    """
+    """Advance to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 at the end."""
     level = int(step[0])
     node = int(step[1])
     pending = step[2]
@@ -262,10 +242,7 @@ def next_leaf(
 
 @func
 def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, shear: vec3) -> int:
-    """A bit for each triangle of a leaf that the ray meets as far as float32 tells; those that it does are among them.
-
-    Of two products that differ the float32 ones never stand the other way round; equal ones count for either side.
-    """
+    """Bit mask of the leaf triangles that the ray may hit, by float32 products (monotonic; ties are hits)."""
     x = leaf * LEAF_NUMBERS + axes[0] * LEAF
     y = leaf * LEAF_NUMBERS + axes[1] * LEAF
     z = leaf * LEAF_NUMBERS + axes[2] * LEAF
@@ -286,7 +263,7 @@ def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, sh
         u = cx * by - cy * bx
         v = ax * cy - ay * cx
         w = bx * ay - by * ax
-        # not negative where all three have one sign, or none
+        # non-negative if all three have one sign, or zero
         sides[j] = larger(smaller(u, smaller(v, w)), -larger(u, larger(v, w)))
     found = 0
     for j in range(LEAF):
@@ -296,17 +273,13 @@ def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, sh
 
 @func
 def cross_products(ax: float, ay: float, bx: float, by: float) -> float64:
-    """ax by - ay bx; both products are exact, so its sign is."""
+    """ax by - ay bx with exact products, so its sign is exact."""
     return float64(ax) * float64(by) - float64(ay) * float64(bx)
 
 
 @func
 def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) -> weights_and_depth:
-    """The weights of two points in the plane at the zero between them, and the depth there.
-
-    The same bits for (b, a), the other way round: it is the edge's lower end that they are counted from. One division
-    comes last, so where all is whole numbers the depth of an origin that lies on the edge is zero and nothing else.
-    """
+    """Weights of two points at the zero between them, and the depth, bitwise symmetric; zeros stay exact."""
     swapped = 1 if bx < ax or (bx == ax and by < ay) else 0
     p = float64(bx if swapped == 1 else ax)
     q = float64(ax if swapped == 1 else bx)
@@ -328,10 +301,7 @@ def meet_edge(ax: float, ay: float, az: float, bx: float, by: float, bz: float) 
 def meet_triangle(
     corners: array(dtype=float32), leaf: int, lane: int, o: vec3, axes: vec3i, shear: vec3
 ) -> depth_and_weights:
-    """The depth along the main axis at which a ray's line meets a triangle, and the weights of its corners.
-
-    The depth is infinite where it meets it nowhere, or along all of it.
-    """
+    """Depth along the main axis of a triangle hit, and corner weights; infinite depth for no hit or a coplanar line."""
     at = leaf * LEAF_NUMBERS + lane
     x = at + axes[0] * LEAF
     y = at + axes[1] * LEAF
@@ -355,7 +325,7 @@ def meet_triangle(
     met = depth_and_weights(float64(INFINITY), zero, zero, zero)
     if total != zero and (min(u, min(v, w)) >= zero or max(u, max(v, w)) <= zero):
         depth = (u * float64(az) + v * float64(bz) + w * float64(cz)) / total
-        u = u / total + zero  # no minus zero
+        u = u / total + zero  # avoids minus zero
         v = v / total + zero
         w = w / total + zero
         if u == zero and v != zero and w != zero:
@@ -374,35 +344,33 @@ def meet_triangle(
             v = edge[1]
             depth = edge[2]
         if u == one or v == one or w == one:
-            depth = u * float64(az) + v * float64(bz) + w * float64(cz)  # the corner's own
+            depth = u * float64(az) + v * float64(bz) + w * float64(cz)  # exact at a corner
         if shear[2] < 0.0:
-            depth = zero - depth  # no minus zero
+            depth = zero - depth  # avoids minus zero
         met = depth_and_weights(depth, u, v, w)
     return met
 
 
-WIDER = 1.000001  # of a depth that bounds a walk from above: the roundings of its product
-NARROWER = 0.999999  # and from below
-NOWHERE = 2**31 - 1  # the number of what is not there
-hit = vector(5, float64)  # the parameter, the place's row, where the triangle stands in the order, weights of 2 corners
+WIDER = 1.000001  # upper bound of a depth, including rounding
+NARROWER = 0.999999  # lower bound
+NOWHERE = 2**31 - 1  # number of missing objects
+hit = vector(5, float64)  # parameter, object row, triangle position, weights of 2 corners
 
 
 @func
 def no_hit() -> hit:
-    """What is found where nothing is met."""
     nothing = float64(0.0)
     return hit(float64(INFINITY), nothing, nothing, nothing, nothing)
 
 
 @func
 def vector_at(motions: array(dtype=float64), at: int) -> vec3d:
-    """Three numbers of a place."""
     return vec3d(motions[at], motions[at + 1], motions[at + 2])
 
 
 @func
 def turn_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
-    """A direction of the scene in the frame of the mesh at a place."""
+    """Rotate a direction from the scene to an object's mesh frame."""
     at = row * MOTION
     x = vector_at(motions, at)
     y = vector_at(motions, at + 3)
@@ -416,7 +384,7 @@ def turn_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
 
 @func
 def turn_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
-    """A direction in the frame of the mesh at a place, in the scene's."""
+    """Rotate a direction from an object's mesh frame to the scene."""
     at = row * MOTION
     return vector_at(motions, at) * n[0] + vector_at(motions, at + 3) * n[1] + vector_at(motions, at + 6) * n[2]
 
@@ -425,7 +393,7 @@ def turn_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
 def next_place(
     step: leaf_walk, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float, trees: SceneTrees
 ) -> leaf_walk:
-    """`next_leaf` of the tree over the places, with room for the roundings of depths."""
+    """`next_leaf` of the object tree, with a margin for rounding of depths."""
     low = begin * NARROWER
     high = reach * WIDER
     return next_leaf(step, trees.place_levels, trees.place_root, trees.place_boxes, near, a, b, rates, low, high)
@@ -433,7 +401,7 @@ def next_place(
 
 @loop
 def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
-    """The rows of the places whose boxes a ray enters by `farthest`, which the body may shrink; a single one anyway."""
+    """Rows of objects whose boxes a ray enters by `farthest`, which may shrink; always includes a single one."""
     nothing = vec3(0.0, 0.0, 0.0)
     axes = ray_axes(d)
     main = abs(d[axes[2]])
@@ -460,18 +428,7 @@ def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: Scen
 def next_hit(
     o: vec3, d: vec3, nearest: float, farthest: float, after: float64, above: int, any_hit: int, trees: SceneTrees
 ) -> hit:
-    """The first hit of a ray with a parameter from `nearest` to `farthest`.
-
-    Args:
-        o, d: The ray in the scene's frame.
-        nearest, farthest: Both included; not negative.
-        after, above: Only hits of a larger parameter than `after`, or of this one at places numbered above `above`.
-        any_hit: 1 where any hit will do.
-        trees: The scene.
-
-    Returns:
-        no_hit() where there is none, or the ray is none.
-    """
+    """First hit in `nearest`..`farthest` after (`after`, object `above`), or any hit with `any_hit`, or no_hit()."""
     best = no_hit()
     if is_ray(o, d) == 1:
         best_t = farthest

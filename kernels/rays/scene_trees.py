@@ -1,9 +1,5 @@
-"""The trees of several meshes in shared arrays, and a tree over the places where they stand.
-
-A mesh that stands at several places is there once: a place is a row of 16 whole and 18 float64 numbers, and a pose that
-changes writes these rows and the boxes of the upper tree, nothing of the meshes. The upper tree is one of boxes as a
-TriangleTree's is, its leaves the places themselves, in Hilbert order of their middles. A scene of one mesh shares the
-mesh's arrays.
+"""Trees of several meshes in shared arrays, and a tree over the objects (posed instances). Pose changes rewrite only
+the object rows and the upper tree. Objects are in Hilbert order of their centers.
 """
 
 import itertools
@@ -18,29 +14,17 @@ from ..search.hilbert_order import HilbertOrder
 from ..search.point_tree import FAN, SIDES
 from .triangle_tree import TriangleTree
 
-LEVELS = 12  # more than 2^31 triangles have
-ROW = 16  # whole numbers a place: LEVELS firsts of levels, the root, the first leaf, the place's number
+LEVELS = 12  # sufficient for 2^31 triangles
+ROW = 16  # integers per object: LEVELS level starts, root, first leaf, object number
 ROOT, FIRST_LEAF, NUMBER = 12, 13, 14
-MOTION = 18  # numbers a place: the rotation and the shift from the scene to the mesh, the mesh's box
-SLACK = 1.0e-5  # of a box's size and place, by which a place's box is larger: float32 in the mesh's frame rounds else
+MOTION = 18  # numbers per object: rotation and shift from scene to mesh, mesh box
+SLACK = 1.0e-5  # relative enlargement of an object's box: float32 rounds differently in the mesh frame
 
 
 @struct
 class SceneTrees:
-    """The trees of a scene's meshes, and where they stand.
-
-    Args:
-        trees: TriangleTrees, all on one device; at least one.
-        tree_of: Which of them stands at each place.
-        poses: float64 [places, 4, 4], from each mesh's frame (its stored vertices) to the scene's.
-
-    Attributes:
-        boxes, corners, order: Those of all trees, one after the other; the trees' own become parts of them.
-        rows: int32, ROW numbers a place, in the order of the upper tree's leaves.
-        motions: float64, MOTION numbers a place.
-        place_count: Places.
-        place_boxes, place_levels, place_root: The upper tree; level 0's children are places.
-        low, high: The box of the scene, float32 [3].
+    """Trees of a scene's meshes, and poses (mesh to scene) of its objects. `rows` (ROW integers) and `motions` (MOTION
+    numbers) per object, in the order of the upper tree `place_boxes`, `place_levels`, `place_root`.
     """
 
     boxes: array(dtype=float32)
@@ -63,7 +47,6 @@ class SceneTrees:
         self.put(poses)
 
     def put(self, poses: np.ndarray) -> None:
-        """Let the places have these poses, float64 [places, 4, 4]."""
         count = self.place_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
         R = poses[:, :3, :3]
@@ -73,7 +56,7 @@ class SceneTrees:
         motions[:, 15:] = [self.trees[t].high for t in self.tree_of]
         low, high = _boxes_of_places(motions[:, 12:15], motions[:, 15:], poses)
         middles = np.where(low <= high, low / 2, 0) + np.where(low <= high, high / 2, 0)
-        # an empty box is infinite: what a walk reckons with is a point, since infinity less itself would be NaN
+        # an empty box is infinite: use a point instead, since infinity - infinity is NaN
         motions[:, 12:][~(low <= high).all(axis=1)] = 0
         order = np.zeros(1, np.int32)
         if count > 1:
@@ -112,7 +95,7 @@ def _joined(trees: Sequence[TriangleTree], name: str, dtype: type[Element]) -> A
 
 
 def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The boxes of meshes under their poses, larger by SLACK and rounded outwards to float32."""
+    """Boxes of posed meshes, enlarged by SLACK and rounded outwards to float32."""
     corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
     empty_rows = ~np.isfinite(corners).all(axis=(1, 2))
     corners[empty_rows] = 0
@@ -125,7 +108,7 @@ def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tu
 
 
 def _stacked_boxes(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The boxes of all levels above some boxes, float32 [SIDES a record], and where the levels begin, and end."""
+    """Boxes of all levels above some boxes, float32 (SIDES per record), and the start and end of each level."""
     records, first = [], [0]
     while True:
         count = max(1, -(-len(low) // FAN))

@@ -1,10 +1,5 @@
-"""The voxels of a grid whose centres lie inside a closed surface, by parity along columns.
-
-A line through the centres of each column crosses a closed surface an even number of times; between the first and the
-second crossing, the third and the fourth, and so on, it is inside. Whether it crosses a triangle is decided by the
-triangle's edges, each taken from its lower end in y whichever triangle asks, so that a line through a shared edge or
-vertex crosses a closed surface an even number of times too. One thread a triangle and column, then one a pair of
-crossings. In float64; the same voxels on every device. 8 B a column of a triangle, about 30 B a crossing, 8 B a voxel.
+"""Voxels whose centers are inside a closed surface, by parity along columns in float64. Edges are evaluated from their
+lower end in y, so shared edges and vertices are counted consistently.
 """
 
 import numpy as np
@@ -22,7 +17,7 @@ CELL_BYTES = 52
 
 @func
 def edge_is_right(a: vec3d, b: vec3d, x: float64, y: float64) -> int:
-    """1 where an edge, seen along z, crosses the ray from (x, y) towards +x; the same for (a, b) and (b, a)."""
+    """1 if an edge, seen along z, crosses the ray from (x, y) to +x; symmetric in a and b."""
     crosses = 0
     if (a[1] > y) != (b[1] > y):
         low = a
@@ -45,10 +40,7 @@ def cross_columns_kernel(
     crossed: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """Whether a column's line crosses its triangle, or (writing) the column and the first voxel centred above.
-
-    As `visit_columns_kernel` counts.
-    """
+    """Whether a column crosses its triangle, or (writing) the column and the first voxel centered above."""
     i = tid()
     count = columns[columns.shape[0] - 1]
     if is_writing == 0:
@@ -85,7 +77,7 @@ def cross_columns_kernel(
 def fill_pairs_kernel(
     crossings: array(dtype=int64), depth: int, is_writing: int, counts: array(dtype=int32), keys: array(dtype=int64)
 ):
-    """The voxels between each two crossings: how many, or (writing) their keys from `counts` on."""
+    """Voxels between each two crossings: the count, or (writing) their keys from `counts` on."""
     i = tid()
     tall = int64(depth + 1)
     place = crossings[2 * i] // tall
@@ -99,18 +91,12 @@ def fill_pairs_kernel(
 
 
 def crossed_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
-    """The columns along z that triangles may cross."""
     return Columns(cross_columns_kernel, vertices, triangles, frame, 1)
 
 
 def inner_voxels(columns: Columns, frame: VoxelFrame) -> Keys:
-    """The keys of the voxels whose centres a closed surface encloses, int64 device array, each once; one sync.
-
-    Every edge of the surface belongs to two triangles; none has a corner that is not finite. Columns are settled.
-
-    Raises:
-        ValueError: More than 2^31 - 1 voxels.
-        MemoryError: The device has no room for them.
+    """Distinct keys of the voxels with centers inside a closed surface with finite corners; one sync. Raises ValueError
+    for more than 2^31 - 1 voxels, MemoryError without room.
     """
     device, found = columns.device, columns.found
     check_room(device, found * CROSSING_BYTES, f"voxel_size: {found:,} crossings of columns")

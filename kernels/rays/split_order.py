@@ -1,9 +1,5 @@
-"""Points in an order whose aligned runs are compact: halved along the longest side again and again.
-
-A run of 2 s places is cut into its first s and the rest along the longest side of the box of its points, for s from the
-largest down to `unit`, in powers of two: an order for trees whose nodes hold aligned runs. Each step is one sort by run
-and coordinate, the coordinate in 2^16 steps of its run's box; equal ones keep their order, so points in one place stand
-by number. At 70,000 points those are 14 sorts, where a Hilbert curve takes one; rays take two thirds of the time.
+"""Point order by recursive splits along the longest side of the box, for trees over aligned runs. One sort per level
+(14 at 70,000 points, a Hilbert curve takes one), but ray casting takes two thirds of the time.
 """
 
 from ..array_types import Indices, Points
@@ -28,8 +24,8 @@ from ..lang import (
 )
 from ..memory import full
 
-RUN = 512  # points that a thread bounds, on CUDA a warp: the atomics of a run cost little beside its reads
-STEP_BITS = 16  # of a coordinate in its run
+RUN = 512  # points bounded per thread, on CUDA per warp: few atomics
+STEP_BITS = 16  # of a coordinate in its run's box
 STEPS = 65535.0
 
 
@@ -42,7 +38,7 @@ def bound_runs_kernel(
     low: array(dtype=float32),
     high: array(dtype=float32),
 ):
-    """Shrink the box of a run around one of its parts; least and largest are the same in any order."""
+    """Shrink the box of a run around one of its parts (integer atomics)."""
     i = tid()
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
@@ -65,7 +61,6 @@ def bound_runs_by_lanes_kernel(
     low: array(dtype=float32),
     high: array(dtype=float32),
 ):
-    """A part a warp."""
     i = tid()
     head = i // WARP * part
     last = min(head + part, order.shape[0])
@@ -87,7 +82,6 @@ def bound_runs_by_lanes_kernel(
 
 @func
 def longest_side(low: array(dtype=float32), high: array(dtype=float32), run: int) -> int:
-    """The axis along which a box is longest; the first of several."""
     axis = 0
     for k in range(1, 3):
         if high[3 * run + k] - low[3 * run + k] > high[3 * run + axis] - low[3 * run + axis]:
@@ -104,7 +98,7 @@ def key_places_kernel(
     high: array(dtype=float32),
     keys: SortKeys,
 ):
-    """The run of each place above the coordinate of its point along the run's longest side."""
+    """Run of each position above the coordinate along the run's longest side."""
     i = tid()
     run = i // size
     axis = longest_side(low, high, run)
@@ -118,13 +112,7 @@ def key_places_kernel(
 
 
 def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
-    """Rows of finite points, int32 [count], in such an order; no sync.
-
-    Args:
-        points: Device array of vec3.
-        rows: Those that are finite, ascending.
-        unit: Points of the smallest runs.
-    """
+    """Finite `rows` (ascending) of points in split order, int32; `unit` points in the smallest runs; no sync."""
     device, count, order = points.device, rows.size, rows
     half = unit
     while 2 * half < count:

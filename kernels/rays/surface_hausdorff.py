@@ -1,14 +1,7 @@
-"""The largest distance from a surface to another one, between two bounds that close in on each other.
-
-The distance to one triangle is convex, so over a piece of the surface it is largest at a corner; and the distance to
-the other surface is at most that to any one of its triangles. So a piece lies within the largest distance of its
-corners from the triangle nearest to its middle. What may still lie farther than the farthest point that is known is cut
-into four, in rounds, all pieces of a round at once; after a few rounds only those about the farthest points are left.
-(Tang, Lee and Kim, "Interactive Hausdorff distance computation for general polygonal models", SIGGRAPH 2009, bounds
-alike.) 120 B a piece.
-
-The first round looks at all triangles, and says how many pieces there are to be. From there on rounds follow each other
-on the device, in room for four times as many; where more are left, the host makes room for four times those.
+"""One-sided Hausdorff distance between surfaces by converging bounds, as in Tang, Lee and Kim, "Interactive Hausdorff
+distance computation for general polygonal models", SIGGRAPH 2009. The distance to one triangle is convex, so a piece is
+bounded by the corner distances to the triangle nearest to its center. Pieces that may exceed the known maximum are
+split into four, in rounds on the device.
 """
 
 import math
@@ -49,17 +42,17 @@ from .nearest_triangle import NOBODY, NearestTriangles
 from .point_triangle import measure_triangle
 from .triangle_tree import TriangleTree
 
-MOST_PIECES = 2**22  # of a round: about 500 MB
-LEAST_ROOM = 1024  # pieces of a round
-ROUNDS = 24  # a float32 has as many bits to halve
-# What is known: a distance that some point has, one that none exceeds, the largest bound of the round, the pieces of
-# the next round, how many rounds there were, and whether there is to be another one.
+MOST_PIECES = 2**22  # per round: about 500 MB
+LEAST_ROOM = 1024  # pieces per round
+ROUNDS = 24  # mantissa bits of float32
+# Lower bound, upper bound, largest bound of the round, pieces of
+# the next round, rounds so far, and whether another round is needed.
 LEAST, MOST, BOUND, COUNT, TURN, WANTED, NUMBERS = range(7)
 
 
 @kernel
 def take_roots_kernel(sqdists: array(dtype=float64), points: array(dtype=vec3), distances: array(dtype=float64)):
-    """Distances from squared ones; NaN for points that are not finite."""
+    """Distances from squared ones; NaN for non-finite points."""
     i = tid()
     p = points[i]
     distances[i] = sqrt(sqdists[i]) + float64((p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]))  # zero, or NaN
@@ -67,14 +60,13 @@ def take_roots_kernel(sqdists: array(dtype=float64), points: array(dtype=vec3), 
 
 @reduction
 def square_distance(distances: array(dtype=float64)) -> vec2d:
-    """The square of each distance."""
     i = tid()
     return vec2d(distances[i] * distances[i], 0.0)
 
 
 @kernel
 def find_farthest_vertex_kernel(distances: array(dtype=float64), used: array(dtype=int32), known: array(dtype=float64)):
-    """The largest finite distance of a vertex that triangles use; the atomic settles which."""
+    """Largest finite distance of a used vertex (atomic maximum)."""
     i = tid()
     if used[i] == 1 and isfinite(distances[i]):
         atomic_max(known, 0, distances[i])
@@ -82,14 +74,13 @@ def find_farthest_vertex_kernel(distances: array(dtype=float64), used: array(dty
 
 @kernel
 def start_known_kernel(largest: array(dtype=float64), known: array(dtype=float64)):
-    """The largest of some distances that points have; the atomic settles which."""
+    """Maximum of known distances (atomic)."""
     i = tid()
     atomic_max(known, LEAST, largest[i])
 
 
 @kernel
 def list_pieces_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), pieces: array(dtype=vec3)):
-    """The corners of triangles."""
     i = tid()
     t = triangles[i]
     for k in range(3):
@@ -98,17 +89,8 @@ def list_pieces_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i
 
 @struct
 class Pieces:
-    """The pieces of a round, in room for some.
-
-    Attributes:
-        pieces: vec3 [6 room], the corners of this round's pieces in one half, those of the next in the other.
-        middles: vec3 [room], those of this round's pieces; NaN behind them.
-        nearest: What is nearest to the middles.
-        bounds: float64 [room], how far each piece reaches at most, -1 where there is none.
-        ranks: int32 [room], how many pieces up to each are to be cut, itself included.
-        room: Pieces.
-        known: float64 [NUMBERS], what is known so far.
-        running: int32 [1], 1 while there is another round, and room for it.
+    """Pieces of a round. `pieces`: corners of this and the next round; `middles`, NaN padding; `bounds`, -1 if unused;
+    `ranks`: inclusive counts of pieces to split; `known` (NUMBERS).
     """
 
     pieces: array(dtype=vec3)
@@ -121,7 +103,7 @@ class Pieces:
     running: array(dtype=int32)
 
     def __init__(self, room: int, known: Doubles, corners: Points | None = None) -> None:
-        """Room for pieces; those with the given corners fill it."""
+        """Allocate room for pieces; given corners fill it."""
         device, self.room, self.known = known.device, room, known
         self.pieces = empty(6 * room, vec3, device) if corners is None else corners
         self.middles, self.bounds = empty(room, vec3, device), empty(room, float64, device)
@@ -129,7 +111,7 @@ class Pieces:
         self._scan = LoopScan(room, device)
 
     def look(self, tree: TriangleTree, tolerance: float, *, in_turn: bool) -> None:
-        """Bound the pieces of a round, and decide about the next; `in_turn` where one is near the one before it."""
+        """Bound the pieces of a round and decide on the next; `in_turn`: consecutive pieces are close."""
         if not in_turn:
             launch(find_piece_middles_kernel, self.room, [self])
             self.nearest = NearestTriangles(self.middles)
@@ -142,7 +124,7 @@ class Pieces:
         launch(end_round_kernel, 1, [self, tolerance])
 
     def go_on(self, tree: TriangleTree, tolerance: float, before: "Pieces") -> None:
-        """Cut what is left of earlier pieces, and go on until the bounds have met or there is no room; no sync."""
+        """Split the remaining pieces, and continue until the bounds meet or the room is exhausted; no sync."""
         self.nearest = NearestTriangles(self.middles, positions(self.room, self.known.device))
         launch(cut_pieces_kernel, before.room, [before, self.pieces, 3 * self.room])
         fill(self.running, 1)
@@ -156,7 +138,7 @@ class Pieces:
 
 @func
 def half_of(given: Pieces, turn: int) -> int:
-    """Where the corners of a round's pieces begin: of the first ones there is but one half."""
+    """Start of the corners of a round's pieces; the first round has only one half."""
     first = 0
     if given.pieces.shape[0] > 3 * given.room and turn % 2 == 1:
         first = 3 * given.room
@@ -165,7 +147,6 @@ def half_of(given: Pieces, turn: int) -> int:
 
 @func
 def middle_of_piece(i: int, first: int, given: Pieces) -> vec3:
-    """The middle of a piece."""
     at = first + 3 * i
     total = widen(given.pieces[at]) + widen(given.pieces[at + 1]) + widen(given.pieces[at + 2])
     return narrow(total / 3.0)
@@ -173,14 +154,13 @@ def middle_of_piece(i: int, first: int, given: Pieces) -> vec3:
 
 @kernel
 def find_piece_middles_kernel(given: Pieces):
-    """The middles of the first pieces, which fill their room."""
     i = tid()
     given.middles[i] = middle_of_piece(i, 0, given)
 
 
 @kernel
 def start_round_kernel(given: Pieces):
-    """The middles of a round's pieces; nothing is near them yet."""
+    """Centers of a round's pieces, with nothing near them yet."""
     i = tid()
     middle = vec3(NAN, NAN, NAN)
     if i < int(given.known[COUNT]):
@@ -192,14 +172,13 @@ def start_round_kernel(given: Pieces):
 
 @func
 def measure_row(p: vec3, vertices: array(dtype=vec3), t: vec3i) -> float64:
-    """The squared distance of a point from a triangle."""
     found = measure_triangle(widen(p), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
     return found[3]
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: array(dtype=vec3i)):
-    """How far a piece reaches at most; its middle is a point that is known. The atomics settle the largest."""
+    """Upper bound of a piece; its center is a sample (atomic maxima)."""
     i = tid()
     bound = float64(-1.0)
     row = given.nearest.triangles[i]
@@ -212,7 +191,7 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
             most = max(most, measure_row(given.pieces[first + k], vertices, t))
         bound = sqrt(most)
         distance = sqrt(given.nearest.sqdists[i])
-        if distance > given.known[LEAST]:  # spares the atomic where it would change nothing
+        if distance > given.known[LEAST]:  # saves needless atomics
             atomic_max(given.known, LEAST, distance)
         if isfinite(bound) and bound > given.known[BOUND]:
             atomic_max(given.known, BOUND, bound)
@@ -221,14 +200,13 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
 
 @kernel
 def mark_far_pieces_kernel(given: Pieces, tolerance: float64):
-    """1 where a piece may reach farther than what is known."""
     i = tid()
     given.ranks[i] = 1 if given.bounds[i] > given.known[LEAST] + tolerance else 0
 
 
 @kernel
 def end_round_kernel(given: Pieces, tolerance: float64):
-    """What the round has found: the bounds, how many pieces are to be cut, and whether there is another round."""
+    """Store the bounds, the count of pieces to split and whether another round is needed."""
     i = tid()
     left = int64(given.ranks[given.room - 1])
     most = max(given.known[BOUND], given.known[LEAST])
@@ -246,7 +224,7 @@ def end_round_kernel(given: Pieces, tolerance: float64):
 
 @kernel
 def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
-    """Each piece that is to be cut in four, at the middles of its edges, where there is room; of the round before."""
+    """Split each selected piece of the previous round into four at its edge midpoints."""
     i = tid()
     before = 0
     if i > 0:
@@ -284,10 +262,7 @@ def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
 
 
 def distances_to(points: Points, tree: TriangleTree) -> Doubles:
-    """The distances [m] of vec3 points about a tree's origin from its triangles, float64.
-
-    Infinite where there are none or they lie 1.8e19 m away, NaN for points that are not finite.
-    """
+    """Distances [m] of points (about a tree's origin) to its triangles, float64; infinite beyond 1.8e19 m."""
     nearest = NearestTriangles(points)
     nearest.look_into(tree, points, 0)
     distances = empty(points.size, float64, points.device)
@@ -296,33 +271,24 @@ def distances_to(points: Points, tree: TriangleTree) -> Doubles:
 
 
 def sum_squares(distances: Doubles) -> Array1[vec2d]:
-    """The sum of the squares of float64 distances, all finite, and 0: on the device; no sync."""
+    """(sum of squares of finite float64 distances, 0) on the device; no sync."""
     return reduce(square_distance, distances.size, [distances])
 
 
 def root_mean_square(found: np.ndarray, count: int) -> float:
-    """The root of the mean square of so many distances, of what the host has read of `sum_squares`."""
+    """RMS of `count` distances from the host value of `sum_squares`."""
     return math.sqrt(float(found[0][0]) / count)
 
 
 class FarthestSearch:
-    """Bounds of the largest distance [m] of the points of a mesh from another one.
-
-    Args:
-        vertices: Device array of vec3, about the other mesh's origin.
-        triangles: Device array of vec3i.
-        tree: The other mesh's TriangleTree.
-        distances: float64 device array of distances that points of the mesh have, none negative.
-        tolerance: How far the bounds may be apart.
-
-    Attributes:
-        known: float64 [NUMBERS] on the device, for `told`.
+    """Bounds of the largest distance [m] from a mesh (about the other mesh's origin) to another one, closer than
+    `tolerance`, from known `distances` of its points. Read `known` with `told`.
     """
 
     def __init__(
         self, vertices: Points, triangles: Triangles, tree: TriangleTree, distances: Doubles, tolerance: float
     ) -> None:
-        """Look at all triangles; no sync."""
+        """Process all triangles once; no sync."""
         device = vertices.device
         self._tree, self._tolerance, self.known = tree, tolerance, zeros(NUMBERS, float64, device)
         used = zeros(vertices.size, int32, device)
@@ -335,7 +301,7 @@ class FarthestSearch:
         self._pieces.look(tree, tolerance, in_turn=False)
 
     def is_done(self, found: np.ndarray) -> bool:
-        """Whether what the host has read are the bounds; else they are read again: it goes on (no sync)."""
+        """True if the host values are final; else continue and read again (no sync)."""
         if not found[WANTED]:
             return True
         before, room = self._pieces, max(LEAST_ROOM, min(4 * int(found[COUNT]), MOST_PIECES))
@@ -345,13 +311,12 @@ class FarthestSearch:
 
     @staticmethod
     def told(found: np.ndarray) -> tuple[float, float]:
-        """(least, most): a distance that some point has, and one that none exceeds. They are farther apart than the
-        tolerance only where MOST_PIECES would not do."""
+        """(lower, upper) bound; farther apart than the tolerance only if MOST_PIECES was exceeded."""
         return float(found[LEAST]), float(found[MOST])
 
 
 def search_farthest(searches: Sequence[FarthestSearch], found: Sequence[np.ndarray]) -> list[tuple[float, float]]:
-    """What searches find, of the numbers of each that the host has read; one sync where some go on, rarely more."""
+    """Results of searches from host values; one sync if some continue, rarely more."""
     numbers = list(found)
     while left := [k for k, search in enumerate(searches) if not search.is_done(numbers[k])]:
         for k, values in zip(left, read_together([searches[k].known for k in left]), strict=True):  # sync

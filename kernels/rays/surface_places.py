@@ -1,9 +1,4 @@
-"""Where points stand on a surface: the nearest triangle of each, and the point there as weights of its corners.
-
-What carries values from one mesh to another of the same shape, and draws points back onto a surface. Measured once more
-in float64 against the triangle that nearest_triangle.py found; a point on a corner or an edge has weights of exactly 0
-and 1 there. 60 B a point beside the search.
-"""
+"""Barycentric positions of points on a surface, to transfer values between meshes; exact on corners and edges."""
 
 from ..algebra.transform import narrow
 from ..array_types import Points, Triangles
@@ -26,7 +21,7 @@ def place_on_surface_kernel(
     places: MixedRows,
     points: array(dtype=vec3),
 ):
-    """The triangle, its corners, their weights and the point; a query that is not finite stays, at triangle 0."""
+    """Triangle, corners, weights and nearest point; a non-finite query is kept, at triangle 0."""
     i = tid()
     triangle = max(nearest.triangles[i], 0)
     chosen[i] = triangle
@@ -41,16 +36,9 @@ def place_on_surface_kernel(
 
 
 class SurfacePlaces:
-    """Where vec3 points about a tree's origin stand on its triangles, of which there is at least one.
-
-    Attributes:
-        triangles: int32 [n], the nearest triangle of each.
-        mixed: MixedRows of the old vertices.
-        points: vec3 [n], the nearest points.
-    """
+    """Positions on a tree's triangles: nearest `triangles` int32 (n), `mixed` MixedRows, nearest `points` (n)."""
 
     def __init__(self, queries: Points, tree: TriangleTree) -> None:
-        """No sync."""
         device, count = queries.device, queries.size
         nearest = NearestTriangles(queries)
         nearest.look_into(tree, queries, 0)
@@ -61,7 +49,7 @@ class SurfacePlaces:
 
 
 def middles_of(vertices: Points, triangles: Triangles) -> Points:
-    """The middle of each triangle, vec3; NaN where a corner is not finite."""
+    """Center of each triangle, vec3; NaN for non-finite corners."""
     middles = empty(triangles.size, vec3, vertices.device)
     launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
     return middles

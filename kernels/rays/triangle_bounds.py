@@ -1,11 +1,7 @@
-"""How far a triangle lies from a query: in float32 with a bound of the error, and in float64 where that does not tell.
-
-The error: whatever the weights of corners are, the point that they give lies in the triangle, so its distance is too
-long, never too short. How far the weights are off matters but to second order, as the foot is where the distance is
-least: in a triangle of length L and width W, float32 puts it off by e D L / W, and by W at most, so by sqrt(e D L) in
-the worst case, e D L in the square. With the rounding of the sums the squared distance is off by less than ERROR times
-the sum of the squares that enter. Of triangles too small or too narrow for a foot in float32 nothing is believed. A
-box's distance is off by a few roundings, which SLACK covers.
+"""Point-triangle distance in float32 with an error bound, and in float64 where that is insufficient. Any corner weights
+give a point of the triangle, so distances are never too short; weights matter to second order, with error at most e D L
+in the square for length L. With rounding of the sums the error is below ERROR times the sum of the squares. Triangles
+too small or narrow for float32 are not trusted.
 """
 
 from ..algebra.plain_min_max import larger, smaller
@@ -15,24 +11,23 @@ from ..search.point_tree import LARGEST_SQDIST
 from .point_triangle import measure_triangle
 from .triangle_tree import LEAF, TriangleTree, leaf_corner
 
-ERROR = 4e-6  # 64 roundings of float32
-FLAT = 1e-30  # squared area, in units of a triangle of usual size, below which float32 knows no foot
+ERROR = 4e-6  # 64 float32 roundings
+FLAT = 1e-30  # squared area, relative to a usual triangle, below which float32 cannot compute the foot
 HUGE = 1e30  # and above
-SLACK = 1.000001  # five roundings of float32 in a box's squared distance
-SMALLEST = 1e-37  # squares below may have become zero
+SLACK = 1.000001  # five float32 roundings in a box's squared distance
+SMALLEST = 1e-37  # smaller squares may have underflowed
 three_corners = vector(9, float32)
 
 
 @func
 def one_over(x: float) -> float:
-    """1 / x, 0 where there is none."""
     safe = larger(x, 1e-38)
     return 1.0 / safe if x >= 1e-38 else 0.0
 
 
 @func
 def edge_distance(ex: float, ey: float, ez: float, x: float, y: float, z: float) -> float:
-    """The squared distance of a point, seen from an edge's tail, from the edge."""
+    """Squared distance from an edge of a point relative to the edge's tail."""
     share = (ex * x + ey * y + ez * z) * one_over(ex * ex + ey * ey + ez * ez)
     share = smaller(larger(share, 0.0), 1.0)
     dx = x - ex * share
@@ -43,7 +38,7 @@ def edge_distance(ex: float, ey: float, ez: float, x: float, y: float, z: float)
 
 @func
 def load_corners(corners: array(dtype=float32), at: int) -> three_corners:
-    """The corners of the triangle of a TriangleTree whose first corner's x stands at a place."""
+    """Corners of a TriangleTree's triangle, from the index of its first x."""
     return three_corners(
         corners[at], corners[at + LEAF], corners[at + 2 * LEAF],
         corners[at + 3 * LEAF], corners[at + 4 * LEAF], corners[at + 5 * LEAF],
@@ -53,19 +48,12 @@ def load_corners(corners: array(dtype=float32), at: int) -> three_corners:
 
 @load_corners.on_cuda
 def load_corners_at_once(corners: array(dtype=float32), at: int) -> three_corners:
-    """The same, by one address."""
     return load_nine(corners, at)
 
 
 @func
 def bound_distance(t: three_corners, q: vec3, scale: float) -> vec2:
-    """The squared distance [m^2] of a point from a triangle, and its error.
-
-    Args:
-        t: The triangle's corners.
-        q: The query.
-        scale: A power of two that brings lengths of triangles near one.
-    """
+    """Squared distance [m^2] of q from the triangle t, and its error; `scale` normalizes triangle lengths."""
     ax = t[0]
     ay = t[1]
     az = t[2]
@@ -82,7 +70,7 @@ def bound_distance(t: three_corners, q: vec3, scale: float) -> vec2:
     nearest = smaller(nearest, edge_distance(cx, cy, cz, x, y, z))
     nearest = smaller(nearest, edge_distance(cx - bx, cy - by, cz - bz, x - bx, y - by, z - bz))
     sizes = x * x + y * y + z * z + bx * bx + by * by + bz * bz + cx * cx + cy * cy + cz * cz
-    # the normal in units in which numbers of usual triangles are near one
+    # the normal in units that keep numbers near one
     ux = bx * scale
     uy = by * scale
     uz = bz * scale
@@ -108,7 +96,6 @@ def bound_distance(t: three_corners, q: vec3, scale: float) -> vec2:
 
 @func
 def measure_place(q: vec3, place: int, tree: TriangleTree) -> float64:
-    """The squared distance [m^2] of the triangle at a place, in float64."""
     leaf = place // LEAF
     lane = place % LEAF
     a = widen(leaf_corner(tree.corners, leaf, lane, 0))
@@ -120,5 +107,5 @@ def measure_place(q: vec3, place: int, tree: TriangleTree) -> float64:
 
 @func
 def reach_of(sqdist: float64) -> float:
-    """What a box's squared distance in float32 may come to where something in it lies within a squared distance."""
+    """Float32 limit for box distances that covers a squared distance."""
     return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))

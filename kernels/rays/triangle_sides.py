@@ -1,8 +1,5 @@
-"""On which side points lie: the signs that decide whether two triangles meet, in float64 or exactly.
-
-Points are numbers of vertices. In float64 a sign comes with a bound of its error (Shewchuk, "Adaptive precision
-floating-point arithmetic and fast robust geometric predicates", 1997), and UNSURE where that leaves it open. The exact
-form reckons by remainders (algebra/residues.py).
+"""Orientation predicates of vertices by number: float64 signs with error bounds, UNSURE if undecided (Shewchuk,
+"Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997), and exact signs by residues.
 """
 
 from ..algebra.residues import Residues, determinant_residue, minor, quadruple, residue_of, sign_of_residues
@@ -12,19 +9,18 @@ from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec
 from ..memory import empty
 
 UNSURE = 2
-ERROR_OF_THREE = 1e-15  # of the sum of the absolute products; (7 + 56 e) e of Shewchuk's is 7.8e-16
+ERROR_OF_THREE = 1e-15  # of the sum of absolute products; Shewchuk's (7 + 56 e) e is 7.8e-16
 ERROR_OF_TWO = 4e-16  # (3 + 16 e) e is 3.4e-16
 
 
 @func
 def size_of(x: float64) -> float64:
-    """|x|."""
     return x if x >= 0.0 else -x
 
 
 @func
 def sign_beyond(value: float64, bound: float64) -> int:
-    """The sign of a number that is off by up to a bound; 0 where both are zero, UNSURE within the bound."""
+    """Sign of a number with an error bound; 0 if both are zero, UNSURE within the bound."""
     sign = int(UNSURE)
     if value > bound:
         sign = 1
@@ -37,7 +33,7 @@ def sign_beyond(value: float64, bound: float64) -> int:
 
 @func
 def side_of_plane(vertices: array(dtype=vec3), i: int, j: int, k: int, p: int) -> int:
-    """The sign of det(i - p, j - p, k - p)."""
+    """Sign of det(i - p, j - p, k - p)."""
     o = widen(vertices[p])
     a = widen(vertices[i]) - o
     b = widen(vertices[j]) - o
@@ -52,13 +48,13 @@ def side_of_plane(vertices: array(dtype=vec3), i: int, j: int, k: int, p: int) -
 
 @func
 def is_short(x: float64) -> int:
-    """1 where a number has no more bits than a float32, so that products of two such are exact."""
+    """1 if a number has at most float32's bits, so that products of two are exact."""
     return 1 if float64(float32(x)) == x else 0
 
 
 @func
 def side_of_line(vertices: array(dtype=vec3), axis: int, i: int, j: int, p: int) -> int:
-    """The sign of det(i - p, j - p) as seen along an axis."""
+    """Sign of det(i - p, j - p) seen along an axis."""
     o = widen(vertices[p])
     a = widen(vertices[i]) - o
     b = widen(vertices[j]) - o
@@ -74,13 +70,7 @@ def side_of_line(vertices: array(dtype=vec3), axis: int, i: int, j: int, p: int)
 
 @struct
 class ExactSides:
-    """Vertices, and what exact signs need.
-
-    Attributes:
-        vertices: vec3 [m].
-        exact: The Residues; its counts are those of three differences' products and of two.
-        digits: int64, scratch memory, `exact.count` numbers a thread.
-    """
+    """Data of exact signs: `vertices` vec3 (m), `exact` Residues, `digits` int64 scratch (`exact.count` per thread)."""
 
     vertices: array(dtype=vec3)
     exact: Residues
@@ -89,7 +79,7 @@ class ExactSides:
     line_primes: int
 
     def __init__(self, vertices: Points, unit: int, size: int, threads: int) -> None:
-        """For coordinates that are multiples of 2^unit, up to `size` of them from each other."""
+        """For coordinates that are multiples of 2^unit, differing by at most `size` units."""
         self.vertices, self.exact = vertices, Residues(vertices.device, unit, [6 * size**3, 2 * size**2])
         self.plane_primes, self.line_primes = self.exact.counts
         self.digits = empty(threads * self.exact.count, int64, vertices.device)
@@ -97,7 +87,6 @@ class ExactSides:
 
 @func
 def residues_from(i: int, p: int, k: int, given: ExactSides) -> quadruple:
-    """A vertex seen from another, modulo prime k."""
     prime = given.exact.primes[k]
     a = given.vertices[i]
     o = given.vertices[p]
@@ -111,7 +100,6 @@ def residues_from(i: int, p: int, k: int, given: ExactSides) -> quadruple:
 
 @func
 def exact_side_of_plane(thread: int, given: ExactSides, i: int, j: int, k: int, p: int) -> int:
-    """`side_of_plane`, never UNSURE."""
     base = thread * given.exact.count
     last = quadruple(0, 0, 0, 1)
     for n in range(given.plane_primes):
@@ -126,7 +114,6 @@ def exact_side_of_plane(thread: int, given: ExactSides, i: int, j: int, k: int, 
 
 @func
 def exact_side_of_line(thread: int, given: ExactSides, axis: int, i: int, j: int, p: int) -> int:
-    """`side_of_line`, never UNSURE."""
     base = thread * given.exact.count
     u = (axis + 1) % 3
     v = (axis + 2) % 3

@@ -1,17 +1,10 @@
-"""A tree of boxes over triangles: one exact search structure for rays, distances and triangles that cut each other.
+"""Bounding-box tree over triangles, for rays, distances and intersections.
 
-Leaves are runs of LEAF triangles of an order in which neighbours in space stand together, the nodes of level 0 have
-FAN leaves, and each node above FAN nodes of the level below: node k of level l has the nodes FAN k .. FAN k + 7 of
-level l - 1, and node k of level 0 the leaves FAN k .. FAN k + 7. A node's record is `levels[l] + k`; at `boxes[record *
-SIDES]` stand the boxes of its children as those of a PointTree do (low x of all eight, low y, low z, high x, ...), so
-that they are measured together in vector registers: search/point_tree.py `measure_boxes` and search/bucket_walk.py
-`next_step` work on them. Children that are not there are empty boxes, infinitely far and met by no ray.
-
-The corners of a leaf's triangles lie side by side as well: `leaf_corner`. The last leaf is filled up with its last
-triangle again, so that all of its lanes may be measured; where triangles are counted, places from `count` on are not.
-
-Triangles with a corner that is not finite are left out. Triangles without area stay: they are as near as their edges.
-Boxes are the lowest and highest of the float32 coordinates, without any rounding.
+Leaves are runs of LEAF triangles; level 0 nodes have FAN leaves, node k of level l has nodes FAN k .. FAN k + 7 of
+level l - 1. The record of a node is `levels[l] + k`; at `boxes[record * SIDES]` are its child boxes as in a PointTree
+(low x of all eight, low y, ...). Missing children are empty boxes. A leaf's corners are interleaved (`leaf_corner`),
+and the last leaf is padded with its last triangle. Triangles with non-finite corners are skipped, degenerate ones stay.
+Boxes are exact float32 extremes.
 """
 
 from collections.abc import Sequence
@@ -31,19 +24,13 @@ from ..memory import download, empty, full, upload
 from ..search.point_tree import FAN, SIDES, bound_levels, level_sizes
 from .split_order import order_by_splits
 
-LEAF = 8  # triangles a leaf
-RUN = 1024  # triangles that a thread of the CPU bounds: one atomic each
+LEAF = 8  # triangles per leaf
+RUN = 1024  # triangles per CPU thread: one atomic each
 LEAF_NUMBERS = 9 * LEAF  # numbers of a leaf's corners
 
 
 class Extent:
-    """How far triangles reach: what a TriangleTree over them begins with, where they are.
-
-    Attributes:
-        middles: vec3 [t], the middle of each triangle; NaN where a corner is not finite.
-        mask: uint8 [t], 1 for triangles whose corners are finite.
-        extremes: int32, the box of those and how many they are: `box_of` makes it of what the host reads.
-    """
+    """Extent of triangles: `middles`, NaN for non-finite corners; `mask`, 1 if finite; `extremes` for `box_of`."""
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         device, runs = vertices.device, Runs(triangles.size, vertices.device, RUN)
@@ -56,7 +43,7 @@ class Extent:
 def trees_over(
     meshes: Sequence[tuple[Points, Triangles]], beside: Sequence[AnyArray] = ()
 ) -> tuple[list["TriangleTree"], list[np.ndarray]]:
-    """The trees over the vertices and triangles of some meshes on a device, and other arrays as NumPy; one sync."""
+    """Trees of several meshes on one device, and other arrays as NumPy; one sync."""
     extents = [Extent(vertices, triangles) for vertices, triangles in meshes]
     found = read_together([*(extent.extremes for extent in extents), *beside])  # sync
     known = zip(extents, found, strict=False)
@@ -65,24 +52,8 @@ def trees_over(
 
 @struct
 class TriangleTree:
-    """The search structure over the triangles of a mesh.
-
-    Args:
-        vertices: Device array of vec3.
-        triangles: Device array of vec3i, each entry the number of a vertex.
-
-    Attributes:
-        count: Triangles whose corners are finite.
-        root: The level of the highest node; leaves' parents are level 0.
-        levels: int32, where the records of each level begin, and end; `level_firsts` on the host.
-        boxes: float32, SIDES numbers a record: the boxes of its children.
-        corners: float32, LEAF_NUMBERS a leaf: x of the first corners of its LEAF triangles, then y, then z, then those
-            of the second corners and of the third ones.
-        order: int32, the triangle's number by place (leaf * LEAF + lane); full leaves, so it may pass `count`.
-        leaf_count: Leaves.
-        vertices, triangles: What it was built over.
-        low, high: The box of the triangles, float32 [3] on the host; from infinity to minus infinity without any. The
-            first look takes one sync.
+    """Search structure over the finite triangles of a mesh. `boxes`: SIDES numbers per record; `corners`: LEAF_NUMBERS
+    per leaf: x, y, z of first, second, third corners; `order` by position, padded; host box (one sync at first access).
     """
 
     count: int
@@ -100,8 +71,7 @@ class TriangleTree:
         *,
         all_finite: bool = False,
     ) -> None:
-        """Build it; one sync, none where it is known that all corners are finite, or how far the triangles reach, and
-        what the host has read of it."""
+        """Build; one sync, none if all corners are known to be finite or the extent and its host values are given."""
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         extent = known[0] if known else Extent(vertices, triangles)
         self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
@@ -126,31 +96,27 @@ class TriangleTree:
 
     @property
     def low(self) -> NDArray[np.float32]:
-        """The lowest coordinates."""
         return self._box[0]
 
     @property
     def high(self) -> NDArray[np.float32]:
-        """The highest coordinates."""
         return self._box[1]
 
 
 @func
 def leaf_corner(corners: array(dtype=float32), leaf: int, lane: int, corner: int) -> vec3:
-    """The corner (0, 1 or 2) of one of a leaf's triangles."""
     at = leaf * LEAF_NUMBERS + 3 * corner * LEAF + lane
     return vec3(corners[at], corners[at + LEAF], corners[at + 2 * LEAF])
 
 
 @func
 def middle_of(a: vec3, b: vec3, c: vec3) -> vec3:
-    """The middle of a triangle."""
     return narrow((widen(a) + widen(b) + widen(c)) / 3.0)
 
 
 @kernel
 def find_middles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), middles: array(dtype=vec3)):
-    """The middle of each triangle; NaN where a corner is not finite."""
+    """Center of each triangle; NaN for non-finite corners."""
     i = tid()
     t = triangles[i]
     a = vertices[t[0]]
@@ -171,7 +137,7 @@ def bound_triangles_kernel(
     mask: array(dtype=uint8),
     extremes: array(dtype=int32),
 ):
-    """The middles of a thread's triangles and whether they are finite; a row's box is widened to those that are."""
+    """Centers and finiteness of a thread's triangles; widens a row's box."""
     i = tid()
     low = vec3(INFINITY, INFINITY, INFINITY)
     high = vec3(-INFINITY, -INFINITY, -INFINITY)
@@ -199,7 +165,6 @@ def bound_triangles_kernel(
 def place_triangles_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), sorted_rows: array(dtype=int32), tree: TriangleTree
 ):
-    """Write the triangle of each place, the last one again beyond the last."""
     i = tid()
     row = sorted_rows[min(i, tree.count - 1)]
     tree.order[i] = row
@@ -214,7 +179,6 @@ def place_triangles_kernel(
 
 @kernel
 def bound_leaves_kernel(corners: array(dtype=float32), boxes: array(dtype=float32)):
-    """The box of each leaf, beside its siblings'; an empty one where there is none."""
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
     for axis in range(3):

@@ -1,14 +1,6 @@
-"""The voxels of a grid that triangles touch: exact overlap of triangle and box by separating axes.
-
-A triangle is taken apart into columns of voxels along the axis that its normal is nearest to, so that a large one
-costs its area and not its box. One thread a column finds its triangle by bisection, takes the two or three voxels that
-the plane passes through, and tests each; once to count, once to write. What touches a box from outside, to a billionth
-of its edge, overlaps it.
-
-All in float64 from the same words, so the voxels are the same on every device. 4 B a triangle, 8 B a column, and about
-50 B for each voxel of each triangle while their keys are sorted. Triangles with a corner that is not finite touch none.
-
-Source: Akenine-Moller, "Fast 3D Triangle-Box Overlap Testing", Journal of Graphics Tools 6 (2001).
+"""Voxels touched by triangles: exact separating-axis tests in float64 (Akenine-Moller, "Fast 3D Triangle-Box Overlap
+Testing", Journal of Graphics Tools 6 (2001)). Triangles are split into voxel columns along the main axis of the normal;
+one thread per column, a counting and a writing pass. Contact within a billionth of an edge counts.
 """
 
 from collections.abc import Sequence
@@ -41,25 +33,19 @@ from ..lang import (
 )
 from ..memory import check_room, empty
 
-# Of a voxel, added to the cells that are looked at: more than any rounding of their place, and they are tested exactly.
+# Fraction of a voxel added to the tested range: more than any rounding; the cells are then tested exactly.
 SLACK = 1.0e-3
-# Of half an edge, added to the box: what touches it may round to the outside. Enough for triangles of 10^6 voxels.
+# Fraction of half an edge added to the box against rounding. Sufficient for triangles of 10^6 voxels.
 TOUCH = 1.0 + 1.0 / 1073741824.0
-ROOM, LEAST_ROOM, MOST_ROOM = 4, 1024, 2**22  # columns of the first visit
+ROOM, LEAST_ROOM, MOST_ROOM = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
 COLUMN_BYTES = 8
-HIT_BYTES = 52  # a key, the sort's two copies with positions, marks and runs
+HIT_BYTES = 52  # key, sort buffers with positions, flags and runs
 MOST = 2**31 - 1
 
 
 @struct
 class VoxelFrame:
-    """Where the voxels lie, in the coordinates of the vertices.
-
-    Attributes:
-        low: The lowest corner of voxel (0, 0, 0).
-        size: Edge of a voxel.
-        counts: Voxels along each axis.
-    """
+    """Voxel grid in vertex coordinates: corner `low`, edge `size`, `counts` per axis."""
 
     low: vec3d
     size: float64
@@ -69,32 +55,29 @@ class VoxelFrame:
         self.low, self.size, self.counts = vec3d(*low), float(size), vec3i(*(int(count) for count in counts))
 
     def key_bits(self) -> int:
-        """Bits of the largest key."""
         return max(1, int(np.prod([int(count) for count in self.counts], dtype=object)).bit_length())
 
 
 @func
 def widened_corners(vertices: array(dtype=vec3), t: vec3i) -> tuple[vec3d, vec3d, vec3d]:
-    """The corners of a triangle in float64."""
     return widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]])
 
 
 @func
 def cell_key(c: vec3i, counts: vec3i) -> int64:
-    """One number for a voxel, ascending with x, then y, then z."""
+    """Voxel number, ascending with x, then y, then z."""
     return (int64(c[0]) * int64(counts[1]) + int64(c[1])) * int64(counts[2]) + int64(c[2])
 
 
 @func
 def cell_at(x: float64, low: float64, size: float64, slack: float64, count: int) -> int:
-    """The cell of a coordinate, moved by a share of a cell; -1 and `count` stand for all cells outside."""
+    """Cell of a coordinate shifted by a fraction of a cell; -1 and `count` for all cells outside."""
     place = floor((x - low) / size + slack)
     return int(min(max(place, -1.0), float64(count)))
 
 
 @func
 def first_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
-    """The lowest voxel that a triangle may touch."""
     cells = vec3i(0, 0, 0)
     for k in range(3):
         x = min(a[k], min(b[k], c[k]))
@@ -104,7 +87,6 @@ def first_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
 
 @func
 def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
-    """The highest voxel that a triangle may touch."""
     cells = vec3i(0, 0, 0)
     for k in range(3):
         x = max(a[k], max(b[k], c[k]))
@@ -114,7 +96,7 @@ def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
 
 @func
 def main_axis(normal: vec3d, a: vec3d, b: vec3d, c: vec3d) -> int:
-    """The axis that a normal is nearest to; without one the longest of the triangle's box."""
+    """Main axis of a normal; for a zero normal the longest axis of the box."""
     best = 0
     most = float64(-1.0)
     has_normal = dot(normal, normal) > 0.0
@@ -136,10 +118,7 @@ def count_columns_kernel(
     upright: int,
     counts: array(dtype=int32),
 ):
-    """The columns of voxels that each triangle may touch, or the `upright` ones along z that it may cross.
-
-    2^31 - 1 where there are more.
-    """
+    """Count of voxel columns that each triangle may touch, or `upright` ones along z it may cross; at most 2^31 - 1."""
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     count = int64(0)
@@ -160,7 +139,7 @@ def count_columns_kernel(
 
 @func
 def edge_parts(e: vec3d, u: vec3d, w: vec3d, half: float64) -> int:
-    """1 where an axis across an edge and an axis of the box parts them; `u` is on the edge, `w` the other corner."""
+    """1 if the cross product of an edge and a box axis separates them; `u` is on the edge, `w` the other corner."""
     apart = 0
     for k in range(3):
         j = (k + 1) % 3
@@ -175,7 +154,7 @@ def edge_parts(e: vec3d, u: vec3d, w: vec3d, half: float64) -> int:
 
 @func
 def touches_box(a: vec3d, b: vec3d, c: vec3d, half: float64) -> int:
-    """1 where a triangle and the cube about zero with this half edge have a point in common."""
+    """1 if a triangle touches the cube about zero with this half edge."""
     apart = 0
     for k in range(3):
         if min(a[k], min(b[k], c[k])) > half or max(a[k], max(b[k], c[k])) < -half:
@@ -200,10 +179,7 @@ def visit_columns_kernel(
     hits: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """The voxels of each column that its triangle touches: how many, or (writing) their keys from `hits` on.
-
-    Counting, there may be more threads than columns, which find none; where there are more columns, nothing is found.
-    """
+    """Voxels of each column that its triangle touches: the count, or (writing) keys from `hits` on."""
     i = tid()
     count = columns[columns.shape[0] - 1]
     if is_writing == 0:
@@ -229,7 +205,7 @@ def visit_columns_kernel(
     center[v] = (frame.low[v] + half) + float64(cell[v]) * frame.size
     begin = low[axis]
     end = high[axis]
-    if dot(n, n) > 0.0:  # where the plane passes through the column
+    if dot(n, n) > 0.0:  # the plane intersects the column
         across = (n[u] * (center[u] - a[u]) + n[v] * (center[v] - a[v])) / n[axis]
         reach = half * (abs(n[u]) + abs(n[v])) / abs(n[axis])
         middle = a[axis] - across
@@ -251,7 +227,6 @@ def visit_columns_kernel(
 
 @kernel
 def place_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dtype=vec3i)):
-    """The voxels of keys."""
     i = tid()
     key = keys[i]
     rest = key // int64(counts[2])
@@ -259,28 +234,14 @@ def place_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dty
 
 
 def refuse_many(count: int, what: str) -> None:
-    """Refuse more results than 32 bits count."""
+    """Raise if there are more results than 32 bits count."""
     if count > MOST:
         raise ValueError(f"voxel_size: {count:,} {what} are more than 2^31 - 1; take larger voxels")
 
 
 class Columns:
-    """The columns of voxels over triangles, and how much a visit to each of them finds.
-
-    On CUDA the first visit is made before anybody knows how many there are: in room for some a triangle, and some for
-    each voxel at the sides of the grid.
-
-    Args:
-        visit: A kernel like `visit_columns_kernel`.
-        vertices: Device array of vec3.
-        triangles: Device array of vec3i.
-        frame: The grid.
-        upright: 1 for columns along z.
-
-    Attributes:
-        arrays: What the host has to read, see `settle`.
-        is_settled: Whether it has.
-        found: How much all visits find, then.
+    """Voxel columns over triangles and their counts, from a kernel like `visit_columns_kernel`. On CUDA the first visit
+    runs before the count is known, with estimated room. `arrays` are read by `settle`; `found`: total.
     """
 
     def __init__(self, visit: Kernel, vertices: Points, triangles: Triangles, frame: VoxelFrame, upright: int) -> None:
@@ -301,7 +262,7 @@ class Columns:
         return found
 
     def take(self, totals: np.ndarray, found: np.ndarray | None) -> None:
-        """Take what the host has read of `arrays`; they are to be read again where that is not all."""
+        """Store the host values of `arrays`; incomplete ones must be read again."""
         self._total = total_of(totals)
         refuse_many(self._total, "columns of voxels over all triangles")
         size = self._total * COLUMN_BYTES
@@ -313,19 +274,14 @@ class Columns:
             self.arrays = [self.arrays[0], self._count(self._total)]
 
     def write(self) -> Keys:
-        """The keys of what the visits find, int64 device array."""
+        """Keys found by all visits, int64 device array."""
         keys = empty(self.found, int64, self.device)
         launch(self._visit, self._total, [*self._given, 1, self._places, keys])
         return keys
 
 
 def settle(columns: Sequence[Columns]) -> None:
-    """Let the host know how much there is; one sync, two where some have more columns than room was made for.
-
-    Raises:
-        ValueError: More than 2^31 - 1 columns.
-        MemoryError: The device has no room for them.
-    """
+    """Read the counts; one sync, rarely two. Raises ValueError for 2^31 columns, MemoryError without room."""
     left = list(columns)
     while left:
         found = iter(read_together([array for of in left for array in of.arrays]))  # sync
@@ -335,17 +291,11 @@ def settle(columns: Sequence[Columns]) -> None:
 
 
 def touched_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
-    """The columns of voxels that triangles touch."""
     return Columns(visit_columns_kernel, vertices, triangles, frame, 0)
 
 
 def touched_voxels(columns: Columns) -> Keys:
-    """The keys of the voxels that triangles touch, int64 device array with repeats; of columns that are settled.
-
-    Raises:
-        ValueError: More than 2^31 - 1 voxels of triangles.
-        MemoryError: The device has no room for them.
-    """
+    """Keys of touched voxels, with repeats. Raises ValueError for 2^31 voxels, MemoryError without room."""
     refuse_many(columns.found, "voxels of triangles")
     size = columns.found * HIT_BYTES
     check_room(columns.device, size, f"voxel_size: {columns.found:,} voxels of triangles")
@@ -353,7 +303,6 @@ def touched_voxels(columns: Columns) -> Keys:
 
 
 def voxels_of(keys: Keys, frame: VoxelFrame) -> Cells:
-    """The voxels of keys, each once and ascending: vec3i device array."""
     unique = UniqueKeys(keys, frame.key_bits()) if keys.size else None
     count = 0 if unique is None else unique.count
     cells = empty(count, vec3i, keys.device)

@@ -1,11 +1,8 @@
-"""Generalised winding numbers: how often a mesh, closed or not, goes around a point.
+"""Generalized winding numbers of closed or open meshes in float64.
 
-A triangle adds its solid angle over 4 pi (Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Trans.
-Biomed. Eng. 1983, eq. 8); a node of the tree that is far away adds that of a dipole, its area vector at the middle of
-its area (Barill et al., "Fast winding numbers for soups and clouds", SIGGRAPH 2018, the first term of eq. 12). Far is
-FAR times as far as the farthest corner of its box. On closed meshes the sum is off by some thousandths.
-
-All in float64 and in the tree's order. 7 numbers a child of a node; some hundred dipoles and triangles a query.
+Solid angles of near triangles (Van Oosterom and Strackee 1983, eq. 8), dipoles of far nodes (Barill et al., "Fast
+winding numbers for soups and clouds", SIGGRAPH 2018, first term of eq. 12). Far is beyond FAR times the node's radius.
+Error of some thousandths on closed meshes.
 """
 
 from ..algebra.angles import arctangent
@@ -18,13 +15,13 @@ from .triangle_tree import LEAF, TriangleTree, leaf_corner
 
 FAR = 2.0
 FULL = 12.566370614359172  # 4 pi
-MOMENTS = 8  # numbers a child: area vector, the middle of the area, its weight, reach
-NO_REACH = -1.0  # of a child that is not there
+MOMENTS = 8  # numbers per child: area vector, area center, weight, radius
+NO_REACH = -1.0  # of a missing child
 
 
 @func
 def solid_angle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> float64:
-    """The solid angle of a triangle, positive seen from behind it; 0 in its plane."""
+    """Solid angle of a triangle, positive seen from behind; 0 in its plane."""
     u = a - p
     v = b - p
     w = c - p
@@ -41,7 +38,7 @@ def solid_angle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> float64:
 
 @kernel
 def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
-    """The area vector of each leaf's triangles, the middle of their area times their area, and their area."""
+    """Area vector, area-weighted center and area of each leaf's triangles."""
     i = tid()
     vector = vec3d(0.0, 0.0, 0.0)
     middle = vec3d(0.0, 0.0, 0.0)
@@ -65,7 +62,6 @@ def sum_leaf_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
 
 @kernel
 def sum_node_moments_kernel(below: int, first: int, moments: array(dtype=float64)):
-    """The sums of the eight children of each node of one level, where its parent holds them."""
     i = tid()
     for k in range(7):
         total = float64(0.0)
@@ -76,7 +72,7 @@ def sum_node_moments_kernel(below: int, first: int, moments: array(dtype=float64
 
 @kernel
 def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
-    """The middle of a child's area, and how far its box reaches from there; NO_REACH where there is no child."""
+    """Area center of a child and the radius of its box about it; NO_REACH if missing."""
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
     reach = float64(NO_REACH)
@@ -99,7 +95,6 @@ def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
 
 @func
 def leaf_winding(p: vec3d, leaf: int, tree: TriangleTree) -> float64:
-    """The solid angles of a leaf's triangles."""
     total = float64(0.0)
     lanes = int(LEAF)
     for lane in range(lanes):
@@ -113,12 +108,7 @@ def leaf_winding(p: vec3d, leaf: int, tree: TriangleTree) -> float64:
 
 @struct
 class Dipoles:
-    """A TriangleTree with the moments of its nodes' children.
-
-    Attributes:
-        tree: The tree.
-        moments: float64, MOMENTS numbers a child, by record and child.
-    """
+    """A TriangleTree with `moments` of its children, float64, MOMENTS per child."""
 
     tree: TriangleTree
     moments: array(dtype=float64)
@@ -138,7 +128,6 @@ class Dipoles:
 def add_winding_numbers_kernel(
     queries: array(dtype=vec3), query_order: array(dtype=int32), dipoles: Dipoles, numbers: array(dtype=float64)
 ):
-    """Add a mesh's winding number about each query; nothing for queries that are not finite."""
     i = tid()
     row = query_order[i]
     q = queries[row]
@@ -147,7 +136,7 @@ def add_winding_numbers_kernel(
     p = widen(q)
     total = float64(0.0)
     level = dipoles.tree.root
-    child = 0  # its number among the children of its level's nodes
+    child = 0  # index among its siblings
     while child >= 0:
         at = (dipoles.tree.levels[level] * FAN + child) * MOMENTS
         reach = dipoles.moments[at + 7]
@@ -178,5 +167,5 @@ def add_winding_numbers_kernel(
 
 
 def add_winding_numbers(dipoles: Dipoles, queries: Points, order: Indices, numbers: Doubles) -> None:
-    """Add a mesh's winding numbers, float64 [n], about queries, vec3 [n] about the mesh's origin, in an order."""
+    """Add a mesh's winding numbers, float64 (n), at queries vec3 (n) about the mesh's origin."""
     launch(add_winding_numbers_kernel, queries.size, [queries, order, dipoles, numbers])

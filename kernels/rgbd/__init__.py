@@ -1,1 +1,1 @@
-"""Depth and colour frames: their pyramids, and what brings one onto another."""
+"""RGB-D frames: pyramids and alignment."""

@@ -1,15 +1,8 @@
-"""The alignment of two frames, coarse to fine, without a host in its loop, and the sums for checks of its reliability.
+"""Coarse-to-fine RGB-D frame alignment in one device loop, and reliability statistics.
 
-A step is two launches, whatever the level: sums over the pixels of the level at work, and the step. All levels stand in
-the same arrays, so the whole descent is one loop of the device. What it found comes back in one read. On CUDA the
-graph is kept, with arrays of its own, which frames of the same sizes are copied into: 2.4 MB a VGA frame.
-
-How firmly two frames hold each other at a pose: the normal equations of what noise does not imitate. Noise tilts the
-normals of a plane and gives a blank wall slopes of brightness, and both look like information. At a coarser level than
-the alignment's there is sixteen times less of it a level; slopes that a camera's noise reaches are left out, and
-brightness counts no finer than a model of constant brightness holds.
-
-One thread a source pixel: reads some 60 B, writes nothing; 22 sums leave through the reduction.
+Two launches per step; all levels share arrays, and results come with one sync. On CUDA the graph is reused for frames
+of the same sizes (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser level without gradients at
+noise level, since noise of normals and brightness looks like information.
 """
 
 import contextlib
@@ -77,15 +70,15 @@ if TYPE_CHECKING:
 
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
-LEAST_SLOPE = 0.015  # of brightness [1 / px]: three grey values in 8 bits, which noise seldom makes of means of 16 px
-EDGE_STEP = 0.03  # share of the depth that a surface may leave its plane by beside an edge's step
-ALIKE = 0.1  # share of the brightness that counts by the noise found: its errors are alike from pixel to pixel
-SHADE_NOISE = 0.04  # deviation of brightness between frames of real cameras
+LEAST_SLOPE = 0.015  # of brightness [1 / px]: three 8-bit gray levels, rare as noise in means of 16 px
+EDGE_STEP = 0.03  # relative depth deviation from the plane at a depth edge
+ALIKE = 0.1  # fraction of brightness weighted by the estimated noise: its errors are correlated between pixels
+SHADE_NOISE = 0.04  # brightness deviation between frames of real cameras
 
 
 @func
 def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
-    """The sums of two weighted rows: g = w j, h = w k."""
+    """Sums of two weighted rows: g = w j, h = w k."""
     return certainty_sums(
         float64(g[0] * j[0] + h[0] * k[0]), float64(g[0] * j[1] + h[0] * k[1]), float64(g[0] * j[2] + h[0] * k[2]),
         float64(g[0] * j[3] + h[0] * k[3]), float64(g[0] * j[4] + h[0] * k[4]), float64(g[0] * j[5] + h[0] * k[5]),
@@ -100,7 +93,7 @@ def squares_of(g: row, j: row, h: row, k: row, count: float) -> certainty_sums:
 
 @func
 def leaves_plane(at: int, u: int, v: int, plane: vec4, lens: vec4, frame: FrameLevels) -> float:
-    """How far the surface at a pixel lies from a plane [m]; as far as the camera where there is none."""
+    """Distance [m] from a plane of the surface at a pixel, or of the camera if there is none."""
     z = frame.depth[at]
     p = vec3((float(u) - lens[2]) / lens[0], (float(v) - lens[3]) / lens[1], 1.0) * z
     return abs(dot(axis(plane), p) - plane[3])
@@ -108,7 +101,7 @@ def leaves_plane(at: int, u: int, v: int, plane: vec4, lens: vec4, frame: FrameL
 
 @func
 def is_inside(at: int, margin: int, level: int, frame: FrameLevels) -> int:
-    """1 where a surface goes on in its plane, about, for so many pixels to all four sides."""
+    """1 if a surface continues in its plane for `margin` pixels to all four sides."""
     size = frame.layout[level]
     lens = frame.lenses[level]
     e = at - size[2]
@@ -141,10 +134,8 @@ def sum_certainty(
     warps: array(dtype=vec4),
     scales: array(dtype=float32),
 ) -> certainty_sums:
-    """A source pixel's part; `level` and `other` are those of source and target.
-
-    What lies within a margin [px] of an edge of its surface does not count: a rendered model is rounded there, and what
-    hides something moves along with a camera. Where there is a margin, brightness counts by the noise found, `scales`.
+    """A source pixel's part. Pixels within a margin [px] of surface edges are skipped: models are rounded there, and
+    occluders move with the camera. With a margin, brightness is weighted by the noise `scales`.
     """
     e = tid()
     size = source.layout[level]
@@ -180,17 +171,16 @@ def sum_certainty(
     return squares_of(g, j, h, k, count)
 
 
-DAMPING = 1.0e-6  # of the diagonal: keeps what the pixels do not determine where it is
+DAMPING = 1.0e-6  # of the diagonal: fixes undetermined motions
 LEAST_PIXELS = 12.0  # fewer determine nothing
-LEAST_NOISE, MOST_NOISE = 0.25, 100.0  # factor on the variance of depth
-LEAST_SHADE_NOISE, MOST_SHADE_NOISE = 0.004, 0.2  # deviation of brightness, 0..1
-LEAST_GAIN, MOST_GAIN = 0.5, 2.0  # of an exposure that changes
-LEAST_VARIANCE = 1.0e-4  # of brightness: flatter pictures tell no gain
+LEAST_NOISE, MOST_NOISE = 0.25, 100.0  # factor of the depth variance
+LEAST_SHADE_NOISE, MOST_SHADE_NOISE = 0.004, 0.2  # brightness deviation, 0..1
+LEAST_GAIN, MOST_GAIN = 0.5, 2.0  # limits of exposure changes
+LEAST_VARIANCE = 1.0e-4  # of brightness: flatter images do not determine the gain
 
 
 @func
 def damped_solution(total: row_sums) -> vec6d:
-    """The step that the sums ask for."""
     h = triangle(0.0)
     b = vec6d(0.0)
     n = int(6)
@@ -206,13 +196,12 @@ def damped_solution(total: row_sums) -> vec6d:
 
 @func
 def bounded(value: float64, least: float64, most: float64) -> float64:
-    """The value within limits."""
     return min(max(value, least), most)
 
 
 @func
 def set_warps(level: int, source: FrameLevels, pose: mat44d, warps: array(dtype=vec4)):
-    """The rays of a level's pixels under a pose: u w0 + v w1 + w2, and the translation beside them."""
+    """Rays of a level's pixels under a pose: u w0 + v w1 + w2, and the translation."""
     lens = source.lenses[level]
     fx = float64(lens[0])
     fy = float64(lens[1])
@@ -233,7 +222,7 @@ def set_warps(level: int, source: FrameLevels, pose: mat44d, warps: array(dtype=
 
 @func
 def learn_noise(total: row_sums, state: AlignmentState):
-    """The variances of the residuals and the exposure under the latest pose, for the next step."""
+    """Update residual variances and exposure for the next step."""
     count = total[SURFACE_COUNT]
     if count > float64(LEAST_PIXELS):
         variance = bounded(total[SURFACE_ERROR] / count, float64(LEAST_NOISE), float64(MOST_NOISE))
@@ -259,7 +248,7 @@ def learn_noise(total: row_sums, state: AlignmentState):
 def step_alignment_kernel(
     source: FrameLevels, rules: AlignmentRules, sums: array(dtype=row_sums), state: AlignmentState
 ):
-    """Move the pose, and go on to the next level where the step was short or there were enough. One thread."""
+    """Move the pose; next level after a short step or enough steps. One thread."""
     i = tid()
     level = state.counts[i]
     total = sums[level]
@@ -274,7 +263,7 @@ def step_alignment_kernel(
         x = damped_solution(total)
         turned = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         moved = sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])
-        if turned < 1.0 and moved < 2.0:  # else, or NaN: the step is rejected
+        if turned < 1.0 and moved < 2.0:  # otherwise (or NaN) the step is rejected
             pose = multiply44(small_motion(x), pose)
             state.pose[0] = pose
             limit = float64(rules.short_step) / float64(source.lenses[level][0])
@@ -300,14 +289,13 @@ def step_alignment_kernel(
 
 @kernel
 def begin_alignment_kernel(source: FrameLevels, level: int, state: AlignmentState):
-    """The first level's rays. One thread."""
     i = tid()
     set_warps(level, source, state.pose[i], state.warps)
 
 
-MOST_KEPT = 8  # loops: 24 B a pixel of the levels of both frames each, 5 MB for VGA
+MOST_KEPT = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
 KEPT = ("verdict", "certainty", "firm")
-EDGE = 27.0  # a share of the columns, 3 px of 80, from an edge of a surface: the window of a plane and what is rounded
+EDGE = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
 
 
 @kernel
@@ -319,7 +307,7 @@ def keep_sums_kernel(
     kept_certainty: array(dtype=certainty_sums),
     kept_firm: array(dtype=certainty_sums),
 ):
-    """Put them beside the pose, so that all is read in one wait. One thread."""
+    """Copy them beside the pose for a single sync. One thread."""
     i = tid()
     kept_verdict[i] = verdict[i]
     kept_certainty[i] = certainty[i]
@@ -328,16 +316,8 @@ def keep_sums_kernel(
 
 @dataclasses.dataclass
 class Alignment:
-    """What an alignment found.
-
-    Attributes:
-        pose: T_target_source, float64 [4, 4].
-        steps: Steps taken.
-        scales: Inverse variances of surface and brightness, gain and offset.
-        sums: The row_sums of the last step.
-        verdict: The verdict_sums of the source in the target.
-        certainty: The certainty_sums under the pose.
-        firm: The same without what lies at the edges of surfaces.
+    """Result: T_target_source; `scales`: inverse variances of surface and brightness, gain, offset; `sums` of the last
+    step; `verdict` and `certainty` sums; `firm`: the latter without surface edges.
     """
 
     pose: np.ndarray
@@ -352,7 +332,7 @@ class Alignment:
 def first_state(
     source: "FrameLevels", pose: np.ndarray, most_steps: Sequence[int], first_level: int, last: int
 ) -> dict[str, tuple[np.ndarray, Any]]:
-    """The arrays of the AlignmentState at the start, and of what comes back with it, as SideBySide takes them."""
+    """Initial arrays of the AlignmentState and results, for SideBySide."""
     levels = source.count
     live = np.zeros(levels, np.int64)
     live[last] = 1
@@ -374,15 +354,7 @@ def first_state(
 
 
 class Descent:
-    """The loop over the levels of two frames.
-
-    Args:
-        source, target: FrameLevels on one device.
-        rules: AlignmentRules.
-        begin: As `first_state` gives it.
-        is_kept: Whether the loop has levels of its own, which frames of these sizes are copied into: on CUDA its graph
-            is made once then.
-    """
+    """Loop over the levels of two frames; with `is_kept` it copies frames into its own, reusing the CUDA graph."""
 
     def __init__(
         self,
@@ -410,7 +382,7 @@ class Descent:
     def run(
         self, source: "FrameLevels", target: "FrameLevels", begin: dict[str, tuple[np.ndarray, Any]], last: int
     ) -> None:
-        """Bring a source onto a target; the pose is in `state`."""
+        """Align a source to a target; the pose is in `state`."""
         if self._is_kept:
             self.kept.rewrite(begin)
             for levels, own in ((source, self.source), (target, self.target)):
@@ -419,12 +391,12 @@ class Descent:
         self._loop.run()
 
 
-_descents: LruCache[Descent] = LruCache(MOST_KEPT)  # on GPUs, by the sizes of the frames and the rules
+_descents: LruCache[Descent] = LruCache(MOST_KEPT)  # on GPUs, by frame sizes and rules
 _turn = threading.Lock()
 
 
 def clear_descents() -> None:
-    """Release what alignments keep on GPUs for the next ones: levels of two frames, MOST_KEPT times."""
+    """Release GPU memory kept for further alignments: levels of two frames, MOST_KEPT times."""
     with _turn:
         _descents.clear()
 
@@ -436,7 +408,7 @@ on_give_back.append(clear_descents)
 def _descent_of(
     source: "FrameLevels", target: "FrameLevels", rules: AlignmentRules, begin: dict[str, tuple[np.ndarray, Any]]
 ) -> Iterator[Descent]:
-    """A descent for two frames: one that is kept and that nobody else uses, or a new one."""
+    """A cached unused descent for two frames, or a new one."""
     device = source.device
     if not device.is_cuda:
         yield Descent(source, target, rules, begin, is_kept=False)
@@ -461,16 +433,7 @@ def align_levels(
     last: int,
     verdict_level: int,
 ) -> Alignment:
-    """Bring a source onto a target.
-
-    Args:
-        source, target: FrameLevels on one device.
-        pose: The start, T_target_source, float64 [4, 4].
-        rules: AlignmentRules.
-        most_steps: Steps at most in each level from `rules.first_level` to `last`, the coarsest.
-        last: That level of the source.
-        verdict_level: The source's level of the sums for the checks of reliability.
-    """
+    """Align two FrameLevels from the start pose T_target_source, from source level `last` down to the first."""
     begin = first_state(source, pose, most_steps, rules.first_level, last)
     with _descent_of(source, target, rules, begin) as descent:
         descent.run(source, target, begin, last)
@@ -479,7 +442,7 @@ def align_levels(
         count = int(source.counts[verdict_level])
         arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
         verdict = reduce(sum_verdict, count, arguments)
-        shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # whatever counts determines
+        shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # all nonzero terms
         edge = max(1, round(float(source.sizes[verdict_level, 0]) / EDGE))
         certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
         firm = reduce(sum_certainty, count, [*arguments[:4], *shares, edge, *arguments[4:]])

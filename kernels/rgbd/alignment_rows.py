@@ -1,12 +1,6 @@
-"""One pixel's part of the normal equations that bring a frame onto another: surface and brightness.
-
-The source pixel goes to the target by projection (Blais and Levine 1995). There the surface says how far it lies from
-the plane of the nearest pixel (point to plane, Chen and Medioni 1991), the brightness how it differs from what is seen
-there, bilinear. Both residuals are divided by what their sensors' noise makes of them, so that they are of one kind,
-and weighed as of a t distribution (Lange et al. 1989; Kerl et al. 2013), in the matrix as in the right side.
-
-One thread a source pixel: reads some 60 B, takes some 300 operations, writes nothing; 38 sums leave through the
-reduction. Rows are float32, sums float64. Unknowns are a rotation and a translation on the target's side.
+"""Normal equations of frame alignment: point-to-plane (Chen and Medioni 1991) by projective association (Blais and
+Levine 1995) and bilinear brightness. Residuals are normalized by noise and weighted by a t distribution (Lange et al.
+1989; Kerl et al. 2013). Float32 rows, float64 sums; unknowns are rotation and translation on the target side.
 """
 
 from typing import Any
@@ -36,17 +30,9 @@ NU = 5.0  # degrees of freedom of the t distribution (Kerl et al. 2013)
 
 @struct
 class AlignmentState:
-    """Where an alignment stands.
-
-    Attributes:
-        running: int32 [1], what `loop_while` looks at.
-        live: int32 [levels], 1 for the level at work.
-        counts: int32 [4]: the level, steps in it, steps in all, whether the last step was short.
-        most_steps: int32 [levels], steps at most in each level.
-        warps: vec4 [3]: the pose, so that u w0 + v w1 + w2 is the ray of a source pixel in the target's frame; the
-            fourth numbers are the translation.
-        scales: float32 [4]: inverse variances of surface and brightness, gain and offset of the source's brightness.
-        pose: mat44d [1], T_target_source.
+    """Alignment state: `live`: 1 for the current level; `counts`: level, its steps, all steps, short-step flag;
+    `warps`: u w0 + v w1 + w2 is a pixel's ray in the target frame, fourth numbers the translation; `scales`: inverse
+    variances of surface and brightness, gain, offset; `pose` T_target_source.
     """
 
     running: array(dtype=int32)
@@ -58,7 +44,6 @@ class AlignmentState:
     pose: array(dtype=mat44d)
 
     def __init__(self, arrays: dict[str, Scalars | Integers | Poses | Array1[vec4] | Array1[Any]]) -> None:
-        """The device arrays by name."""
         self.running, self.live, self.counts = arrays["running"], arrays["live"], arrays["counts"]
         self.most_steps, self.warps, self.scales = arrays["most_steps"], arrays["warps"], arrays["scales"]
         self.pose = arrays["pose"]
@@ -66,14 +51,8 @@ class AlignmentState:
 
 @struct
 class AlignmentRules:
-    """What counts how much.
-
-    Attributes:
-        shift: Level of the target less that of the source which it is compared with.
-        surface_share, brightness_share: How much the two terms count, 0 for not at all.
-        reach: How far apart in depth two pixels may lie, in deviations of their noise.
-        first_level: The finest that is used.
-        short_step: A step that moves pixels a metre away by less [px] ends its level.
+    """Weights: `shift`: target level minus source level; shares of both terms; `reach` in noise deviations; finest
+    `first_level`; a `short_step` [px at 1 m] ends a level.
     """
 
     shift: int
@@ -99,7 +78,7 @@ class AlignmentRules:
 
 @func
 def sum_rows(g: row, j: row, r: float, h: row, k: row, s: float, extra: extra_sums) -> row_sums:
-    """The sums of two weighted rows: g = w j with residual r, h = w k with residual s; then what else is summed."""
+    """Sums of two weighted rows: g = w j with residual r, h = w k with residual s; then extras."""
     return row_sums(
         float64(g[0] * j[0] + h[0] * k[0]), float64(g[0] * j[1] + h[0] * k[1]),
         float64(g[0] * j[2] + h[0] * k[2]), float64(g[0] * j[3] + h[0] * k[3]),
@@ -125,7 +104,7 @@ def sum_rows(g: row, j: row, r: float, h: row, k: row, s: float, extra: extra_su
 def sum_alignment_rows(
     source: FrameLevels, target: FrameLevels, rules: AlignmentRules, state: AlignmentState
 ) -> row_sums:
-    """A source pixel's part of the normal equations, and of what tells the noise and the exposure."""
+    """Source pixel's part of the normal equations, noise and exposure."""
     i = tid()
     g = row(0.0)
     j = row(0.0)

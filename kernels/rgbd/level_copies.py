@@ -1,7 +1,4 @@
-"""Levels of frames elsewhere: in others of the same sizes, and one level's pixels side by side for the host.
-
-One thread a pixel, 24 B read and as many written.
-"""
+"""Copies of frame levels, and one level packed for the host."""
 
 from ..array_types import Array2
 from ..lang import array, float32, kernel, launch, tid
@@ -11,7 +8,6 @@ from .pyramid import FrameLevels
 
 @kernel
 def pack_level_kernel(levels: FrameLevels, first: int, rows: array(dtype=float32, ndim=2)):
-    """Depth and plane of each pixel of a level, from its first one on."""
     i = tid()
     rows[i, 0] = levels.depth[first + i]
     for k in range(4):
@@ -19,7 +15,7 @@ def pack_level_kernel(levels: FrameLevels, first: int, rows: array(dtype=float32
 
 
 def level_rows(levels: FrameLevels, level: int) -> Array2[float32]:
-    """Depth and plane of each pixel of a level side by side, float32 [pixels, 5]."""
+    """Depth and plane of each pixel of a level, float32 (pixels, 5)."""
     rows = empty((int(levels.counts[level]), 5), float32, levels.device)
     launch(pack_level_kernel, rows.shape[0], [levels, int(levels.firsts[level]), rows])
     return rows
@@ -27,7 +23,6 @@ def level_rows(levels: FrameLevels, level: int) -> Array2[float32]:
 
 @kernel
 def copy_levels_kernel(levels: FrameLevels, out: FrameLevels):
-    """The levels of a frame, in those of the same sizes."""
     i = tid()
     out.depth[i] = levels.depth[i]
     out.brightness[i] = levels.brightness[i]

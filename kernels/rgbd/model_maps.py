@@ -1,7 +1,4 @@
-"""What a rendered model lacks as a frame: brightness is none where nothing is seen, not black, and colours are 8-bit.
-
-One thread a pixel: reads 8 B, writes 4 B. A bilinear look-up at the rim of the model would take black for an edge.
-"""
+"""Rendered model maps as a frame: no brightness without depth (black would look like an edge), and 8-bit colors."""
 
 from ..array_types import Array2, Scalars, Vectors
 from ..lang import array, float32, floor, func, kernel, launch, tid, uint8, vec3
@@ -11,23 +8,22 @@ from .pyramid import NO_COLOR
 
 @kernel
 def hide_unseen_kernel(depth: array(dtype=float32), brightness: array(dtype=float32)):
-    """No brightness where there is no depth."""
     i = tid()
     if depth[i] <= 0.0:
         brightness[i] = NO_COLOR
 
 
 def hide_unseen(depth: Scalars, brightness: Scalars) -> None:
-    """Set the brightness, float32 [pixels], to none where the depth is 0."""
+    """Clear the brightness, float32 (pixels), where the depth is 0."""
     launch(hide_unseen_kernel, depth.size, [depth, brightness])
 
 
-GREY = 0.5  # colour where nothing is seen
+GREY = 0.5  # color of empty pixels
 
 
 @func
 def whole_of(x: float) -> int:
-    """The nearest whole number of one that is not negative, halves to even ones."""
+    """Nearest integer of a non-negative number, halves to even."""
     up = floor(x + 0.5)
     whole = int(up)
     if up - x == 0.5 and whole % 2 == 1:
@@ -37,7 +33,6 @@ def whole_of(x: float) -> int:
 
 @kernel
 def write_colors_kernel(depth: array(dtype=float32), colors: array(dtype=vec3), pixels: array(dtype=uint8, ndim=2)):
-    """Colours 0..1 as 8-bit ones."""
     i = tid()
     color = vec3(GREY, GREY, GREY)
     if depth[i] > 0.0:
@@ -47,7 +42,7 @@ def write_colors_kernel(depth: array(dtype=float32), colors: array(dtype=vec3), 
 
 
 def colors_of(depth: Scalars, colors: Vectors) -> Array2[uint8]:
-    """The 8-bit colours [pixels, 3] of a rendered model, grey where its depth is 0."""
+    """8-bit colors (pixels, 3) of a rendered model, gray where its depth is 0."""
     pixels = empty((depth.size, 3), uint8, depth.device)
     launch(write_colors_kernel, depth.size, [depth, colors, pixels])
     return pixels

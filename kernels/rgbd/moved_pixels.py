@@ -1,12 +1,5 @@
-"""Pixels that show what was not there before: earlier frames looked through the place where they lie.
-
-What moves, people above all, would leave its trail in a model and pull the camera after it. A pixel is hidden where one
-of two earlier frames, about the place it falls on, saw nothing but farther surfaces: all of 3 x 3 pixels, so that
-neither the edges of things nor noise count. Where a frame did not see, or saw something nearer, nothing is known.
-
-One thread a pixel of their finest level, 2 x 2 of a larger picture, of which the nearest is asked for all that lie on
-its surface: reads 16 B and 4 B of each earlier frame, writes 16 B; some 60 operations. What an earlier frame knows is
-made once: 4 B a pixel of its finest level.
+"""Detection of moving objects by free space of earlier frames. A pixel is removed if one of two earlier frames saw only
+farther surfaces in all 3 x 3 pixels around its projection, so edges and noise do not count.
 """
 
 from collections.abc import Sequence
@@ -20,14 +13,14 @@ from ..linear_algebra import inv, matmul
 from ..memory import empty
 from .pyramid import NO_DEPTH, SAME_SURFACE, FrameLevels, nearest_depth
 
-NEARER = 0.05  # share of its depth by which a pixel lies before what the earlier frame saw, and
-MARGIN = 0.05  # [m] besides: more than noise, and than the pose is off
-NEAREST = 0.1  # [m] before the earlier camera
+NEARER = 0.05  # relative depth by which a pixel is in front of what the earlier frame saw, and
+MARGIN = 0.05  # [m] in addition: exceeds noise and pose error
+NEAREST = 0.1  # [m] in front of the earlier camera
 
 
 @kernel
 def least_about_kernel(levels: FrameLevels, least: array(dtype=float32)):
-    """The least depth of 3 x 3 pixels of the finest level; 0 where one of them has none, and at the rim."""
+    """Least depth of 3 x 3 pixels of the finest level; 0 if one is missing, and at the border."""
     i = tid()
     size = levels.layout[0]
     u = i % size[0]
@@ -41,15 +34,7 @@ def least_about_kernel(levels: FrameLevels, least: array(dtype=float32)):
 
 
 class FreeSpace:
-    """What a frame looked through.
-
-    Args:
-        levels: Its FrameLevels.
-
-    Attributes:
-        least: float32 [pixels of the finest level], as `least_about_kernel` makes it.
-        size, lens: Of that level.
-    """
+    """Free space of a frame: `least` (pixels) of `least_about_kernel`; `size`, `lens` of the finest level."""
 
     def __init__(self, levels: FrameLevels) -> None:
         self.size, self.lens = levels.sizes[0], levels.host_lenses[0]
@@ -59,15 +44,7 @@ class FreeSpace:
 
 @struct
 class EarlierView:
-    """An earlier frame's FreeSpace as a frame now meets it.
-
-    Attributes:
-        least: As of FreeSpace.
-        size: Width, height [px].
-        lens: fx, fy, cx, cy [px].
-        along_u, along_v, ray: u along_u + v along_v + ray is the ray of a pixel now, in the earlier frame.
-        start: And where it begins [m].
-    """
+    """FreeSpace of an earlier frame; u `along_u` + v `along_v` + `ray` is a current pixel's ray in it from `start`."""
 
     least: array(dtype=float32)
     size: vec4i
@@ -88,7 +65,7 @@ class EarlierView:
 
 @func
 def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
-    """Whether an earlier frame looked through the place of a pixel at depth d."""
+    """True if an earlier frame saw through a pixel's point at depth d."""
     p = (earlier.along_u * u + earlier.along_v * v + earlier.ray) * d + earlier.start
     free = 0
     if p[2] > NEAREST:
@@ -102,7 +79,6 @@ def was_free(u: float, v: float, d: float, earlier: EarlierView) -> int:
 
 @func
 def beyond(d: float, limit: float) -> float:
-    """The depth where it is beyond a limit, else 0."""
     kept = 0.0
     if d > limit:
         kept = d
@@ -119,7 +95,7 @@ def hide_moved_kernel(
     second: EarlierView,
     kept: array(dtype=float32),
 ):
-    """The depth, 0 where it is of something that moved; a thread `side` x `side` pixels, 1 or 2."""
+    """Depth without moving pixels; one thread per `side` x `side` pixels, 1 or 2."""
     i = tid()
     columns = (width + side - 1) // side
     u = i % columns * side
@@ -147,13 +123,7 @@ def hide_moved_kernel(
 
 
 def hide_moved(depth: Scalars, camera: CameraLike, views: Sequence[tuple[FreeSpace, np.ndarray]]) -> Scalars:
-    """The depth [m], float32 [pixels], without what earlier frames looked through.
-
-    Args:
-        depth: Of the frame now, float32 device array [height * width], 0 where there is none.
-        camera: Its Camera, or what has its attributes.
-        views: One or two (FreeSpace, T_earlier_now float64 [4, 4]).
-    """
+    """Depth [m] of the current frame without pixels in the free space of one or two (FreeSpace, T_earlier_now)."""
     earlier = [EarlierView(free, camera, T) for free, T in views]
     kept = empty(depth.size, float32, depth.device)
     side = 1 if camera.width <= views[0][0].size[0] else 2

@@ -1,7 +1,4 @@
-"""Images as Open3D 0.20 prepares them for odometry: smoothed, halved, their slopes. NaN is no depth, and spreads.
-
-One thread a pixel, one launch an image: 9 or 4 reads of 4 B. For conformance only; `pyramid.py` spreads no holes.
-"""
+"""Image preparation of Open3D 0.20's odometry, for conformance. NaN is missing depth, and spreads."""
 
 import numpy as np
 
@@ -25,12 +22,11 @@ from ..lang import (
 )
 from ..memory import empty
 
-SHORT_NORMAL = 1.0e-5  # [m^2] Open3D divides by at least this
+SHORT_NORMAL = 1.0e-5  # [m^2] minimum divisor in Open3D
 
 
 @kernel
 def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, marked: array(dtype=float32)):
-    """NaN in place of depths out of their range, and of none."""
     i = tid()
     d = depth[i]
     kept = float(NAN)
@@ -41,14 +37,14 @@ def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, 
 
 @func
 def mean_of_three(a: float, b: float, c: float) -> float:
-    """The mean with weights (1, 2, 1) / 4, rounded once, as Open3D's filters round a row."""
+    """(1, 2, 1) / 4 mean, rounded once, as in Open3D's filters."""
     quarter = float64(0.25)
     return float(quarter * float64(a) + 0.5 * float64(b) + quarter * float64(c))
 
 
 @kernel
 def smooth_kernel(image: array(dtype=float32), width: int, height: int, smoothed: array(dtype=float32)):
-    """Open3D's Gaussian3: (1, 2, 1) / 4 along both axes; the border repeats."""
+    """Open3D's Gaussian3: (1, 2, 1) / 4 along both axes; replicated border."""
     i = tid()
     u = i % width
     v = i // width
@@ -66,7 +62,7 @@ def smooth_kernel(image: array(dtype=float32), width: int, height: int, smoothed
 def slope_kernel(
     image: array(dtype=float32), width: int, height: int, along: array(dtype=float32), down: array(dtype=float32)
 ):
-    """Sobel's slopes along rows and columns, 8 times those of the image; the border repeats."""
+    """Sobel gradients, 8 times too large; replicated border."""
     i = tid()
     u = i % width
     v = i // width
@@ -82,7 +78,7 @@ def slope_kernel(
     g = image[i + low + left]
     h = image[i + low]
     k = image[i + low + right]
-    # the middle counts nothing, but NaN times nothing is NaN: a hole there is one
+    # the center has weight zero, but NaN times zero is NaN: a hole there is a hole
     along[i] = 4.0 * mean_of_three(c - a + (b - b), f - d, k - g + (h - h))
     above = 4.0 * mean_of_three(a, b, c)
     down[i] = 4.0 * mean_of_three(g, h, k) - above + (d - d) + (f - f)
@@ -92,7 +88,7 @@ def slope_kernel(
 def spread_holes_kernel(
     depth: array(dtype=float32), smoothed: array(dtype=float32), width: int, height: int, spread: array(dtype=float32)
 ):
-    """Smoothed depth without what has a hole within 2 px, as Open3D's bilateral filter does to NaN."""
+    """Smoothed depth without pixels within 2 px of a hole, as in Open3D's bilateral filter with NaN."""
     i = tid()
     u = i % width
     v = i // width
@@ -109,7 +105,6 @@ def spread_holes_kernel(
 
 @kernel
 def halve_kernel(image: array(dtype=float32), width: int, columns: int, halved: array(dtype=float32)):
-    """The mean of four pixels."""
     i = tid()
     at = 2 * (i // columns) * width + 2 * (i % columns)
     halved[i] = (image[at] + image[at + 1] + image[at + width] + image[at + width + 1]) / 4.0
@@ -117,14 +112,12 @@ def halve_kernel(image: array(dtype=float32), width: int, columns: int, halved: 
 
 @kernel
 def scale_kernel(image: array(dtype=float32), factor: float, scaled: array(dtype=float32)):
-    """The image times a factor."""
     i = tid()
     scaled[i] = image[i] * factor
 
 
 @kernel
 def fill_missing_kernel(depth: array(dtype=float32), filled: array(dtype=float32)):
-    """0 in place of NaN."""
     i = tid()
     d = depth[i]
     kept = 0.0
@@ -135,14 +128,12 @@ def fill_missing_kernel(depth: array(dtype=float32), filled: array(dtype=float32
 
 @kernel
 def round_shades_kernel(brightness: array(dtype=float32), rounded: array(dtype=float32)):
-    """Brightness in steps of 1 / 255."""
     i = tid()
     rounded[i] = floor(brightness[i] * 255.0 + 0.5) / 255.0
 
 
 @func
 def vertex_at(u: int, v: int, at: int, lens: vec4, depth: array(dtype=float32)) -> vec3:
-    """The point [m] of a pixel; NaN without depth."""
     z = depth[at]
     return vec3((float(u) - lens[2]) * z / lens[0], (float(v) - lens[3]) * z / lens[1], z)
 
@@ -151,7 +142,7 @@ def vertex_at(u: int, v: int, at: int, lens: vec4, depth: array(dtype=float32)) 
 def fit_short_normals_kernel(
     depth: array(dtype=float32), width: int, height: int, lens: vec4, normals: array(dtype=vec3)
 ):
-    """Normals across the ways to the next pixels, divided by at least SHORT_NORMAL, so that near ones are short."""
+    """Normals from the next pixels, divided by at least SHORT_NORMAL, so near ones are short."""
     i = tid()
     u = i % width
     v = i // width
@@ -168,14 +159,14 @@ def fit_short_normals_kernel(
 
 
 def fill_missing(depth: Scalars) -> Scalars:
-    """Depth with 0 where it is none."""
+    """Depth with 0 for NaN."""
     filled = empty(depth.size, float32, depth.device)
     launch(fill_missing_kernel, depth.size, [depth, filled])
     return filled
 
 
 def round_shades(brightness: Scalars) -> Scalars:
-    """Brightness in steps of 1 / 255, as 8-bit images have it."""
+    """Brightness in steps of 1 / 255, as in 8-bit images."""
     rounded = empty(brightness.size, float32, brightness.device)
     launch(round_shades_kernel, brightness.size, [brightness, rounded])
     return rounded
@@ -189,35 +180,32 @@ def short_normals(depth: Scalars, width: int, height: int, lens: np.ndarray) -> 
 
 
 def mark_missing(depth: Scalars, least: float, most: float) -> Scalars:
-    """Depth with NaN where it is none or out of its range."""
+    """Depth with NaN for none or out of range."""
     marked = empty(depth.size, float32, depth.device)
     launch(mark_missing_kernel, depth.size, [depth, float(least), float(most), marked])
     return marked
 
 
 def smooth(image: Scalars, width: int, height: int) -> Scalars:
-    """The image after Open3D's Gaussian3."""
     smoothed = empty(image.size, float32, image.device)
     launch(smooth_kernel, image.size, [image, width, height, smoothed])
     return smoothed
 
 
 def slopes(image: Scalars, width: int, height: int) -> tuple[Scalars, Scalars]:
-    """Sobel's slopes of an image along rows and columns."""
     along, down = empty(image.size, float32, image.device), empty(image.size, float32, image.device)
     launch(slope_kernel, image.size, [image, width, height, along, down])
     return along, down
 
 
 def spread_holes(depth: Scalars, smoothed: Scalars, width: int, height: int) -> Scalars:
-    """Smoothed depth without what lies within 2 px of a hole in the depth."""
+    """Smoothed depth without pixels within 2 px of a hole."""
     spread = empty(depth.size, float32, depth.device)
     launch(spread_holes_kernel, depth.size, [depth, smoothed, width, height, spread])
     return spread
 
 
 def halve(image: Scalars, width: int, height: int) -> Scalars:
-    """The means of four pixels each."""
     columns, rows = width // 2, height // 2
     halved = empty(columns * rows, float32, image.device)
     launch(halve_kernel, halved.size, [image, width, columns, halved])
@@ -225,7 +213,6 @@ def halve(image: Scalars, width: int, height: int) -> Scalars:
 
 
 def scale(image: Scalars, factor: float) -> Scalars:
-    """The image times a factor."""
     scaled = empty(image.size, float32, image.device)
     launch(scale_kernel, image.size, [image, float(factor), scaled])
     return scaled

@@ -1,10 +1,6 @@
-"""The normal equations of Open3D 0.20's odometries, for conformance: its associations, its weights, its residuals.
-
-LEGACY pairs a source pixel with the target pixel that u + 0.5 is cut to, also behind the camera, and adds plain
-squares. TENSOR rounds, drops what lies behind, and bounds residuals in the right side only (Huber 1964 would bound the
-matrix too). Sums are float64 where Open3D has float32.
-
-One thread a source pixel: reads up to 60 B, writes nothing; 32 sums leave through the reduction.
+"""Normal equations of Open3D 0.20's odometries, for conformance. LEGACY truncates u + 0.5, also behind the camera, and
+uses plain squares. TENSOR rounds, drops points behind, and bounds residuals only in the right side (Huber 1964 would
+bound the matrix too). Float64 sums, where Open3D has float32.
 """
 
 from collections.abc import Sequence
@@ -14,7 +10,7 @@ from ..array_types import Scalars, Vectors
 from ..lang import array, float32, float64, floor, func, isfinite, mat44d, reduction, struct, tid, vec3, vec3d, vector
 
 LEGACY, TENSOR = 0, 1
-COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # what is compared; PAIRS: only who is paired
+COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # terms; PAIRS only counts pairs
 SQUARES, COUNT, SOURCE_SHADE, TARGET_SHADE = 27, 28, 29, 30  # behind 21 of the matrix and 6 of the right side
 open3d_sums = vector(31, float64)
 SOBEL = 0.125
@@ -22,16 +18,7 @@ SOBEL = 0.125
 
 @struct
 class Open3DLevel:
-    """One level of a frame; NaN is no depth.
-
-    Attributes:
-        width, height: [px].
-        fx, fy, cx, cy: [px].
-        depth: [m].
-        brightness, along, down: Brightness and its slopes, 8 times too large.
-        depth_along, depth_down: The slopes of the depth.
-        normals: Of its surface.
-    """
+    """Frame level with NaN for no depth [m]; the gradients `along`, `down` of brightness are 8 times too large."""
 
     width: int
     height: int
@@ -66,15 +53,7 @@ class Open3DLevel:
 
 @struct
 class Open3DRules:
-    """Which odometry, and its limits.
-
-    Attributes:
-        form: LEGACY or TENSOR.
-        method: COLOR, HYBRID or PLANE.
-        reach: Pairs farther apart do not count [m].
-        depth_delta, shade_delta: Where Huber's loss becomes linear.
-        depth_root, shade_root: Roots of the terms' shares.
-    """
+    """Odometry variant: LEGACY or TENSOR; COLOR, HYBRID or PLANE; `reach` [m]; Huber limits; roots of term weights."""
 
     form: int
     method: int
@@ -101,7 +80,7 @@ class Open3DRules:
 
 @func
 def away_from_zero(x: float64) -> float64:
-    """The nearest whole number, halves away from zero."""
+    """Nearest integer, halves away from zero."""
     whole = floor(abs(x) + 0.5)
     if x < 0.0:
         whole = -whole
@@ -110,7 +89,6 @@ def away_from_zero(x: float64) -> float64:
 
 @func
 def bounded_loss(r: float64, delta: float64) -> float64:
-    """Huber's loss."""
     size = abs(r)
     loss = 0.5 * r * r
     if size > delta:
@@ -120,7 +98,7 @@ def bounded_loss(r: float64, delta: float64) -> float64:
 
 @func
 def bounded_slope(r: float64, delta: float64) -> float64:
-    """Its derivative, as Open3D has it: beyond delta the sign of r is taken of a whole number, so it is 0 up to 1."""
+    """Its derivative as in Open3D: beyond delta the sign is of the truncated residual, so it is 0 up to 1."""
     slope = r
     if abs(r) >= delta:
         slope = 0.0
@@ -131,7 +109,6 @@ def bounded_slope(r: float64, delta: float64) -> float64:
 
 @func
 def motion_row(p: vec3d, c: vec3d) -> vec6d:
-    """The row (p x c, c)."""
     return vec6d(
         p[1] * c[2] - p[2] * c[1], p[2] * c[0] - p[0] * c[2], p[0] * c[1] - p[1] * c[0], c[0], c[1], c[2]
     )  # fmt: skip
@@ -139,7 +116,7 @@ def motion_row(p: vec3d, c: vec3d) -> vec6d:
 
 @func
 def slope_in_space(p: vec3d, along: float64, down: float64, fx: float64, fy: float64) -> vec3d:
-    """How a picture's value changes with the point [1 / m], by its slopes [1 / px]."""
+    """Derivative of an image value by the point [1 / m], from its gradient [1 / px]."""
     a = along * fx / p[2]
     b = down * fy / p[2]
     return vec3d(a, b, -(a * p[0] + b * p[1]) / p[2])
@@ -147,7 +124,6 @@ def slope_in_space(p: vec3d, along: float64, down: float64, fx: float64, fy: flo
 
 @func
 def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
-    """The sums with a row; r stands in the right side."""
     out = total
     n = int(6)
     at = 0
@@ -161,7 +137,7 @@ def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
 
 @func
 def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
-    """The column and row that show a point of the target's camera, as a form rounds them, and 1 inside the picture."""
+    """Column and row of a target camera point, rounded as in the form, and 1 inside."""
     pu = target.fx * p[0] / p[2] + target.cx
     pv = target.fy * p[1] / p[2] + target.cy
     if form == LEGACY:
@@ -180,7 +156,7 @@ def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
 
 @func
 def picture_part(p: vec3d, at: int, gap: float64, own: float64, rules: Open3DRules, target: Open3DLevel) -> open3d_sums:
-    """The rows of brightness and, for the hybrid method, of depth, at pixel `at` of the target."""
+    """Rows of brightness and, for HYBRID, depth, at target pixel `at`."""
     total = open3d_sums(0.0)
     total[COUNT] = 1.0
     seen = float64(target.brightness[at])
@@ -228,7 +204,7 @@ def sum_open3d_rows(
     pose: mat44d,
     rules: Open3DRules,
 ) -> open3d_sums:
-    """A source pixel's part; the source has the target's size and camera."""
+    """Source pixel's part; the source has the target's size and camera."""
     i = tid()
     total = open3d_sums(0.0)
     z = float64(source_depth[i])
@@ -260,14 +236,14 @@ def sum_open3d_rows(
     return total
 
 
-information_sums = vector(11, float64)  # pairs, sums of q, of its products above the diagonal; pixels that have depth
+information_sums = vector(11, float64)  # pairs, sums of q and of its products above the diagonal; pixels with depth
 
 
 @reduction
 def sum_open3d_information(
     source_depth: array(dtype=float32), target: Open3DLevel, pose: mat44d, form: int, reach: float64
 ) -> information_sums:
-    """The target points of pairs whose depths (LEGACY) or points (TENSOR) lie within reach."""
+    """Target points of pairs whose depths (LEGACY) or points (TENSOR) are within reach."""
     i = tid()
     total = information_sums(0.0)
     z = float64(source_depth[i])

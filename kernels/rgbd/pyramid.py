@@ -1,13 +1,8 @@
-"""The pyramid of a depth and colour frame: depth, brightness and the plane of the surface at each pixel of each level.
+"""Image pyramid of an RGB-D frame: depth, brightness and surface plane per pixel and level.
 
-A level halves the one before: pixel k covers 2 k and 2 k + 1, so that a camera keeps the borders of its picture. Depth
-is the mean of those of the four pixels that lie on the nearest surface among them; holes neither count nor spread. A
-plane is fitted to the inverse depths of a window, which are linear over the picture of a plane and, of a stereo or
-structured-light sensor, equally noisy everywhere. All levels stand one after the other in the same arrays.
-
-One thread a pixel: halving reads 16 B, a plane 100 to 200 B and takes some 600 operations; 24 B a pixel are kept.
-
-Source: Newcombe et al. 2011, "KinectFusion", section 3.2 (pyramid); Holzer et al. 2012 (normals by fitted windows).
+Pixel k of a level covers 2 k and 2 k + 1 of the finer one (Newcombe et al. 2011, "KinectFusion", section 3.2). Depth is
+the mean over the nearest surface; holes neither count nor spread. Planes are fitted to inverse depths of a window
+(Holzer et al. 2012), which are linear on planes and, for stereo and structured light, uniformly noisy.
 """
 
 import numpy as np
@@ -19,30 +14,18 @@ from ..lang import array, float32, func, kernel, launch, sqrt, struct, tid, uint
 from ..memory import empty, full, upload
 
 nine = vector(9, float32)
-SAME_SURFACE = 0.04  # share of the depth that four pixels of one surface differ by: 80 degrees of slope, 300 px of f
-WINDOW_SURFACE = 0.06  # the same over the window of a plane, for each pixel of distance from its middle
-NO_DEPTH = 1.0e30  # [m] nearest of pixels without depth
-NO_COLOR = -1.0  # brightness of a pixel that shows none
-LEAST_SINE = 0.08  # of the angle between a surface and the view: flatter ones have no plane to speak of
-LEAST_SUPPORT = 0.55  # share of a window's pixels that a plane needs
+SAME_SURFACE = 0.04  # relative depth difference of four pixels of one surface: 80 degrees of slope at f = 300 px
+WINDOW_SURFACE = 0.06  # the same per pixel of distance from a window's center
+NO_DEPTH = 1.0e30  # [m] result without valid pixels
+NO_COLOR = -1.0  # brightness of pixels without color
+LEAST_SINE = 0.08  # of the angle between surface and view: flatter ones have no reliable plane
+LEAST_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
 
 
 @struct
 class FrameLevels:
-    """The levels of a frame, the finest first, one after the other.
-
-    Args:
-        sizes: Width and height of each level [px], int [levels, 2].
-        lenses: fx, fy, cx, cy of each level [px], float64 [levels, 4].
-        device: Where they lie.
-
-    Attributes:
-        layout: Width, height, first pixel, pixels of each level.
-        lenses: As given, float32.
-        depth: [m], 0 where there is none.
-        brightness: 0..1, NO_COLOR where there is none.
-        planes: Unit normal n towards the camera and n . q of the surface's points q [m], in the camera's frame; zero
-            where there is none.
+    """Concatenated levels, finest first. `layout`: width, height, first pixel, pixel count; `depth` [m], 0 for none;
+    `brightness` or NO_COLOR; `planes`: unit normal n towards the camera and n . q of surface points q [m], or zero.
     """
 
     layout: array(dtype=vec4i)
@@ -65,17 +48,16 @@ class FrameLevels:
 
     @property
     def count(self) -> int:
-        """How many levels there are."""
         return len(self.counts)
 
     def like(self) -> "FrameLevels":
-        """Levels of the same sizes; what they show is undefined."""
+        """Uninitialized levels of the same sizes."""
         return FrameLevels(self.sizes, self.host_lenses, self.device)
 
 
 @func
 def nearest_depth(a: float, b: float, c: float, d: float) -> float:
-    """The least of those of four depths that are there; NO_DEPTH without any."""
+    """Least valid depth of four; NO_DEPTH without any."""
     near = float(NO_DEPTH)
     if a > 0.0:
         near = min(near, a)
@@ -90,7 +72,7 @@ def nearest_depth(a: float, b: float, c: float, d: float) -> float:
 
 @func
 def halved_depth(a: float, b: float, c: float, d: float) -> float:
-    """The mean of those of four depths that lie on the nearest surface among them; 0 without any."""
+    """Mean depth of the nearest surface among four; 0 without any."""
     near = nearest_depth(a, b, c, d)
     far = near * (1.0 + SAME_SURFACE)
     total = 0.0
@@ -115,7 +97,7 @@ def halved_depth(a: float, b: float, c: float, d: float) -> float:
 
 @func
 def halved_brightness(a: float, b: float, c: float, d: float) -> float:
-    """The mean of four brightnesses; NO_COLOR where one has none."""
+    """Mean of four; NO_COLOR if one has none."""
     mean = (a + b + c + d) * 0.25
     if min(min(a, b), min(c, d)) < 0.0:
         mean = NO_COLOR
@@ -133,7 +115,6 @@ def halve_level_kernel(
     halved_depths: array(dtype=float32),
     halved_brightnesses: array(dtype=float32),
 ):
-    """Depth and brightness at half the size, from element `first` to element `out` on."""
     i = tid()
     at = first + 2 * (i // columns) * width + 2 * (i % columns)
     halved_depths[out + i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
@@ -144,7 +125,6 @@ def halve_level_kernel(
 
 @func
 def luma(at: int, pixels: array(dtype=uint8, ndim=2)) -> float:
-    """Brightness 0..1 of an 8-bit colour."""
     return (RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])) / 255.0
 
 
@@ -157,7 +137,6 @@ def halve_colors_kernel(
     halved_depths: array(dtype=float32),
     halved_brightnesses: array(dtype=float32),
 ):
-    """Depth and the brightness of 8-bit colours at half the size."""
     i = tid()
     at = 2 * (i // columns) * width + 2 * (i % columns)
     halved_depths[i] = halved_depth(depth[at], depth[at + 1], depth[at + width], depth[at + width + 1])
@@ -172,7 +151,7 @@ def take_level_kernel(
     depths: array(dtype=float32),
     brightnesses: array(dtype=float32),
 ):
-    """Depth and brightness as they are; what is not finite or below zero is none."""
+    """Copy depth and brightness; invalid values become none."""
     i = tid()
     d = depth[i]
     b = brightness[i]
@@ -188,7 +167,7 @@ def take_level_kernel(
 
 @func
 def window_sums(i: int, u: int, v: int, radius: int, level: int, levels: FrameLevels) -> nine:
-    """Sums over the pixels of a window on the surface of pixel i: 1, u, v, u^2, u v, v^2, w, u w, v w, all from it."""
+    """Sums over window pixels on the surface of pixel i: 1, u, v, u^2, u v, v^2, w, u w, v w, relative to it."""
     sums = nine(0.0)
     size = levels.layout[level]
     z = levels.depth[i]
@@ -208,7 +187,7 @@ def window_sums(i: int, u: int, v: int, radius: int, level: int, levels: FrameLe
 
 @func
 def slopes_of(sums: nine, w0: float) -> vec4:
-    """a, b, c of the least squares of a window's sums, and 1 where they hold."""
+    """Least-squares a, b, c of a window's sums, and 1 if valid."""
     n = sums[0]
     mu = sums[1] / n
     mv = sums[2] / n
@@ -229,10 +208,7 @@ def slopes_of(sums: nine, w0: float) -> vec4:
 
 @kernel
 def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4), smoothed: array(dtype=float32)):
-    """The plane at each pixel of all levels: least squares of the inverse depths of a window.
-
-    With w = 1 / z = a (u - u0) + b (v - v0) + c it holds that w = n . (x, y, 1) / (n . q), x = (u - cx) / fx.
-    """
+    """Least-squares planes: w = 1 / z = a (u - u0) + b (v - v0) + c = n . (x, y, 1) / (n . q), x = (u - cx) / fx."""
     i = tid()
     level = 0
     for k in range(1, levels.layout.shape[0]):
@@ -273,7 +249,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
 def take_normals_kernel(
     normals: array(dtype=vec3), depth: array(dtype=float32), lens: vec4, width: int, planes: array(dtype=vec4)
 ):
-    """The planes of given normals, in the first level of a pyramid; zero where depth or normal is missing."""
+    """Planes of given normals in the first level; zero where depth or normal is missing."""
     i = tid()
     z = depth[i]
     n = normals[i]
@@ -294,17 +270,7 @@ def take_normals_kernel(
 def level_sizes(
     width: int, height: int, lens: tuple[float, float, float, float], most_pixels: int, least_side: int
 ) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
-    """Sizes and lenses of the levels of a picture, the finest first, and whether the finest is the picture itself.
-
-    Args:
-        width, height: Of the picture [px].
-        lens: fx, fy, cx, cy [px].
-        most_pixels: A larger picture is halved before its first level.
-        least_side: No level has a shorter side, but for the first.
-
-    Returns:
-        (sizes, lenses, halvings before the first level).
-    """
+    """(sizes, lenses, initial halvings to `most_pixels`) of an image's levels, finest first; sides >= `least_side`."""
     sizes, lenses, halvings = [], [], 0
     size, camera = (width, height), np.asarray(lens, np.float64)
     while True:
@@ -331,15 +297,8 @@ def make_levels(
     radius: int,
     normals: Points | None = None,
 ) -> FrameLevels:
-    """The FrameLevels of a picture.
-
-    Args:
-        depth: float32 device array [pixels], metres.
-        brightness: float32 [pixels] 0..1, or 8-bit colours [pixels, 3], or None.
-        width, height, lens: The picture and fx, fy, cx, cy [px].
-        most_pixels, least_side: As of `level_sizes`.
-        radius: Half the window of a plane [px].
-        normals: vec3 [pixels], for the planes of the first level where that is the picture itself; None fits them.
+    """FrameLevels of an image: depth [m], brightness 0..1 or 8-bit colors or None. `radius`: half the window of a plane
+    [px]; `normals` for the first level if it is the image itself, None fits them.
     """
     device = depth.device
     sizes, lenses, halvings = level_sizes(width, height, lens, most_pixels, least_side)
@@ -371,7 +330,7 @@ def make_levels(
 def _halve(
     depth: Scalars, brightness: Scalars | Array2[uint8], size: tuple[int, int], levels: FrameLevels | None
 ) -> list[Scalars]:
-    """Depth and brightness at half the size, into the first level of `levels` where that is given."""
+    """Halve depth and brightness, into the first level of `levels` if given."""
     columns, rows = size[0] // 2, size[1] // 2
     count = columns * rows
     if levels is None:

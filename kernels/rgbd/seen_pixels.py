@@ -1,35 +1,31 @@
-"""Where a frame sees a point, what it sees there, and the rows of the two residuals: surface and brightness.
-
-A point goes to the frame by projection (Blais and Levine 1995), onto the nearest pixel for the surface, between four
-for brightness. Rows are float32; unknowns are a rotation and a translation on the frame's side.
+"""Projection of points to a frame, with rows of the surface residual (nearest pixel, Blais and Levine 1995) and the
+brightness residual (bilinear). Float32; unknowns are rotation and translation on the frame's side.
 """
 
 from ..lang import array, cross, float32, floor, func, vec3, vec4, vector
 from .pyramid import FrameLevels
 
 row = vector(6, float32)
-NOISE_FLOOR, NOISE_SLOPE = 0.0012, 0.0019  # deviation of depth [m] and its growth [1/m] (Nguyen et al. 2012, Kinect)
-NOISE_NEAR = 0.4  # [m] from where on it grows
-NEAREST = 1.0e-3  # [m] before the camera
-REACH_SHARE = 0.01  # of the depth, beside its noise: what a pixel's slope does
+NOISE_FLOOR, NOISE_SLOPE = 0.0012, 0.0019  # depth deviation [m] and its growth [1/m] (Nguyen et al. 2012, Kinect)
+NOISE_NEAR = 0.4  # [m] start of the growth
+NEAREST = 1.0e-3  # [m] minimum depth
+REACH_SHARE = 0.01  # of the depth, in addition to noise: slope within a pixel
 
 
 @func
 def depth_noise(z: float) -> float:
-    """The deviation of a depth [m], up to a factor that the frames tell."""
+    """Relative depth noise deviation [m]."""
     beyond = max(z - NOISE_NEAR, 0.0)
     return NOISE_FLOOR + NOISE_SLOPE * beyond * beyond
 
 
 @func
 def axis(w: vec4) -> vec3:
-    """The first three numbers: a ray's part of a warp, a plane's normal."""
     return vec3(w[0], w[1], w[2])
 
 
 @func
 def moved_point(u: float, v: float, z: float, warps: array(dtype=vec4)) -> vec3:
-    """The point [m] of a pixel with depth z in the target's frame."""
     a = warps[0]
     b = warps[1]
     c = warps[2]
@@ -38,7 +34,7 @@ def moved_point(u: float, v: float, z: float, warps: array(dtype=vec4)) -> vec3:
 
 @func
 def seen_at(p: vec3, level: int, frame: FrameLevels) -> tuple[float, float, int]:
-    """The place [px] where a frame sees a point [m] of its own, and the nearest pixel; -1 where it sees none."""
+    """Image position [px] of a frame point [m], and the nearest pixel, or -1."""
     u = 0.0
     v = 0.0
     at = -1
@@ -54,7 +50,7 @@ def seen_at(p: vec3, level: int, frame: FrameLevels) -> tuple[float, float, int]
 
 @func
 def seen_brightness(u: float, v: float, level: int, frame: FrameLevels) -> vec4:
-    """Brightness at a place between pixel centres, bilinear, its slopes [1 / px], and 1; zero where one has none."""
+    """Bilinear brightness, its gradient [1 / px], and 1; zero if a pixel has none."""
     size = frame.layout[level]
     left = int(floor(u))
     top = int(floor(v))
@@ -75,7 +71,6 @@ def seen_brightness(u: float, v: float, level: int, frame: FrameLevels) -> vec4:
 
 @func
 def surface_row(p: vec3, plane: vec4) -> row:
-    """How the distance of a point from a plane changes."""
     n = axis(plane)
     turn = cross(p, n)
     return row(turn[0], turn[1], turn[2], n[0], n[1], n[2])
@@ -83,7 +78,6 @@ def surface_row(p: vec3, plane: vec4) -> row:
 
 @func
 def brightness_row(p: vec3, look: vec4, level: int, frame: FrameLevels) -> row:
-    """How the brightness that is seen of a point changes, by the slopes there."""
     lens = frame.lenses[level]
     a = look[1] * lens[0] / p[2]
     b = look[2] * lens[1] / p[2]

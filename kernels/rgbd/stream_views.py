@@ -1,14 +1,5 @@
-"""Small views of a depth camera's two pictures, and how each moved from one frame to the next.
-
-A view has some 80 x 60 cells: the mean brightness of each, and the mean nearness 1 / z of a cell that is measured all
-over. How a picture moved is one shift for all of it, by least squares over the slopes of the mean of two views
-(Lucas and Kanade 1981): few numbers that noise hardly touches, alike for colour and depth of one camera.
-
-A view: one thread a cell, reads 7 B a pixel of it, writes 8 B. Two views: one thread a cell, reads 80 B, writes
-nothing; 13 sums leave through the reduction.
-
-Depth without what is near: one of the two layers of a picture that may move apart. One thread a pixel: reads 4 B,
-writes 4 B.
+"""Small views (about 80 x 60 cells) of color and depth, and their global shifts between frames by least squares (Lucas
+and Kanade 1981). A cell has mean brightness and mean inverse depth. Near depth can be hidden to separate layers.
 """
 
 from typing import Any
@@ -21,7 +12,6 @@ from .pyramid import NO_COLOR, luma
 
 @kernel
 def hide_near_kernel(depth: array(dtype=float32), limit: float, far: array(dtype=float32)):
-    """The depth where it is beyond a limit, else 0."""
     i = tid()
     d = depth[i]
     kept = 0.0
@@ -31,35 +21,22 @@ def hide_near_kernel(depth: array(dtype=float32), limit: float, far: array(dtype
 
 
 def hide_near(depth: Scalars, limit: float) -> Scalars:
-    """The depth [m], float32 [pixels], without what is no farther than a limit [m]."""
+    """Depth [m], float32 (pixels), beyond a limit [m] only."""
     far = empty(depth.size, float32, depth.device)
     launch(hide_near_kernel, depth.size, [depth, limit, far])
     return far
 
 
-CELLS = 80  # of a view along its width: a cell of VGA is 8 x 8 pixels, so that a quick turn moves it by few cells
-FULL = 0.75  # share of a cell's pixels with depth, from which on it has a nearness
+CELLS = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations move by few cells
+FULL = 0.75  # minimum fraction of a cell's pixels with depth
 stream_sums = vector(13, float64)
-BRIGHT, NEAR = 0, 5  # where the sums of each picture begin: of squared slopes u u, u v, v v, then u d, v d
-OTHER, MEASURED, SHADES = (
-    10,
-    11,
-    12,
-)  # cells whose nearness differs in any bit; cells that have one; squared differences
+BRIGHT, NEAR = 0, 5  # offsets of each image's sums: squared gradients u u, u v, v v, then u d, v d
+OTHER, MEASURED, SHADES = (10, 11, 12)  # cells whose nearness changed; cells with nearness; squared differences
 
 
 @struct
 class StreamView:
-    """A frame in few cells.
-
-    Args:
-        columns, rows: How many cells there are.
-        device: Where they lie.
-
-    Attributes:
-        brightness: Mean of each cell, 0..1, below 0 without colour.
-        nearness: Mean of 1 / z [1/m], 0 where less than three quarters of the cell are measured.
-    """
+    """Downsampled frame: mean `brightness`, below 0 without color; mean `nearness` 1 / z [1/m], 0 if sparse."""
 
     brightness: array(dtype=float32)
     nearness: array(dtype=float32)
@@ -105,7 +82,7 @@ def view_stream_kernel(
 
 @reduction
 def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> stream_sums:
-    """A cell's part of the normal equations of both shifts, and of what differs."""
+    """A cell's part of the normal equations of both shifts, and of the differences."""
     i = tid()
     u = i % columns
     v = i // columns
@@ -150,13 +127,7 @@ def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> 
 
 
 def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height: int) -> StreamView:
-    """The StreamView of a frame.
-
-    Args:
-        depth: float32 device array [height * width] [m], 0 where there is none.
-        pixels: 8-bit colours [height * width, 3], or None.
-        width, height: Of both [px].
-    """
+    """StreamView of a frame: depth [m] float32 (height * width), 0 for none; 8-bit colors (pixels, 3) or None."""
     side = max(1, width // CELLS)
     view = StreamView(max(width // side, 1), max(height // side, 1), depth.device)
     shown = zeros((1, 3), uint8, depth.device) if pixels is None else pixels
@@ -166,5 +137,5 @@ def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height
 
 
 def compare_views(now: StreamView, before: StreamView) -> Array1[Any]:
-    """The sums of `sum_motion` over two views of one size, float64 [1][13] on the device."""
+    """Sums of `sum_motion` over two views of one size, float64 (1, 13) on the device."""
     return reduce(sum_motion, now.columns * now.rows, [now, before, now.columns, now.rows])

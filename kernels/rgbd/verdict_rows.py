@@ -1,9 +1,5 @@
-"""What speaks for a pose between two frames and what against it: counts and sums over the pixels of one level.
-
-A pixel of the source that lies in front of what the target saw there contradicts the pose: the target looked through
-it. One that lies behind is hidden, which says nothing. Normals and brightness have to agree where surfaces meet.
-
-One thread a source pixel: reads some 60 B, writes nothing; 28 sums leave through the reduction.
+"""Consistency statistics of a pose between two frames. A source pixel in front of the target's surface contradicts the
+pose; one behind it is occluded. Normals and brightness must agree where surfaces match.
 """
 
 from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector
@@ -13,13 +9,13 @@ from .seen_pixels import REACH_SHARE, axis, depth_noise, moved_point, seen_at, s
 PIXELS, INSIDE, SEEN, INLIERS, IN_FRONT, BEHIND = 0, 1, 2, 3, 4, 5
 NORMALS, COSINES, AGREEING = 6, 7, 8
 SHADE_COUNT = 9  # then source, target, source^2, target^2, product
-SQUARES, SHADE_SQUARES = 15, 16  # of the distance from the planes [m^2], of the difference in brightness
-POINTS = 17  # sums of the inliers' target points, then of their products above the diagonal
-PLANES, EXCESS = 26, 27  # pixels with a plane, and sum of their squares in variances of the noise, each bounded
+SQUARES, SHADE_SQUARES = 15, 16  # of plane distances [m^2], of brightness differences
+POINTS = 17  # sums of the inliers' target points, then of products above the diagonal
+PLANES, EXCESS = 26, 27  # pixels with a plane, and bounded sum of squares in noise variances
 verdict_sums = vector(28, float64)
 verdict_row = vector(28, float32)
 INLIER_REACH = 4.0  # deviations of the noise
-MOST_EXCESS = 16.0  # of a pixel, that reach squared: few pixels of thin things, whose model is off, outweigh no table
+MOST_EXCESS = 16.0  # per pixel, the squared reach: pixels of thin objects must not dominate
 AGREEMENT = 0.8  # cosine between normals of one surface
 
 
@@ -32,7 +28,7 @@ def sum_verdict(
     warps: array(dtype=vec4),
     scales: array(dtype=float32),
 ) -> verdict_sums:
-    """A source pixel's part; `level` and `other` are those of source and target."""
+    """Source pixel's part; `level` and `other` are of source and target."""
     e = tid()
     size = source.layout[level]
     i = size[2] + e
@@ -88,7 +84,7 @@ def sum_verdict(
 
 @func
 def turned_normal(plane: vec4, lens: vec4, warps: array(dtype=vec4)) -> vec3:
-    """A source plane's normal in the target's frame, turned as the rays of its lens are."""
+    """Source plane's normal in the target frame, rotated like its lens's rays."""
     a = axis(warps[0])
     b = axis(warps[1])
     c = axis(warps[2]) + a * lens[2] + b * lens[3]
@@ -97,7 +93,7 @@ def turned_normal(plane: vec4, lens: vec4, warps: array(dtype=vec4)) -> vec3:
 
 @func
 def summed(sums: verdict_row, p: vec3) -> verdict_sums:
-    """The same numbers in float64, with an inlier's point and its products."""
+    """The sums in float64, with an inlier's point and its products."""
     out = verdict_sums(0.0)
     for k in range(28):
         out[k] = float64(sums[k])

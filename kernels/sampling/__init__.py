@@ -1,1 +1,1 @@
-"""Fewer points: voxels, farthest points, duplicates."""
+"""Downsampling: voxels, farthest points, duplicates."""

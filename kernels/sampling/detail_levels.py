@@ -1,18 +1,9 @@
-"""Points in Morton order, and for each the coarsest level of an octree at which it stands for its voxel.
+"""Points in Morton order with their octree level of detail.
 
-The cube of the points is halved 21 times an axis; a point's key interleaves the bits of its cell. Each point has a
-priority, a bijection of its index, so that no two are equal. At depth d a voxel of 1/2^d of the cube is stood for by
-its point of least priority. Voxels are nested runs of the order: a point stands for its voxel down from the depth
-behind the longest prefix that its key shares with any point of lower priority, and of those the nearest to the left and
-the nearest to the right in Morton order share most. Finding them is "all nearest smaller values" (Berkman, Schieber and
-Vishkin 1993); here each thread walks, over the minima of 64, 4,096 and 262,144 points where it can, and no farther than
-its prefix. A node of level L has 128 voxels an axis, so a point is of level L when it stands for its voxel from depth
-L + 7 on; what shares even the finest cell with a point of lower priority is of the last level.
-
-Cost: a sort of 63-bit keys, 12 B read a point and key made; then 12 B read a step, about ln(n) steps a point, and 1 B
-written. On the CPU the sort is two sorts of half keys packed above positions, in place: 20 B a point at most, where a
-radix sort of pairs takes 32, and two reads out of order. Whole numbers and float64 products alone decide, so all
-devices give the same.
+Each voxel at depth d is represented by its point of least priority (a bijection of the index). A point represents its
+voxel below the longest key prefix shared with a lower-priority point, found by all nearest smaller values (Berkman,
+Schieber and Vishkin 1993) with block minima of 64, 4,096 and 262,144 points. Level L nodes have 128 voxels per axis, so
+level L is depth L + 7. Integers and float64 products only: identical on all devices.
 """
 
 import numpy as np
@@ -23,27 +14,20 @@ from ..lang import array, float64, floor, func, int32, int64, isfinite, kernel, 
 from ..memory import download, empty, host_view, upload
 from ..search.hilbert_order import spread_bits
 
-DEPTH = 21  # halvings: three times as many bits fill a key
-NODE_BITS = 7  # 128 voxels an axis of a node: of a surface some 12,000 points, 20 to 200 nodes in a picture
+DEPTH = 21  # subdivisions: 63 key bits
+NODE_BITS = 7  # 128 voxels per node axis: some 12,000 surface points, 20 to 200 nodes per view
 LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for points that share a finest cell
 
-SKIPPED = (
-    0x7FFF_FFFF_FFFF_FFFF  # the key of points that are not finite: behind all, as no cell is the last on each axis
-)
+SKIPPED = 0x7FFF_FFFF_FFFF_FFFF  # key of non-finite points, above all: no cell is the last on each axis
 LAST_CELL = (1 << DEPTH) - 2
-LOW_BITS = 32  # of a key, sorted first on the CPU; 31 are left, which fit above a position as well
+LOW_BITS = 32  # of a key, sorted first on the CPU; the other 31 also fit above a position
 LOW_MASK = 0xFFFF_FFFF
-BLOCK = 64  # points, or minima, under one minimum
+BLOCK = 64  # points, or minima, per minimum
 
 
 @struct
 class Cube:
-    """The cube that is halved.
-
-    Attributes:
-        corner: Its low corner [m].
-        scale: Finest cells a metre.
-    """
+    """Subdivided cube: low `corner` [m], `scale` finest cells per meter."""
 
     corner: vec3d
     scale: float64
@@ -54,11 +38,7 @@ class Cube:
 
 @struct
 class Minima:
-    """The least priorities of blocks.
-
-    Attributes:
-        few, some, many: Of 64, 4,096 and 262,144 points each.
-    """
+    """Least priorities of blocks of 64 (`few`), 4,096 (`some`) and 262,144 (`many`) points."""
 
     few: array(dtype=int32)
     some: array(dtype=int32)
@@ -78,19 +58,18 @@ class Minima:
 
 @func
 def cell_along(coordinate: float64, cube: Cube, axis: int) -> int:
-    """The index of a point's finest cell along one axis."""
     return min(int(floor((coordinate - cube.corner[axis]) * cube.scale)), LAST_CELL)
 
 
 @func
 def key_of_cell(x: int, y: int, z: int) -> int64:
-    """The bits of a finest cell, x above y above z."""
+    """Bits of a finest cell, x above y above z."""
     return (spread_bits(x) << 2) | (spread_bits(y) << 1) | spread_bits(z)
 
 
 @func
 def morton_key(p: vec3, cube: Cube) -> int64:
-    """The bits of a point's finest cell; SKIPPED where the point is not finite."""
+    """Bits of a point's finest cell; SKIPPED if it is not finite."""
     key = int64(SKIPPED)
     if isfinite(p):
         x = cell_along(float64(p[0]), cube, 0)
@@ -102,7 +81,7 @@ def morton_key(p: vec3, cube: Cube) -> int64:
 
 @func
 def priority(index: int) -> int:
-    """A bijection that scatters whole numbers of 32 bits (Wellons' "lowbias32")."""
+    """Bijective hash of 32-bit integers (Wellons' "lowbias32")."""
     x = index ^ ((index >> 16) & 0xFFFF)
     x = x * 0x7FEB352D
     x = x ^ ((x >> 15) & 0x1FFFF)
@@ -112,14 +91,12 @@ def priority(index: int) -> int:
 
 @kernel
 def encode_points_kernel(points: array(dtype=vec3), cube: Cube, keys: SortKeys):
-    """The key of each point."""
     i = tid()
     put_key(i, morton_key(points[i], cube), keys)
 
 
 @kernel
 def encode_world_points_kernel(points: array(dtype=vec3d), cube: Cube, keys: SortKeys):
-    """The key of each point in float64, all of which are finite."""
     i = tid()
     p = points[i]
     put_key(i, key_of_cell(cell_along(p[0], cube, 0), cell_along(p[1], cube, 1), cell_along(p[2], cube, 2)), keys)
@@ -129,7 +106,7 @@ def encode_world_points_kernel(points: array(dtype=vec3d), cube: Cube, keys: Sor
 def halve_keys_kernel(
     points: array(dtype=vec3), cube: Cube, shift: int64, words: array(dtype=int64), highs: array(dtype=int32)
 ):
-    """The lower half of each key above the point's index, and the upper half."""
+    """Lower half of each key above the point's index, and the upper half."""
     i = tid()
     key = morton_key(points[i], cube)
     words[i] = ((key & int64(LOW_MASK)) << shift) | int64(i)
@@ -138,7 +115,7 @@ def halve_keys_kernel(
 
 @kernel(for_cpu=True)
 def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
-    """The upper half of the key of each word's point, above the word's place."""
+    """Upper half of the key of each word's point, above the word's position."""
     i = tid()
     index = int(words[i] & ((1 << shift) - 1))
     places[i] = (int64(highs[index]) << shift) | int64(i)
@@ -146,7 +123,7 @@ def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shif
 
 @kernel(for_cpu=True)
 def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
-    """The key in place of an upper half above the place of the word that holds the lower; and the word's point."""
+    """Full key in place of the packed upper half; and the word's point."""
     i = tid()
     mask = (1 << shift) - 1
     place = places[i]
@@ -157,7 +134,6 @@ def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dt
 
 @kernel
 def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=int32)):
-    """The least priority of each block of points."""
     i = tid()
     found = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, order.shape[0])):
@@ -167,7 +143,6 @@ def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=i
 
 @kernel
 def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
-    """The least of each block."""
     i = tid()
     found = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, values.shape[0])):
@@ -177,7 +152,6 @@ def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
 
 @func
 def shared_depth(differing: int64) -> int:
-    """How many times the cube can be halved until two keys part, whose differing bits these are."""
     left = differing
     depth = int(DEPTH)
     while left != 0:
@@ -188,10 +162,7 @@ def shared_depth(differing: int64) -> int:
 
 @func
 def reach_beside(j: int, own: int, before: int, minima: Minima) -> int:
-    """How many points before j (`before` 1) or from j on (0) may be passed at once, else 1.
-
-    They may where a priority is below all of theirs.
-    """
+    """Points before j (`before` 1) or from j on (0) that can be skipped because all have higher priorities, else 1."""
     size = 1
     if j % BLOCK == 0:
         if minima.few[j // BLOCK - before] > own:
@@ -207,12 +178,12 @@ def reach_beside(j: int, own: int, before: int, minima: Minima) -> int:
 
 @kernel
 def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), minima: Minima, levels: array(dtype=uint8)):
-    """The level of each point, by the depth that it shares with points of lower priority on either side."""
+    """Level of each point, by the depth shared with lower-priority points on either side."""
     i = tid()
     count = int(order.shape[0])
     key = keys[i]
     own = priority(order[i])
-    depth = int(NODE_BITS - 1)  # sharing so little makes no difference
+    depth = int(NODE_BITS - 1)  # a shorter prefix makes no difference
     shift = int64(3 * (DEPTH - NODE_BITS))
     j = int(i)
     while j > 0:
@@ -225,7 +196,6 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
             if priority(order[j]) < own:
                 depth = shared_depth(differing)
                 j = 0
-    # to the right only a deeper prefix counts
     shift = int64(3 * max(DEPTH - 1 - depth, 0))
     j = i + 1
     if depth == DEPTH:
@@ -244,7 +214,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
 
 
 def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, Integers]:
-    """(keys, order) of points in Morton order, int64 and int32 [n] on their device; equal keys by index."""
+    """(keys, order) in Morton order, int64 and int32 (n) on the device; equal keys by index."""
     count, device, is_world = points.size, points.device, points.dtype is vec3d
     if device.is_cuda or count == 0 or is_world:
         keys = SortKeys(count, device)
@@ -256,7 +226,7 @@ def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, 
     host_view(words).sort()
     places = empty(count, int64, device)
     launch(pack_highs_kernel, count, [words, highs, shift, places])
-    del highs  # its memory is what `order` takes
+    del highs  # frees memory for `order`
     host_view(places).sort()
     order = empty(count, int32, device)
     launch(join_halves_kernel, count, [words, shift, places, order])
@@ -266,18 +236,9 @@ def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, 
 def find_levels(
     points: Points | Positions, corner: np.ndarray, side: float, numbers: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The level of each finite point within a cube.
-
-    Args:
-        points: Device array of vec3, or of vec3d where float32 would move points across cells.
-        corner: The low corner [m] of a cube that holds the finite ones.
-        side: Its side [m], above 0.
-        numbers: Of points that are a part of a larger cloud, int64 [n]: their indices in it, whose lower 32 bits say
-            their priorities. All points of a cell no smaller than a voxel of the first level then get the levels that
-            they have in the whole.
-
-    Returns:
-        (keys, order, levels) on the host, in Morton order, of the finite points alone: int64, int32 and uint8 [m].
+    """(keys, order, levels) of the finite points in a cube [m], in Morton order on the host. Use vec3d if float32 would
+    move points across cells. `numbers`: indices in a larger cloud; complete cells no smaller than a first-level voxel
+    then get the levels of the whole.
     """
     keys, order = sort_by_cell(points, Cube(corner, side))
     sorted_keys = download(keys)

@@ -1,8 +1,4 @@
-"""First occurrences of points: sort a hash of the coordinates, compare each point with those before it of its hash.
-
-Points are compared by the bits of their coordinates, zero and minus zero taken as one, so no result depends on the
-hash: points that share one by chance only take a step more. 12 B read and 12 B written a point beside the sort.
-"""
+"""First occurrences of points: sort by a coordinate hash and compare bits (zero equals minus zero)."""
 
 from ..array_types import Indices, Points
 from ..arrays.hash_table import mix_bits
@@ -14,23 +10,19 @@ from ..memory import empty
 LOW_WORD = 0xFFFFFFFF
 MINUS_ZERO = 0x80000000
 MAGNITUDE = 0x7FFFFFFF
-INFINITE = 0x7F800000  # bits of infinity; above it those of NaN
-WORD_BITS = 63  # of a sort key, its row's index included: the two are then sorted as one number
+INFINITE = 0x7F800000  # bits of infinity; NaN is above
+WORD_BITS = 63  # of a sort key with its row index: sorted as one number
 
 
 @func
 def coordinate_bits(x: float) -> int64:
-    """The bits of a coordinate, the same for zero and minus zero.
-
-    A comparison of floats might take subnormal numbers for zero.
-    """
+    """Bits of a coordinate, equal for zero and minus zero; a float comparison might flush subnormals."""
     bits = int64(float_bits(x)) & int64(LOW_WORD)
     return bits if bits != int64(MINUS_ZERO) else 0
 
 
 @func
 def is_nan(p: vec3) -> int:
-    """1 where a coordinate is NaN."""
     found = 0
     for axis in range(3):
         if (int64(float_bits(p[axis])) & int64(MAGNITUDE)) > int64(INFINITE):
@@ -40,7 +32,6 @@ def is_nan(p: vec3) -> int:
 
 @func
 def same_point(p: vec3, q: vec3) -> int:
-    """1 where all coordinates are equal."""
     differing = 0
     for axis in range(3):
         if coordinate_bits(p[axis]) != coordinate_bits(q[axis]):
@@ -50,7 +41,7 @@ def same_point(p: vec3, q: vec3) -> int:
 
 @kernel
 def hash_points_kernel(points: array(dtype=vec3), bits: int, keys: array(dtype=int64)):
-    """A hash of the coordinates with the given number of bits."""
+    """Hash of the coordinates with the given number of bits."""
     i = tid()
     p = points[i]
     h = mix_bits(coordinate_bits(p[0]) | (coordinate_bits(p[1]) << 32))
@@ -62,7 +53,7 @@ def hash_points_kernel(points: array(dtype=vec3), bits: int, keys: array(dtype=i
 def mark_first_kernel(
     points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)
 ):
-    """1 where no earlier point has the same coordinates; points with a NaN equal none."""
+    """1 if no earlier point has the same coordinates; NaN equals none."""
     i = tid()
     p = points[order[i]]
     first = 1
@@ -78,7 +69,7 @@ def mark_first_kernel(
 
 
 def first_occurrences(points: Points) -> Indices:
-    """The rows of a device array of vec3 that no earlier row equals; int32, ascending."""
+    """Rows of vec3 points that equal no earlier row; int32, ascending."""
     device = points.device
     bits = WORD_BITS - max(1, (points.size - 1).bit_length())
     keys = empty(points.size, int64, device)

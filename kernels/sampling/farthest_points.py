@@ -1,18 +1,10 @@
-"""Farthest point sampling: each choice is the point farthest from all points chosen before it.
+"""Farthest point sampling (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point strategy for progressive image
+sampling", IEEE Transactions on Image Processing 6(9), 1997).
 
-Eldar, Lindenbaum, Porat and Zeevi, "The farthest point strategy for progressive image sampling", IEEE Transactions on
-Image Processing 6(9), 1997. The plain algorithm measures all n points for each of m choices. Here each point keeps its
-squared distance to the chosen ones as one 64-bit key, the bits of the distance above its index counted from the end;
-each leaf, bucket and node of a PointTree keeps the largest key below it. The largest key of all is then the farthest
-point, of points equally far the one of lowest index. A choice can only bring points closer whose box lies nearer to it
-than the largest distance in that box: the rest of the tree keeps its keys. On a surface a choice then touches about
-n / s points for the s-th of m choices, O(n log m) together, where the plain algorithm takes O(n m).
-
-On the CPU one thread descends from the root, choice after choice. On CUDA a choice is one launch of a thread a leaf, 32
-of them the body of a loop that the device ends: the largest key travels through the array of choices. 32 B are read a
-leaf, and those of points where a leaf is near. Both give the same bits:
-the distance of a box is computed by the same operations as that of a point, so rounding never hides a point, and
-minimum and maximum depend on no order. 20 B a point beside the tree.
+Each point stores its squared distance to the chosen points as a key above its index counted from the end, and each tree
+node the largest key below it. A choice updates only boxes nearer than their largest distance: O(n log m) on a surface
+instead of O(n m). The CPU uses one thread, CUDA a launch per choice, 32 in a device loop. Both are bitwise identical:
+box distances round like point distances.
 """
 
 import numpy as np
@@ -42,37 +34,23 @@ from ..memory import download, empty, fill, full, zeros
 from ..search.point_tree import FAN, LEAF, SIDES, PointTree, box_distances, measure_box, measure_boxes
 
 leaf_keys = vector(8, int64)
-UNREACHED = 0x7F80_0000_0000_0000  # the key of an infinite distance, without its index
-APART = 0x1_0000_0000  # keys from here on are of points at some distance from all that are chosen
-CHOICES = 4096  # a CPU launch: a fraction of a second, so that an interrupt is heard
-STEPS = 32  # choices of a turn of the loop: the end of a turn costs as much as one of them
-FEWEST = 2 * STEPS  # choices that are worth a loop; fewer are launched one by one
-LOOPED = 1 << 16  # choices of a loop, a multiple of STEPS: a fraction of a second again
+UNREACHED = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
+APART = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
+CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
+STEPS = 32  # choices per loop iteration: its end costs as much as one of them
+FEWEST = 2 * STEPS  # minimum choices for a loop; fewer are launched one by one
+LOOPED = 1 << 16  # choices per loop, a multiple of STEPS: a fraction of a second
 
 
 @func
 def index_of(key: int64) -> int:
-    """The index of a key's point."""
     return int(int64(INDEX_MASK) - (key & int64(INDEX_MASK)))
 
 
 @struct
 class KeptDistances:
-    """How far the points of a tree lie from all that are chosen, as keys: of points, and the largest of each node.
-
-    Attributes:
-        tree: The PointTree.
-        points: The cloud that it was built over, by index.
-        leaf_count: Leaves of the tree.
-        xs, ys, zs: Coordinates [m] of the tree's points, float32 by place; zero where they fill up the last leaf.
-        keys: Squared distance [m^2] above the index counted from the end, by place; 0 where they fill up the last leaf.
-        leaf_tops: The largest key of each leaf.
-        tops: The largest key of each bucket and of each node above; for choices in turn alone.
-        queue: Nodes to look at for one choice, room for all; for choices in turn alone.
-        chosen: The key of each choice, and room for one more.
-        last: Choices after the first.
-        turn: int32 [1], the choice that the loop's turn begins with.
-        running: int32 [1], whether the loop goes on.
+    """Distances of tree points from the chosen ones: `keys` (squared distance [m^2] above the index from the end), 0 in
+    padding; `leaf_tops`: largest key per leaf. Sequential only: `tops` of buckets and nodes, `queue`.
     """
 
     tree: PointTree
@@ -91,7 +69,7 @@ class KeptDistances:
     running: array(dtype=int32)
 
     def __init__(self, tree: PointTree, sample_count: int, start: int, in_turn: bool) -> None:
-        """Nothing is near any point yet; the first choice is the point of index `start`."""
+        """Initialize; the first choice is the point of index `start`."""
         device, node_count = tree.device, tree.boxes.size // SIDES if in_turn else 0
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
         self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
@@ -106,7 +84,7 @@ class KeptDistances:
 
 @kernel
 def start_keys_kernel(kept: KeptDistances):
-    """Coordinates by axis, and keys of points that nothing is near yet; what fills up the last leaf is never chosen."""
+    """Coordinates by axis and initial keys; padding is never chosen."""
     i = tid()
     p = vec3(0.0, 0.0, 0.0)
     key = int64(0)
@@ -121,10 +99,7 @@ def start_keys_kernel(kept: KeptDistances):
 
 @func
 def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
-    """Bring the keys of a leaf down to their distance to p; the largest of them.
-
-    In three loops, so that the CPU runs each in vector registers.
-    """
+    """Lower a leaf's keys to their distance to p; return the largest. Three loops that the CPU vectorizes."""
     first = leaf * LEAF
     distances = box_distances(0.0)
     for j in range(LEAF):
@@ -146,7 +121,7 @@ def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
 
 @func
 def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
-    """Bring the keys of a bucket down to their distance to p, leaf by leaf where that may change one; the largest."""
+    """Lower a bucket's keys to their distance to p where needed; return the largest."""
     distances = measure_boxes(kept.tree.boxes, bucket, p, p)
     top = int64(0)
     for j in range(FAN):
@@ -162,10 +137,7 @@ def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
 
 @func
 def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
-    """Queue the nodes that may hold a point closer to p than to all chosen ones, from the root down to the buckets.
-
-    Returns where the buckets end; each level stands behind the one above it.
-    """
+    """Queue the nodes that may hold a point closer to p than to all chosen ones; returns the end of the buckets."""
     begin = 0
     end = 1
     kept.queue[0] = kept.tree.levels[kept.tree.root]
@@ -189,12 +161,12 @@ def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
 
 @func
 def approach_tree(p: vec3, kept: KeptDistances) -> int64:
-    """Bring all keys down to their distance to p; the largest of them."""
+    """Lower all keys to their distance to p; return the largest."""
     end = list_buckets_near(p, kept)
     level = 0
-    for step in range(end):  # from the last bucket back to the root, so that children come before their parents
+    for step in range(end):  # from the last bucket back to the root: children before parents
         node = kept.queue[end - 1 - step]
-        if node >= kept.tree.levels[level + 1]:  # no level is left out: the path to p itself is always queued
+        if node >= kept.tree.levels[level + 1]:  # no level is skipped: the path to p is always queued
             level += 1
         if level == 0:
             kept.tops[node] = approach_bucket(node, p, kept)
@@ -209,7 +181,7 @@ def approach_tree(p: vec3, kept: KeptDistances) -> int64:
 
 @kernel
 def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
-    """A run of choices by one thread; chosen[turn + 1] is the farthest point after the choice of that turn."""
+    """Run of choices by one thread; chosen[turn + 1] is the farthest point after that choice."""
     i = tid()
     for turn in range(first + i, last):
         key = kept.chosen[turn]
@@ -221,20 +193,19 @@ def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
 
 @kernel
 def choose_at_once_kernel(step: int, kept: KeptDistances):
-    """The choice that comes `step` after the turn's first, by a thread a bucket; chosen[turn + 1] must be 0 before."""
+    """The choice `step` after the iteration's first, one thread per bucket; chosen[turn + 1] must be 0 before."""
     i = tid()
     turn = kept.turn[0] + step
     if turn < kept.last:
         key = kept.chosen[turn]
         if key >= int64(APART):
             top = approach_bucket(i, kept.points[index_of(key)], kept)
-            if top > kept.chosen[turn + 1]:  # spares most of the atomics; an old value only lets one more through
-                atomic_max(kept.chosen, turn + 1, top)  # settles which bucket has the farthest point: the largest key
+            if top > kept.chosen[turn + 1]:  # saves most atomics; a stale value only adds one
+                atomic_max(kept.chosen, turn + 1, top)  # resolves the race: the largest key
 
 
 @cuda_func
 def largest_of_lanes(key: int64) -> int64:
-    """The largest key of a warp."""
     top = key
     for bit in range(LANE_BITS):
         high = shuffle_xor(int(top >> 32), 1 << bit)
@@ -245,7 +216,7 @@ def largest_of_lanes(key: int64) -> int64:
 
 @choose_at_once_kernel.on_cuda
 def choose_by_leaves_kernel(step: int, kept: KeptDistances):
-    """By a thread a leaf: lanes side by side read boxes side by side, and a warp offers one key."""
+    """CUDA variant, one thread per leaf, coalesced; a warp offers one key."""
     i = tid()
     turn = kept.turn[0] + step
     top = int64(0)
@@ -260,12 +231,12 @@ def choose_by_leaves_kernel(step: int, kept: KeptDistances):
     top = largest_of_lanes(top)
     if i % WARP == 0 and top > 0:
         if top > kept.chosen[turn + 1]:
-            atomic_max(kept.chosen, turn + 1, top)  # as in the kernel that this stands for
+            atomic_max(kept.chosen, turn + 1, top)  # as in the kernel it replaces
 
 
 @kernel
 def end_turn_kernel(limit: int, kept: KeptDistances):
-    """Go on behind the turn's choices, by one thread, as long as there is one to make below the limit."""
+    """Continue after the iteration's choices while below the limit; one thread."""
     i = tid()
     turn = min(kept.turn[0] + STEPS, kept.last) + i
     kept.turn[0] = turn
@@ -276,18 +247,8 @@ def end_turn_kernel(limit: int, kept: KeptDistances):
 
 
 def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: bool | None = None) -> np.ndarray:
-    """Choose points one after the other, each the farthest from all before it.
-
-    Args:
-        tree: A PointTree.
-        sample_count: How many to choose.
-        start: The index of the first; a finite point.
-        at_once: Whether a choice is one launch of many threads, instead of one thread for all choices; None for
-            what suits the device.
-
-    Returns:
-        Indices in the order of choice, int32 NumPy array; fewer than asked once all finite points coincide with a
-        chosen one. One sync.
+    """Farthest point samples, int32 NumPy array in order of choice; one sync. Fewer than `sample_count` once all points
+    coincide with chosen ones. `at_once`: one launch per choice; None chooses by device.
     """
     in_turn = not (tree.device.is_cuda if at_once is None else at_once)
     kept = KeptDistances(tree, sample_count, start, in_turn)
@@ -316,6 +277,6 @@ def _choose_at_once(kept: KeptDistances) -> None:
     for first in range(0, kept.last, LOOPED):
         limit = min(first + LOOPED, kept.last)
         if first:
-            download(kept.turn)  # sync, so that an interrupt is heard
+            download(kept.turn)  # sync, so that interrupts are handled
             fill(kept.running, 1)
         loop_while(kept.running, choose_some)

@@ -1,8 +1,4 @@
-"""Voxel keys: the cell of a regular grid as one 64-bit number, and the points of each cell.
-
-The axes take only the bits that the box needs, 62 together, so a grid may have more than 2^20 cells along one axis.
-Cells are counted from the grid's low corner in float64, so negative coordinates need no care.
-"""
+"""64-bit voxel keys (only required bits per axis, 62 together), and the points of each voxel."""
 
 from collections.abc import Sequence
 
@@ -18,7 +14,6 @@ cell = vector(3, int64)
 
 @func
 def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
-    """The index of a point's cell along one axis."""
     return int64(floor((float64(p[axis]) - corner[axis]) / size))
 
 
@@ -26,7 +21,7 @@ def cell_of(p: vec3, corner: vec3d, size: float64, axis: int) -> int64:
 def encode_voxels_kernel(
     points: array(dtype=vec3), corner: vec3d, size: float64, first: cell, bits: vec3i, skipped: int64, keys: SortKeys
 ):
-    """x in the high bits, then y, then z, from cell `first` on; points that are not finite take the key `skipped`."""
+    """Keys with x in the high bits, then y, then z, from cell `first` on; `skipped` for non-finite points."""
     i = tid()
     p = points[i]
     key = skipped
@@ -39,13 +34,7 @@ def encode_voxels_kernel(
 
 
 class VoxelGroups:
-    """The points of each occupied voxel, in ascending order of the voxel's key.
-
-    Attributes:
-        order: int32 [n], points by voxel; within a voxel in their own order.
-        starts: int32 [m + 1], where each voxel's points begin in `order`.
-        count: Occupied voxels m.
-    """
+    """Points of each occupied voxel in key order: `order` int32 (n), stable; `starts` int32 (m + 1); `count` m."""
 
     def __init__(
         self,
@@ -56,19 +45,7 @@ class VoxelGroups:
         first: Sequence[int] | np.ndarray = (0, 0, 0),
         name: str = "voxel_size",
     ) -> None:
-        """Group finite points.
-
-        Args:
-            points: Device array of vec3.
-            corner: The corner [m] that cells are counted from.
-            size: Edge of a cell [m].
-            cells: The number of cells along each axis.
-            first: The lowest cell of any point along each axis.
-            name: What users call the edge.
-
-        Raises:
-            ValueError: The grid needs more than 62 bits.
-        """
+        """Group finite points by cells of edge `size` [m] from `corner` [m]. Raises ValueError above 62 key bits."""
         bits = [63 if c > 2.0**62 else max(1, (int(c) - 1).bit_length()) for c in cells]
         if sum(bits) > 62:
             need = " x ".join(f"{c:,.0f}" if c < 1e15 else f"{c:.3g}" for c in cells)

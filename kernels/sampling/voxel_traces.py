@@ -1,8 +1,4 @@
-"""What fell into each voxel: octants, each point's voxel, the points nearest to mean and middle, the commonest value.
-
-A thread a voxel, over the points of its run in their own order: no atomics, the same result in any order of threads.
-Each reads the 12 B and writes 4 to 12 B of each point once or twice.
-"""
+"""Per-voxel selections: octants, points nearest to the mean or center, most common value. No atomics."""
 
 from typing import TYPE_CHECKING
 
@@ -17,12 +13,12 @@ from ..search.neighbor_keys import sort_keys
 if TYPE_CHECKING:
     from ..arrays.unique import UniqueKeys
 
-CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits are one key, so colours 5e-7 apart differ
+CHANNEL_STEPS = 2097151.0  # 2^21 - 1: three channels of 21 bits per key, resolution 5e-7
 
 
 @func
 def octant_of(p: vec3, corner: vec3d, size: float64) -> int:
-    """The eighth of its voxel that holds a point: 1 for the upper half along x, 2 along y, 4 along z."""
+    """Octant of a point in its voxel: 1 for the upper half along x, 2 along y, 4 along z."""
     octant = 0
     for axis in range(3):
         place = (float64(p[axis]) - corner[axis]) / size
@@ -41,7 +37,7 @@ def trace_voxels_kernel(
     octants: array(dtype=int32),
     voxels: array(dtype=int32),
 ):
-    """The last point in each octant of each voxel, and the voxel of each point; the rest is -1 already."""
+    """Last point in each octant of each voxel, and the voxel of each point; others stay -1."""
     i = tid()
     for j in range(starts[i], starts[i + 1]):
         row = order[j]
@@ -53,7 +49,7 @@ def trace_voxels_kernel(
 def nearest_to_mean_kernel(
     points: array(dtype=vec3), order: array(dtype=int32), starts: array(dtype=int32), rows: array(dtype=int32)
 ):
-    """The point of each run nearest to the run's mean, ties to the first."""
+    """Point of each run nearest to its mean, ties to the first."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(starts[i], starts[i + 1]):
@@ -72,7 +68,6 @@ def nearest_to_mean_kernel(
 
 @func
 def square_off_middle(p: vec3, corner: vec3d, size: float64) -> float64:
-    """The squared distance of a point from the middle of its voxel, in voxels."""
     total = float64(0.0)
     for axis in range(3):
         place = (float64(p[axis]) - corner[axis]) / size
@@ -90,7 +85,7 @@ def nearest_to_middle_kernel(
     size: float64,
     rows: array(dtype=int32),
 ):
-    """The point of each run nearest to the middle of its voxel, ties to the first."""
+    """Point of each run nearest to its voxel center, ties to the first."""
     i = tid()
     best = float64(INFINITY)
     row = order[starts[i]]
@@ -104,7 +99,7 @@ def nearest_to_middle_kernel(
 
 @kernel
 def encode_colors_kernel(colors: array(dtype=vec3), keys: array(dtype=int64)):
-    """A colour as one key; channels outside 0..1 count as its ends."""
+    """Color as a key, with channels clamped to 0..1."""
     i = tid()
     c = colors[i]
     key = int64(0)
@@ -122,7 +117,7 @@ def commonest_rows_kernel(
     scratch: array(dtype=int64),
     rows: array(dtype=int32),
 ):
-    """The first row of each run that has the run's commonest key, of equally common ones the lowest."""
+    """First row of each run with its most common key; ties to the lowest key."""
     i = tid()
     begin = starts[i]
     end = starts[i + 1]
@@ -147,12 +142,7 @@ def commonest_rows_kernel(
 
 
 def trace_voxels(points: Points, groups: "UniqueKeys", corner: np.ndarray, size: float) -> tuple[Indices, Indices]:
-    """Which points fell where.
-
-    Returns:
-        (octants, voxels): int32 device arrays: [8 m], the last point in each octant, and [n], the voxel of each point;
-        -1 for none.
-    """
+    """(octants int32 (8 m), last point per octant; voxels int32 (n) of the points); -1 for none."""
     octants = full(8 * groups.count, -1, int32, points.device)
     voxels = full(points.size, -1, int32, points.device)
     arguments = [points, groups.order, groups.starts, vec3d(*corner), size, octants, voxels]
@@ -161,26 +151,21 @@ def trace_voxels(points: Points, groups: "UniqueKeys", corner: np.ndarray, size:
 
 
 def nearest_to_means(points: Points, groups: "UniqueKeys") -> Indices:
-    """The row of the point nearest to the mean of each voxel, int32 [m]."""
+    """Row of the point nearest to the mean of each voxel, int32 (m)."""
     rows = empty(groups.count, int32, points.device)
     launch(nearest_to_mean_kernel, groups.count, [points, groups.order, groups.starts, rows])
     return rows
 
 
 def nearest_to_middles(points: Points, groups: "UniqueKeys", corner: np.ndarray, size: float) -> Indices:
-    """The row of the point nearest to the middle of each voxel of a grid, int32 [m]."""
+    """Row of the point nearest to the center of each voxel, int32 (m)."""
     rows = empty(groups.count, int32, points.device)
     launch(nearest_to_middle_kernel, groups.count, [points, groups.order, groups.starts, vec3d(*corner), size, rows])
     return rows
 
 
 def commonest_rows(values: AnyArray, groups: "UniqueKeys") -> Indices:
-    """A row of each voxel that has its commonest value, int32 [m].
-
-    Args:
-        values: Device array of whole numbers, shape [n], or of vec3 colours.
-        groups: VoxelGroups.
-    """
+    """A row of each voxel with its most common value, int32 (m); `values` are integers (n) or vec3 colors."""
     if values.dtype == vec3:
         keys = empty(values.size, int64, values.device)
         launch(encode_colors_kernel, values.size, [values, keys])

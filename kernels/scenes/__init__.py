@@ -1,1 +1,1 @@
-"""Made-up scenes and pictures, for the demo."""
+"""Synthetic scenes and images for the demo."""

@@ -1,11 +1,6 @@
-"""The noise of a structured-light depth camera.
-
-One thread a pixel: reads 9 depths, draws four random numbers, writes one depth; some 150 operations, most of
-them the random numbers'.
-
-Source: Nguyen, Izadi and Lovell, "Modeling Kinect sensor noise for improved 3D reconstruction and tracking", 3DIMPVT
-2012: axial standard deviation 1.2 mm + 1.9 mm (z - 0.4 m)^2 / m^2. No measurement at grazing angles, and seldom one
-beside an edge, where the pattern is torn.
+"""Noise of a structured-light depth camera (Nguyen, Izadi and Lovell, "Modeling Kinect sensor noise for improved 3D
+reconstruction and tracking", 3DIMPVT 2012): axial standard deviation 1.2 mm + 1.9 mm (z - 0.4 m)^2 / m^2, no depth at
+grazing angles, rarely beside edges.
 """
 
 from ..array_types import Scalars
@@ -17,10 +12,10 @@ AXIAL_BASE = 0.0012  # [m]
 AXIAL_GROWTH = 0.0019  # [1/m]
 AXIAL_NEAREST = 0.4  # [m]
 GRAZING = 0.17364818  # cos 80 degrees
-EDGE_JUMP = 0.04  # a jump of depth is an edge beyond this share of the depth
-EDGE_LOSS = 0.7  # share of the edge pixels that are lost
-NEAREST = 0.3  # [m] the camera measures nothing closer
-FARTHEST = 8.0  # [m] nor beyond
+EDGE_JUMP = 0.04  # relative depth step at an edge
+EDGE_LOSS = 0.7  # fraction of edge pixels without depth
+NEAREST = 0.3  # [m] minimum range
+FARTHEST = 8.0  # [m] maximum range
 
 
 @kernel
@@ -33,7 +28,7 @@ def measure_depth_kernel(
     incidence: array(dtype=float32),
     measured: array(dtype=float32),
 ):
-    """Depth [m] as a structured-light camera gives it, in whole millimetres; 0 where it measures nothing."""
+    """Measured depth [m] in whole millimeters; 0 where there is none."""
     i = tid()
     z = depth[i]
     column = i % width
@@ -58,16 +53,7 @@ def measure_depth_kernel(
 
 
 def measure_depth(depth: Scalars, incidence: Scalars, width: int, height: int, *, seed: int, frame: int) -> Scalars:
-    """Depth as a structured-light camera measures it.
-
-    Args:
-        depth, incidence: As `Room.render` gives them.
-        width, height: Size of the picture [px].
-        seed, frame: Choose the noise; the same two give the same noise.
-
-    Returns:
-        float32 device array [h * w] [m], whole millimetres; 0 where nothing is measured.
-    """
+    """Measured depth, float32 (h * w) [m], in whole millimeters, 0 for none; (`seed`, `frame`) selects the noise."""
     measured = empty(depth.size, float32, depth.device)
     launch(measure_depth_kernel, depth.size, [width, height, seed, frame, depth, incidence, measured])
     return measured

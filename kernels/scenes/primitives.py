@@ -1,13 +1,7 @@
-"""Scenes of convex solids: their exact distance field, and where rays meet them.
+"""Scenes of rounded boxes and cylinders: exact signed distances and ray intersections in float64.
 
-A scene is a union of boxes and cylinders, each with rounded edges; a sphere is a box without extent, a capsule a
-cylinder without radius. Distances are in float64 and exact outside the solids (rounding aside, below 1e-12 m); inside
-a union of touching solids they are a lower bound of the depth. This is the truth that results are scored against, so
-it favours exactness over speed: about 40 operations a point and solid.
-
-Source: signed distances of Quilez, "Distance functions". A ray meets a solid by Newton's method on that distance: the
-distance of a convex solid is convex along a line, so the steps never overshoot and converge quadratically, and a
-slope that is not negative proves a miss.
+Exact outside (below 1e-12 m of rounding); inside a union a lower bound of the depth. Distances of Quilez, "Distance
+functions". Rays use Newton's method on the distance, which is convex along a line, without overshoot.
 """
 
 from collections.abc import Sequence
@@ -36,10 +30,10 @@ from ..memory import empty, upload
 
 BOX = 0
 CYLINDER = 1
-TOUCH = 1e-9  # [m] a ray this close to a solid has met it
-GRAZE = 1e-6  # [m] ... or this close when the steps run out, where the ray is a tangent of the solid
+TOUCH = 1e-9  # [m] distance that counts as a hit
+GRAZE = 1e-6  # [m] ... or this close when the steps run out, for tangent rays
 STEPS = 40
-SMALLEST = 1e-12  # stands for a zero component of a ray's direction
+SMALLEST = 1e-12  # replaces a zero direction component
 ZERO = 0.0
 ONE = 1.0
 
@@ -76,7 +70,7 @@ def box_field(q: vec3d, extent: vec4d) -> vec4d:
 
 @func
 def cylinder_field(q: vec3d, extent: vec4d) -> vec4d:
-    """Gradient and signed distance [m] of a rounded cylinder along z: a rounded box in the plane of axis and point."""
+    """Gradient and signed distance [m] of a rounded cylinder along z."""
     radius = sqrt(q[0] * q[0] + q[1] * q[1])
     flat = box_field(vec3d(radius, float64(ZERO), q[2]), vec4d(extent[0], float64(INFINITY), extent[2], extent[3]))
     x = float64(ONE)
@@ -98,10 +92,7 @@ def solid_field(q: vec3d, extent: vec4d, kind: int) -> vec4d:
 
 @func
 def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit: float64) -> float64:
-    """The parameter at which a ray in a solid's frame first meets it, infinite for none below `limit`.
-
-    The search begins where the ray enters the bounding box, so flat faces of a box need no step at all.
-    """
+    """Parameter at which a ray in a solid's frame first hits it, from the bounding box on; infinite beyond `limit`."""
     near = float64(ZERO)
     far = limit + float64(ZERO)
     for axis in range(3):
@@ -138,15 +129,8 @@ def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit:
 
 @struct
 class Solids:
-    """The solids of a scene on a device.
-
-    Args:
-        kinds: BOX or CYLINDER, int32 [n].
-        rotations: World to solid, float64 [n, 3, 3]; a cylinder's axis is its z.
-        centers: float64 [n, 3] [m].
-        extents: float64 [n, 4] [m]: half sizes along the solid's axes and the radius that is added all round. A
-            cylinder has its radius, nothing and its half length in the first three.
-        device: Device.
+    """Boxes, cylinders: rotations world to solid; extents [m]: half sizes (cylinder: radius, 0, half length),
+    radius.
     """
 
     kinds: array(dtype=int32)
@@ -171,7 +155,6 @@ class Solids:
 
 @func
 def place_in_solid(p: vec3d, solid: int, solids: Solids) -> vec3d:
-    """A point in the frame of a solid."""
     return solids.rotations[solid] @ (p - solids.centers[solid])
 
 
@@ -187,14 +170,12 @@ def scene_distance(p: vec3d, solids: Solids) -> float64:
 
 @func
 def scene_normal(p: vec3d, solid: int, solids: Solids) -> vec3d:
-    """The outward unit normal of one solid at a point on it."""
     field = solid_field(place_in_solid(p, solid, solids), solids.extents[solid], solids.kinds[solid])
     return transpose(solids.rotations[solid]) @ vec3d(field[0], field[1], field[2])
 
 
 @kernel
 def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distances: array(dtype=float64)):
-    """The signed distance of each point; NaN for a point that is not finite."""
     i = tid()
     p = points[i]
     total = p[0] + p[1] + p[2]
@@ -202,15 +183,7 @@ def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distanc
 
 
 def distance_to_solids(points: Positions, solids: Solids) -> Doubles:
-    """Signed distance of points from the surface of a scene, negative inside a solid.
-
-    Args:
-        points: Device array of vec3d [n] [m].
-        solids: The scene.
-
-    Returns:
-        float64 device array [n] [m]; NaN for points that are not finite.
-    """
+    """Signed distances, float64 (n) [m], of points vec3d (n) from a scene, negative inside; NaN if not finite."""
     distances = empty(points.size, float64, points.device)
     launch(measure_distances_kernel, points.size, [points, solids, distances])
     return distances

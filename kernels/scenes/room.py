@@ -1,13 +1,6 @@
-"""Depth and colour of a scene of solids as a pinhole camera sees it.
-
-Rays meet the solids exactly (primitives.py), so depth is true to float32. One thread first lists for a tile of 16 x 16
-pixels the solids whose bounding spheres its cone touches; then one thread a pixel tries those, some 20 of 200, at about
-60 operations each. Colours are diffuse and belong to the place, not to the view.
-
-The light of a room: a hemisphere of ambient light dimmed in corners, and a lamp with soft shadows. Both come from a
-grid laid through the room once, distance to the nearest solid and share of the lamp seen, so a surface point costs two
-reads between 8 nodes each. The grid is coarse; that blurs shadows and changes no geometry. Light is diffuse and belongs
-to the room: a surface has one colour from wherever it is seen.
+"""Ray-traced depth and color of a scene of solids. Tiles of 16 x 16 pixels list the solids whose bounding spheres their
+cones touch, then each pixel tests those. Light is diffuse: ambient light with corner darkening and a lamp with soft
+shadows, from a coarse precomputed grid.
 """
 
 from collections.abc import Sequence
@@ -48,31 +41,20 @@ from ..memory import empty, upload
 from .primitives import Solids, meet_solid, place_in_solid, scene_distance, scene_normal
 
 AMBIENT = 0.54
-SKY = 0.04  # more ambient light from above than from below
+SKY = 0.04  # additional ambient light from above
 LAMP = 0.85
-LAMP_REACH = 3.2  # [m] where the lamp's light has halved
-LAMP_RADIUS = 0.25  # [m] nothing this close to the lamp throws a shadow: its own glass does not
-NEAR_CORNER = 0.07  # [m] how far from a surface its corners are felt
+LAMP_REACH = 3.2  # [m] distance at which the lamp's light has halved
+LAMP_RADIUS = 0.25  # [m] objects closer to the lamp cast no shadow, such as its own glass
+NEAR_CORNER = 0.07  # [m] range of corner darkening
 FAR_CORNER = 0.28
-SHADOW_STEP = 0.04  # [m] shortest and longest step toward the lamp
+SHADOW_STEP = 0.04  # [m] shortest and longest step towards the lamp
 SHADOW_STRIDE = 0.12
-PENUMBRA = 6.0  # distance over width of a shadow's edge
+PENUMBRA = 6.0  # distance over width of a penumbra
 
 
 @struct
 class LightGrid:
-    """The light of a scene, sampled once.
-
-    Args:
-        solids: The solids.
-        lamp: Place of the lamp, [3] [m].
-        low, high: The box that the grid fills, [3] [m].
-        step: Spacing of its nodes [m]; 8 B of memory and one pass over all solids a node.
-
-    Attributes:
-        size: Nodes along each axis.
-        nodes: vec2, z fastest: distance [m] to the nearest solid, and share of the lamp that is seen.
-    """
+    """Precomputed light; `nodes`, z fastest: distance [m] to the nearest solid and visible fraction of the lamp."""
 
     lamp: vec3
     low: vec3
@@ -95,13 +77,12 @@ class LightGrid:
 
 @func
 def node_place(i: int, light: LightGrid) -> vec3i:
-    """Where the i-th node of the grid stands, in steps."""
     return vec3i(i // (light.size[2] * light.size[1]), (i // light.size[2]) % light.size[1], i % light.size[2])
 
 
 @kernel
 def sample_distances_kernel(light: LightGrid, low: vec3d, step: float64, solids: Solids, distances: array(dtype=vec2)):
-    """The distance field [m] at the nodes of a grid, beside a share of light that is still unknown."""
+    """Distance field [m] at the nodes; light is still unknown."""
     i = tid()
     node = node_place(i, light)
     p = low + vec3d(float64(node[0]), float64(node[1]), float64(node[2])) * step
@@ -110,7 +91,6 @@ def sample_distances_kernel(light: LightGrid, low: vec3d, step: float64, solids:
 
 @func
 def read_grid(p: vec3, nodes: array(dtype=vec2), light: LightGrid) -> vec2:
-    """Distance and share of the lamp between the nodes of the grid."""
     u = (p - light.low) / light.step
     x = min(max(u[0], 0.0), float(light.size[0] - 1) - 0.001)
     y = min(max(u[1], 0.0), float(light.size[1] - 1) - 0.001)
@@ -132,7 +112,7 @@ def read_grid(p: vec3, nodes: array(dtype=vec2), light: LightGrid) -> vec2:
 
 @kernel
 def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
-    """The share of the lamp seen from each node: the narrowest passage on the way there, by its angle."""
+    """Visible lamp fraction of each node: the narrowest passage by its angle."""
     i = tid()
     node = node_place(i, light)
     p = light.low + vec3(float(node[0]), float(node[1]), float(node[2])) * light.step
@@ -150,7 +130,7 @@ def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
 
 @func
 def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
-    """The light that a point of a surface gives off for each unit of its colour."""
+    """Light of a surface point per unit of its color."""
     near = read_grid(p + normal * NEAR_CORNER, light.nodes, light)
     far = read_grid(p + normal * FAR_CORNER, light.nodes, light)
     open_share = 0.4 * near[0] / NEAR_CORNER + 0.6 * far[0] / FAR_CORNER
@@ -162,20 +142,20 @@ def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
     return (AMBIENT + SKY * normal[2]) * openness + LAMP * lit * fall * (0.6 + 0.4 * openness)
 
 
-TILE = 16  # [px] smaller tiles list fewer solids, larger ones cost fewer lists; 8 and 32 were slower
+TILE = 16  # [px] smaller tiles list fewer solids, larger ones need fewer lists; 8 and 32 were slower
 TILE_SIZE = float(TILE)
 PLAIN = 0
 CHECKER = 1
 STRIPES = 2
 PLANKS = 3
-GLOW = 4  # shines by itself
-SEAM = 0.137  # moves the seams of patterns off the faces of the solids, where rounding would choose the side
+GLOW = 4  # emissive
+SEAM = 0.137  # shifts pattern seams off the faces of solids, where rounding would decide
 PLANK_LENGTH = 5.0  # widths of a plank
 
 
 @func
 def pattern_weight(q: vec3, kind: int, size: float) -> float:
-    """The share of the second colour at a point in a solid's frame."""
+    """Fraction of the second color at a point in a solid's frame."""
     u = q / size + vec3(SEAM, SEAM, SEAM)
     weight = 0.0
     if kind == CHECKER:
@@ -195,16 +175,8 @@ def pattern_weight(q: vec3, kind: int, size: float) -> float:
 
 @struct
 class Room:
-    """A scene of solids with colours and a lamp, ready to be looked at.
-
-    Args:
-        solids: The solids.
-        paints: Two colours a solid, float32 [n, 2, 3], 0 to 1.
-        patterns: Kind (PLAIN, CHECKER, STRIPES, PLANKS, GLOW) and size [m] a solid, float32 [n, 2].
-        lamp: Place of the lamp, [3] [m].
-        low, high: The box in which corners and shadows are felt, [3] [m].
-        step: Spacing of the grid that they are read from [m].
-        light: A grid that is there already, of other solids too; what the four before it say is not looked at then.
+    """A scene of solids, two colors each (0 to 1), `patterns`: kind (PLAIN, CHECKER, STRIPES, PLANKS, GLOW) and size
+    [m]. `light`: an existing grid, instead of `lamp`, `low`, `high` and `step` [m].
     """
 
     solids: Solids
@@ -231,16 +203,7 @@ class Room:
         self.light = light if light is not None else LightGrid(solids, lamp=lamp, low=low, high=high, step=step)
 
     def render(self, camera: CameraLike, T_world_camera: np.ndarray) -> tuple[Scalars, Scalars, Bytes]:
-        """What a pinhole camera sees.
-
-        Args:
-            camera: A Camera, or what has its attributes.
-            T_world_camera: Camera to world, float64 [4, 4].
-
-        Returns:
-            (depth, incidence, colors): float32 [h * w] along the optical axis [m], 0 where there is nothing; the
-            cosine between view and normal, float32 [h * w]; uint8 [3 * h * w]. Device arrays, the same bits each time.
-        """
+        """Render (depth [m] along the optical axis, 0 if empty; cosine between view and normal; 8-bit colors)."""
         device, count, pose = self.device, camera.width * camera.height, Transform(T_world_camera)
         tiles = TileLists(camera, pose, self.solids)
         depth, incidence = empty(count, float32, device), empty(count, float32, device)
@@ -251,13 +214,7 @@ class Room:
 
 @struct
 class TileLists:
-    """The solids that each tile of a picture may show.
-
-    Attributes:
-        columns: Tiles side by side.
-        counts: int32, solids of each tile.
-        lists: int32, their numbers; a tile's begin at its own number times that of all solids.
-    """
+    """Solids that each tile may show: `columns` of tiles; `counts`; `lists` with room for all solids per tile."""
 
     columns: int
     counts: array(dtype=int32)
@@ -272,7 +229,6 @@ class TileLists:
 
 @kernel
 def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids, tiles: TileLists):
-    """For each tile the solids whose bounding spheres touch the cone about its four corners."""
     i = tid()
     x0 = float64((i % tiles.columns) * TILE) - 0.5
     y0 = float64((i // tiles.columns) * TILE) - 0.5
@@ -304,7 +260,6 @@ def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids
 
 @func
 def color_at(p: vec3d, normal: vec3d, solid: int, room: Room) -> vec3:
-    """The colour of a solid at a point on it, in the light that falls there."""
     q = place_in_solid(p, solid, room.solids)
     light = light_surface(narrow(p), narrow(normal), room.light)
     pattern = room.patterns[solid]
@@ -324,7 +279,7 @@ def render_pixels_kernel(
     incidence: array(dtype=float32),
     colors: array(dtype=uint8),
 ):
-    """Depth, the cosine between view and normal, and colour of each pixel; zeros where there is nothing."""
+    """Depth, incidence cosine and color of each pixel; zeros if empty."""
     i = tid()
     column = i % camera.width
     row = i // camera.width

@@ -1,12 +1,7 @@
-"""The grain of a made-up scene's surfaces: 3-D value noise, so that each place looks like no other.
+"""Surface grain: 3D value noise of the world position.
 
-One thread a pixel: reads 4 B of depth and 3 B of colour, writes 3 B; 24 hashes of some 12 operations each and 3 blends
-of 8 numbers. A point's grain follows from its place alone, so pictures from anywhere show the same.
-
-Only + - * / on float32 and whole numbers, so pictures have the same bits on every compiler and device.
-
-Source: value noise with a smooth blend is Perlin's ("An image synthesizer", SIGGRAPH 1985) with numbers in place of
-slopes; the lattice's hash is Teschner et al. 2003 with the finaliser of xxHash32.
+Smooth blend of Perlin ("An image synthesizer", SIGGRAPH 1985) over hashed lattice values (Teschner et al. 2003,
+finalizer of xxHash32). Float32 + - * / and integers only: bitwise identical everywhere.
 """
 
 import numpy as np
@@ -18,11 +13,11 @@ from ..drawing.shading import color_byte
 from ..lang import array, float32, float64, floor, func, kernel, launch, tid, uint8, uint32, vec3
 from ..memory import empty
 
-# Detail for cameras near and far: 0.12 m is 30 px of a VGA picture at 2 m, 15 mm is 4 px.
+# Detail at near and far range: 0.12 m is 30 px of a VGA image at 2 m, 15 mm is 4 px.
 COARSE, MIDDLE, FINE = 0.12, 0.04, 0.015  # [m] spacing of the octaves' lattices
 COARSE_WEIGHT, MIDDLE_WEIGHT, FINE_WEIGHT = 0.45, 0.33, 0.22  # their shares
-DARKEST = 0.45  # what a colour is multiplied with where the noise is 0 ...
-RANGE = 1.1  # ... and how much more where it is 1: the mean is 1
+DARKEST = 0.45  # color factor at noise 0 ...
+RANGE = 1.1  # ... and its increase at noise 1: the mean is 1
 
 PRIME_X, PRIME_Y, PRIME_Z = 73856093, 19349663, 83492791  # of Teschner et al.
 PRIME_SEED = 2654435761
@@ -32,7 +27,7 @@ HALF_WORD = 0xFFFF
 
 @func
 def lattice_value(x: int, y: int, z: int, seed: int) -> float:
-    """The number at a node of the lattice, one of 65,536 from 0 to 1."""
+    """Lattice value, one of 65,536 from 0 to 1."""
     h = (uint32(x) * uint32(PRIME_X)) ^ (uint32(y) * uint32(PRIME_Y)) ^ (uint32(z) * uint32(PRIME_Z))
     h = h ^ (uint32(seed) * uint32(PRIME_SEED))
     h = (h ^ (h >> 15)) * uint32(MIX_1)
@@ -42,19 +37,18 @@ def lattice_value(x: int, y: int, z: int, seed: int) -> float:
 
 @func
 def ease(t: float) -> float:
-    """From 0 to 1, level at both."""
+    """Smooth step from 0 to 1."""
     return t * t * (3.0 - 2.0 * t)
 
 
 @func
 def lattice_row(x: int, y: int, z: int, fx: float, seed: int) -> float:
-    """Between two nodes along x."""
     return lattice_value(x, y, z, seed) * (1.0 - fx) + lattice_value(x + 1, y, z, seed) * fx
 
 
 @func
 def value_noise(p: vec3, seed: int) -> float:
-    """Value noise of a lattice with spacing 1, from 0 to 1; smooth but for its second derivative."""
+    """Value noise of unit lattice spacing, 0 to 1; the second derivative is discontinuous."""
     x = floor(p[0])
     y = floor(p[1])
     z = floor(p[2])
@@ -71,7 +65,7 @@ def value_noise(p: vec3, seed: int) -> float:
 
 @func
 def grain(p: vec3, seed: int) -> float:
-    """What the colour of a place [m] is multiplied with: three octaves, 1 in the mean."""
+    """Color factor at a position [m]: three octaves, mean 1."""
     coarse = COARSE_WEIGHT * value_noise(p / COARSE, seed)
     middle = MIDDLE_WEIGHT * value_noise(p / MIDDLE, seed + 1)
     fine = FINE_WEIGHT * value_noise(p / FINE, seed + 2)
@@ -87,7 +81,6 @@ def grain_pixels_kernel(
     colors: array(dtype=uint8),
     grained: array(dtype=uint8),
 ):
-    """Each pixel's colour times the grain of the place that it shows; black stays where there is nothing."""
     i = tid()
     z = depth[i]
     ray = pixel_ray(float64(i % camera.width), float64(i // camera.width), camera)
@@ -103,17 +96,7 @@ def grain_pixels_kernel(
 def grain_pixels(
     camera: CameraLike, T_world_camera: np.ndarray, depth: Scalars, colors: Bytes, *, seed: int = 1
 ) -> Bytes:
-    """Give the surfaces that a picture shows a grain.
-
-    Args:
-        camera: A Camera, or what has its attributes.
-        T_world_camera: Camera to world, float64 [4, 4].
-        depth, colors: As `Room.render` gives them: float32 [h * w] [m], uint8 [3 * h * w].
-        seed: Chooses the grain; it belongs to the scene, so all its pictures take the same.
-
-    Returns:
-        uint8 device array [3 * h * w].
-    """
+    """Apply grain to an image, uint8 (3 * h * w); `depth`, `colors` as of `Room.render`, one `seed` per scene."""
     grained = empty(colors.size, uint8, colors.device)
     launch(grain_pixels_kernel, depth.size, [camera, Transform(T_world_camera), seed, depth, colors, grained])
     return grained

@@ -1,1 +1,1 @@
-"""The tree of boxes over points, and every search in it."""
+"""Bounding-box tree over points, and all its searches."""

@@ -1,20 +1,16 @@
-"""Walks through a PointTree, or one tree of a forest, from bucket to bucket: up from one, down where it is asked for.
-
-A walk stands at a bucket; what is left to visit is one byte a level, so there is no stack. Which children of a node are
-looked into is a function that the caller gives.
-"""
+"""Stackless PointTree traversal from bucket to bucket, with one byte of pending children per level."""
 
 from ..arrays.packed_keys import pack_key
 from ..lang import array, bit_count, callback, cuda_func, float32, func, int32, int64, loop, partial, vec3, vector
 from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_box, measure_boxes, square_distance
 
 BYTE = 255
-walk = vector(4, int64)  # height, level, node, and what is left to visit: a byte a level
+walk = vector(4, int64)  # height, level, node, and pending children, one byte per level
 
 
 @func
 def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """A byte: bit j is set where the box of child j lies within the squared distance `bound` of the box (a, b)."""
+    """Bit mask of the child boxes within the squared distance `bound` of the box (a, b)."""
     distances = measure_boxes(boxes, node, a, b)
     found = 0
     for j in range(FAN):
@@ -27,7 +23,7 @@ def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bo
 def children_in_turn(
     levels: array(dtype=int32), boxes: array(dtype=float32), p: vec3, bound: float, level: int, node: int
 ) -> int:
-    """`children_in_reach` of a point, a box at a time: for what is seldom walked, in few registers."""
+    """`children_in_reach` of a point, one box at a time: fewer registers, for rare traversals."""
     found = 0
     children = int(FAN)
     for j in range(children):
@@ -38,23 +34,18 @@ def children_in_turn(
 
 @func
 def byte_place(level: int) -> int64:
-    """Where a level's byte begins in what is left to visit; buckets (level 0) need none."""
+    """Shift of a level's byte in the pending mask; buckets (level 0) need none."""
     return int64(FAN * max(level - 1, 0))
 
 
 @func
 def start_walk(bucket: int) -> walk:
-    """A walk that stands at a bucket."""
     return walk(0, 0, int64(bucket), 0)
 
 
 @func
 def next_step(step: walk, root: int, children: callback) -> walk:
-    """Go on to the next bucket; `children(level, node)` is a byte, a bit for each child to look into.
-
-    Up from the first bucket, and at each height down into the ancestor's other children. The walk stands at bucket
-    step[2], or has ended where its height exceeds `root`. What is looked into may shrink between the steps.
-    """
+    """Advance to the next bucket step[2], or to a height above `root`; `children(level, node)` may shrink."""
     height = int(step[0])
     level = int(step[1])
     node = int(step[2])
@@ -103,31 +94,29 @@ def children_in_reach(
     level: int,
     node: int,
 ) -> int:
-    """`children_within` for a node given by its level; the levels of its tree stand from `first` on."""
+    """`children_within` for a node given by its level; the levels of its tree start at `first`."""
     return children_within(boxes, levels[first + level] + node, a, b, bound)
 
 
 @func
 def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
-    """Go on to the next bucket whose box lies within the squared distance `bound` of the box (a, b)."""
+    """Advance to the next bucket within the squared distance `bound` of the box (a, b)."""
     return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, bound))
 
 
 @func
 def next_bucket_of_point(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
-    """`next_bucket` of a point."""
     return next_bucket(step, p, p, bound, tree)
 
 
 @next_bucket_of_point.on_cuda
 def next_bucket_in_turn(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
-    """`next_bucket` of a point, in few registers."""
     return next_step(step, tree.root, partial(children_in_turn, tree.levels, tree.boxes, p, bound))
 
 
 @loop
 def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree) -> int:
-    """The first places of the leaves within the squared distance `reach` of the box (a, b), from a bucket on."""
+    """First positions of the leaves within the squared distance `reach` of the box (a, b), starting at a bucket."""
     step = start_walk(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
@@ -141,7 +130,7 @@ def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree)
 
 @loop
 def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> tuple[int, float]:
-    """The places and squared distances [m^2] of the points within the squared distance `reach`, from a bucket on."""
+    """Positions and squared distances [m^2] of the points within the squared distance `reach`, starting at a bucket."""
     for first in leaves_in_reach(start, p, p, reach, tree):
         for j in range(first, min(first + LEAF, tree.count)):
             sqdist = square_distance(p, tree.points[j])
@@ -151,13 +140,10 @@ def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> tuple
 
 @func
 def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)) -> walk:
-    """The walk without the nodes ahead whose points all lie at one place and have keys beyond the limit.
-
-    Without it each of n points at one place would visit all the others' buckets.
-    """
+    """Skip nodes whose points all coincide and have keys beyond the limit; avoids O(n^2) for n duplicates."""
     pending = step[3]
     node = int(step[2])
-    buckets = 1  # of a child
+    buckets = 1  # buckets per child
     for above in range(int(step[0])):
         node = node // FAN
         left = int(pending >> byte_place(above + 1)) & BYTE
@@ -168,7 +154,7 @@ def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree,
                 if ((left >> j) & 1) == 1:
                     first = (node * FAN + j) * buckets * BUCKET
                     if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
-                        # equal points stand by index, so the first has the smallest key
+                        # equal points are ordered by index, so the first has the smallest key
                         if pack_key(distances[j], labels[first]) > limit:
                             pending = pending ^ (int64(1 << j) << byte_place(above + 1))
         buckets = buckets * FAN
@@ -179,7 +165,6 @@ def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree,
 def pass_over_equal_in_turn(
     step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)
 ) -> walk:
-    """The same, a box at a time."""
     pending = step[3]
     node = int(step[2])
     buckets = 1

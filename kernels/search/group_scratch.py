@@ -1,8 +1,7 @@
-"""Scratch memory of searches for the neighbours of groups of queries, and the launches that share it.
+"""Scratch memory for neighbor searches of query groups.
 
-On the CPU a group is a leaf's points: their candidates are copied side by side, and a query's keys lie side by side.
-On CUDA it is a warp's 32 lanes (lane_search.py): their candidates are a list of leaves, and the keys of all queries of
-a launch are interleaved, key j of thread i at i + j * stride, so that a warp takes one of each lane at once.
+On the CPU a group is a leaf's points with contiguous candidates and keys. On CUDA it is a warp (lane_search.py): the
+candidates are leaves, and key j of thread i is at i + j * stride for coalesced access.
 """
 
 from collections.abc import Iterator
@@ -13,22 +12,16 @@ from ..lang import WARP, array, float32, func, int32, int64, struct
 from ..memory import empty
 from .point_tree import BUCKET, LEAF
 
-CPU_RUN = 32  # groups a thread on the CPU; the queries of the first have no group before and walk the tree
-SCRATCH = 2**25  # scratch numbers of one kind a launch on the CPU
-SM_THREADS = 768  # a launch on CUDA: what a multiprocessor holds at 80 registers a thread; a warp takes groups in turn
-MOST_LEAVES = 512  # that a warp measures, besides two a neighbour
-MOST_KEYS = 2**28  # a launch on CUDA, 2 GB
+CPU_RUN = 32  # groups per CPU thread; queries of the first have no previous group and traverse the tree
+SCRATCH = 2**25  # scratch numbers of one kind per CPU launch
+SM_THREADS = 768  # per CUDA launch: a multiprocessor's capacity at 80 registers per thread
+MOST_LEAVES = 512  # measured by a warp, besides two per neighbor
+MOST_KEYS = 2**28  # per CUDA launch, 2 GB
 
 
 @struct
 class LaunchPart:
-    """The groups of one launch.
-
-    Attributes:
-        first, last: The groups from `first` to `last` - 1.
-        run: Groups a thread.
-        threads: Threads.
-    """
+    """Groups `first` to `last` - 1 of one launch, `run` groups per thread, `threads` threads."""
 
     first: int
     last: int
@@ -40,17 +33,8 @@ class LaunchPart:
 
 @struct
 class GroupScratch:
-    """Scratch memory of searches in groups, and the parts in which they are launched.
-
-    Attributes:
-        xs, ys, zs, ids: Candidates of a group: coordinates and labels; on CUDA only ids, the first places of leaves,
-            which lie behind the keys. A group's begin at its number times `gather`.
-        keys: A thread's, read by `held_key`: first `room` that are held, then, on the CPU, k
-            that are kept.
-        k: Neighbours a query.
-        gather: Candidates that a group may have, on CUDA leaves.
-        width: Queries a group.
-        stride: Threads of a launch.
+    """Scratch memory of searches in groups: candidates of a group from its number times `gather` (on CUDA `ids` of
+    leaves, behind the keys); `room` keys per thread, then on the CPU k kept; `stride`: threads per launch.
     """
 
     xs: array(dtype=float32)
@@ -65,13 +49,12 @@ class GroupScratch:
     stride: int
 
     def __init__(self, device: Device, query_count: int, k: int) -> None:
-        """Memory for searches of the k nearest."""
         self.k, self.gather = k, candidate_room(device, k)
         self.lanes = self.width = WARP
         self.room = row = 2 * (k + BUCKET)
         if not device.is_cuda:
             self.lanes, self.width = 1, LEAF
-            self.room = max(self.gather, 3 * k + 2 * BUCKET)  # a ball from the query before holds some 2 k
+            self.room = max(self.gather, 3 * k + 2 * BUCKET)  # a ball from the previous query contains about 2 k
             row = self.room + k
         self.groups = -(-query_count // self.width)
         if device.is_cuda:
@@ -83,14 +66,14 @@ class GroupScratch:
         self.ids, self.keys = empty(self.stride * self.gather, int32, device), empty(self.stride * row, int64, device)
 
     def _allocate_for_warps(self, device: Device, row: int) -> None:
-        """One launch, whose warps take groups in turn: as many as the device holds, fewer where it has no room."""
+        """One launch whose warps process groups in turn: as many as the device holds, or as fit into memory."""
         warps = max(1, min(device.sm_count * SM_THREADS, MOST_KEYS // row) // WARP)
         while True:
             self.run, self.most = max(1, -(-self.groups // warps)), max(1, self.groups)
             used = max(1, -(-self.groups // self.run))
             self.stride = used * WARP
             held, listed = self.stride * row, used * self.gather
-            try:  # one allocation, since each takes the host longer than the parts of one
+            try:  # one allocation, since each costs the host more than views
                 self.keys = empty(held + -(-listed // 2), int64, device)
                 break
             except MemoryError:
@@ -101,7 +84,7 @@ class GroupScratch:
         self.xs = self.ys = self.zs = part_of(self.keys, 0, float32, 1)
 
     def parts(self, shift: int = 0) -> Iterator[LaunchPart]:
-        """The LaunchPart of each launch; `shift` is the number of the first query, a multiple of `width`."""
+        """The LaunchPart of each launch; `shift` is the first query, a multiple of `width`."""
         runs, first = -(-self.groups // self.run), shift // self.width
         for begin in range(0, runs, self.most):
             here = min(self.most, runs - begin)
@@ -111,19 +94,15 @@ class GroupScratch:
 
 @func
 def held_key(scratch: GroupScratch, base: int, j: int) -> int64:
-    """Key j of a thread's, which begin at `base`."""
+    """Key j of the thread whose keys begin at `base`."""
     return scratch.keys[base + j]
 
 
 @held_key.on_cuda
 def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
-    """Key j of a thread's, which begin at `base`."""
     return scratch.keys[base + j * scratch.stride]
 
 
 def candidate_room(device: Device, k: int) -> int:
-    """How many candidates a group may gather: points on the CPU, twice what a surface asks for; leaves on CUDA.
-
-    There a lane that walks the tree alone takes longer than all lanes with many leaves, and a list holds them cheaply.
-    """
+    """Maximum candidates of a group; a longer list on CUDA, because a lane that searches alone is slower."""
     return MOST_LEAVES + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)

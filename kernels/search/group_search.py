@@ -1,12 +1,8 @@
-"""Neighbours for a group of queries that lie close together: one walk through the tree, then plain vector loops.
+"""Neighbors of a group of adjacent queries: one traversal, then vector loops.
 
-The leaves that a group of LEAF queries can need are found once and their points copied side by side; each query then
-measures all of them in a loop without branches, keeps those within its own reach, and picks. How far a group looks is
-the radius, or less: a little farther than the k-th neighbours of the group before it. A query that finds fewer than k
-there, and one whose group has too many candidates, walks the tree alone: the result is the same. On CUDA a group is a
-warp (lane_search.py).
-
-A walk's reach comes from the query before: a ball grown by the way between the two holds as many points.
+The points of all leaves within reach of a group are copied once, and each query measures them without branches. The
+group's reach is estimated from the previous group. Queries that find fewer than k, or have too many candidates, search
+the tree alone, with the same result. On CUDA a group is a warp (lane_search.py).
 """
 
 from collections.abc import Sequence
@@ -39,16 +35,16 @@ from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, square_distance
 
-SLACK = 1.00001  # covers the rounding of two square roots, a sum and a product in float32
-TINY = 1.0e-37  # [m^2] covers the rounding of products below the normal numbers, which is not relative
+SLACK = 1.00001  # covers the float32 rounding of two square roots, a sum and a product
+TINY = 1.0e-37  # [m^2] covers the rounding of subnormal products, which is not relative
 eight = vector(8, float32)
-FEW = 8  # so many keys too many are dropped one by one rather than by sorting all
-GUESS = 1.2  # times the largest k-th squared distance of the group before: then 3 % of queries find fewer than k
+FEW = 8  # up to this many excess keys are dropped one by one, without a sort
+GUESS = 1.2  # times the previous group's largest k-th squared distance: 3 % of queries then find fewer than k
 
 
 @func
 def grown_reach(bound: float, sqdist: float) -> float:
-    """Squared radius of a ball that holds a ball of squared radius `bound` whose centre is sqrt(sqdist) away."""
+    """Squared radius of a ball that contains the ball of squared radius `bound` with its center sqrt(sqdist) away."""
     hint = sqrt(bound) + sqrt(sqdist)
     return hint * hint * SLACK + TINY
 
@@ -64,10 +60,7 @@ def gather_candidates(
     scratch: GroupScratch,
     base: int,
 ) -> int:
-    """Copy the points of all leaves within the squared distance `reach` of a box; their number.
-
-    More than `gather` are not copied and reported as `gather` + 1. Up to a multiple of LEAF points at infinity follow.
-    """
+    """Copy the points of leaves within reach of a box, padded with infinity; return the count, at most `gather` + 1."""
     size = 0
     near = reach
     for first in leaves_in_reach(start, a, b, near, tree):
@@ -94,7 +87,7 @@ def gather_candidates(
 def gather_around_leaf(
     leaf: int, reach: float, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, base: int
 ) -> int:
-    """gather_candidates for the points of a leaf; none where there is no room or the reach is without bound."""
+    """gather_candidates for a leaf; none if there is no room or the reach is infinite."""
     gathered = scratch.gather + 1
     if scratch.gather > 0 and reach < BOUNDLESS:
         at = (leaf // FAN) * SIDES + leaf % FAN
@@ -106,11 +99,7 @@ def gather_around_leaf(
 
 @func
 def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, reach: float) -> int:
-    """The keys of the candidates with squared distance <= reach, in keys[base:]; how many.
-
-    Eight at a time: their distances stay in registers, so that no store stands between the loads. What is measured
-    beyond the last candidate lies at infinity and is not kept.
-    """
+    """Write the keys of candidates within squared distance `reach` to keys[base:]; return the count."""
     held = 0
     sqdists = eight(0.0)
     for chunk in range((size + LEAF - 1) // LEAF):
@@ -129,7 +118,7 @@ def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int
 
 @func
 def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int:
-    """Remove the largest keys until k are left, unsorted; how many are left."""
+    """Remove the largest keys until k are left, unsorted; return the count."""
     left = held
     while left > k:
         largest = keys[base]
@@ -158,17 +147,15 @@ def search_member(
     reach: float,
     sort: int,
 ) -> int:
-    """The k nearest points within reach of one query of a group, as keys in keys[base:]; how many.
-
-    `gathered` candidates hold every point within the squared distance `covered` of the query, unless they are more
-    than `gather`. Sorted where asked, else in any order unless they had to be sorted to pick them.
+    """Write the keys of the k nearest points within reach to keys[base:]; return the count. `gathered` candidates cover
+    the squared distance `covered`, unless there are more than `gather`.
     """
     size = -1
     if gathered <= scratch.gather:
         near = min(reach, covered)
         size = pick_within(p, scratch, first, gathered, base, near)
         if size < scratch.k and near < reach:
-            size = -1  # its k nearest may lie farther than the leaves that were gathered
+            size = -1  # its k nearest may be farther than the gathered leaves
         else:
             size = thin_keys(scratch.keys, base, 1, size, scratch.k, near)
             if sort == 0 and size <= scratch.k + FEW:
@@ -182,7 +169,7 @@ def search_member(
 
 @func
 def farthest_key(scratch: GroupScratch, base: int, size: int) -> float:
-    """The largest squared distance among a thread's keys; 0 of none."""
+    """Largest squared distance among a thread's keys; 0 if there are none."""
     largest = int64(0)
     for j in range(size):
         largest = max(largest, held_key(scratch, base, j))
@@ -199,11 +186,7 @@ def nearest_of_leaves(
     reach: float,
     sort: int,
 ) -> tuple[int, int, int]:
-    """Each place of a thread's leaves, where its keys begin in scratch memory, and how many they are.
-
-    The keys are those of the k nearest points within the squared distance `reach`, above their labels; `held_key`
-    reads them.
-    """
+    """Each position of a thread's leaves, and base and count of its keys (read with `held_key`)."""
     base = thread * (scratch.room + scratch.k)
     listing = thread * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
@@ -235,10 +218,7 @@ def nearest_of_lanes(
     reach: float,
     sort: int,
 ) -> tuple[int, int, int]:
-    """The same, a place a lane, whose label is the place.
-
-    Each group looks a little farther than the one before it in its warp had to.
-    """
+    """CUDA variant, one position per lane; the label is the position. The reach follows the warp's previous group."""
     guess = -1.0
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
@@ -257,14 +237,7 @@ def nearest_of_lanes(
 
 
 def launch_over_leaves(kernel: Kernel, tree: PointTree, k: int, arguments: Sequence[Any]) -> None:
-    """Launch a kernel that loops over `nearest_of_leaves`, for the k nearest of all points of a tree.
-
-    Args:
-        kernel: Takes a LaunchPart, the tree, the places of its points as labels, a GroupScratch and `arguments`.
-        tree: The PointTree.
-        k: Neighbours, the point itself included; all where there are no more points.
-        arguments: What the kernel takes besides.
-    """
+    """Launch a kernel (LaunchPart, tree, labels, GroupScratch, `arguments`) that loops over `nearest_of_leaves`."""
     places = positions(tree.count, tree.device)
     scratch = GroupScratch(tree.device, tree.count, min(k, max(1, tree.count)))
     for part in scratch.parts():

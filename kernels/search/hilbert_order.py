@@ -1,8 +1,5 @@
-"""Points in the order of a Hilbert curve: neighbours in space become neighbours in memory.
-
-Source: Skilling, "Programming the Hilbert curve", AIP Conf. Proc. 707, 2004 (AxesToTranspose). 12 B read and 8 B
-written a point, about 20 operations a level. The curve only chooses an order; nothing depends on its resolution but
-speed.
+"""Points in the order of a Hilbert curve, for memory locality. Skilling, "Programming the Hilbert curve", AIP Conf.
+Proc. 707, 2004 (AxesToTranspose). Results depend on the curve only in speed.
 """
 
 import numpy as np
@@ -12,22 +9,16 @@ from ..arrays.bounds import bound_points, find_box
 from ..arrays.sort import SortKeys, put_key
 from ..lang import array, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3, vector
 
-LANES = 8  # points a thread: their codes are computed side by side in vector registers
+LANES = 8  # points per thread, vectorized
 lanes = vector(8, int32)
 lane_codes = vector(8, int64)
-SMALLEST_EXTENT = 1e-33  # [m] below it the scale is beyond float32
-MAX_LEVELS = 16  # 65,536 cells an axis: a millimetre in a city block
+SMALLEST_EXTENT = 1e-33  # [m] below, the scale overflows float32
+MAX_LEVELS = 16  # 65,536 cells per axis: a millimeter in a city block
 
 
 @struct
 class HilbertCurve:
-    """A curve through 2^levels cells an axis of a box.
-
-    Attributes:
-        low: The box's low corner.
-        scale: Cells a metre; 0, one cell, where the box is too small or empty.
-        levels: Halvings of the box.
-    """
+    """Curve through 2^levels cells per axis of a box with corner `low`; `scale` cells per meter, 0 for an empty box."""
 
     low: vec3
     scale: float
@@ -41,13 +32,13 @@ class HilbertCurve:
 
     @property
     def code_bits(self) -> int:
-        """Bits of a code, that of points that are not finite included."""
+        """Bits of a code, including that of non-finite points."""
         return 3 * self.levels + 1
 
 
 @func
 def spread_bits(v: int) -> int64:
-    """Two zeros between the lowest 16 bits of v."""
+    """Insert two zeros between the lowest 16 bits of v."""
     x = int64(v)
     x = (x | (x << 32)) & 0x1F00000000FFFF
     x = (x | (x << 16)) & 0x1F0000FF0000FF
@@ -58,7 +49,7 @@ def spread_bits(v: int) -> int64:
 
 @func
 def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
-    """The places of cells on the Hilbert curve through 2^levels cells an axis, eight at a time and without branches."""
+    """Hilbert indices of cells in 2^levels cells per axis, eight at a time without branches."""
     x = cx
     y = cy
     z = cz
@@ -93,14 +84,13 @@ def hilbert_codes(cx: lanes, cy: lanes, cz: lanes, levels: int) -> lane_codes:
 
 @func
 def cell_on_axis(coordinate: float, low: float, scale: float, levels: int) -> int:
-    """The cell of a coordinate; the nearest one of coordinates outside the box."""
     top = float((1 << levels) - 1)
     return int(min(max((coordinate - low) * scale, 0.0), top))
 
 
 @func
 def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
-    """The code of a point; points outside the box take the nearest cell."""
+    """Code of a point; points outside the box take the nearest cell."""
     x = lanes(cell_on_axis(p[0], curve.low[0], curve.scale, curve.levels))
     y = lanes(cell_on_axis(p[1], curve.low[1], curve.scale, curve.levels))
     z = lanes(cell_on_axis(p[2], curve.low[2], curve.scale, curve.levels))
@@ -110,7 +100,7 @@ def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
 
 @func
 def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale: float, levels: int, codes: SortKeys):
-    """The codes of eight points, `step` places from one to the next; points that are not finite come last."""
+    """Codes of eight points, `step` positions apart; non-finite points come last."""
     last = points.shape[0] - 1
     x = lanes(0)
     y = lanes(0)
@@ -133,7 +123,6 @@ def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale:
 
 @kernel
 def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: int, step: int, codes: SortKeys):
-    """The codes of eight points on a curve."""
     i = tid()
     put_eight(i * apart, step, points, curve.low, curve.scale, curve.levels, codes)
 
@@ -142,7 +131,7 @@ def encode_points_kernel(points: array(dtype=vec3), curve: HilbertCurve, apart: 
 def encode_in_box_kernel(
     points: array(dtype=vec3), box: array(dtype=float32), levels: int, apart: int, step: int, codes: SortKeys
 ):
-    """The codes of eight points on the curve through a box: its low corner, then its high one."""
+    """Codes of eight points on the curve through a box (low corner, high corner)."""
     i = tid()
     extent = float64(0.0)
     for axis in range(3):
@@ -154,48 +143,38 @@ def encode_in_box_kernel(
 
 
 def _threads_of_eight(points: Points) -> tuple[int, int, int]:
-    """Threads of eight points each, and how far a thread's first point is from the next thread's, and its own apart."""
+    """Thread count, and the strides between threads and between a thread's points."""
     threads = -(-points.size // LANES)
-    # on the CPU the eight stand side by side, on CUDA those of threads side by side do
+    # eight consecutive points on the CPU, coalesced across threads on CUDA
     return (threads, 1, threads) if points.device.is_cuda else (threads, LANES, 1)
 
 
 def order_in_box(points: Points, levels: int) -> Integers:
-    """The order of points along the curve through their box, int32 [n]; no sync. As of `argsort_along`."""
+    """Order along the curve through the points' box, int32 (n), as of `argsort_along`; no sync."""
     codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
     launch(encode_in_box_kernel, threads, [points, find_box(points), levels, apart, step, codes])
     return codes.sort(3 * levels + 1)[1]
 
 
 def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
-    """The code of each point on a curve, as SortKeys; 8^levels for points that are not finite."""
+    """Codes of points on a curve, as SortKeys; 8^levels for non-finite points."""
     codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
     launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 
 
 def argsort_along(points: Points, curve: HilbertCurve) -> tuple[LongIntegers, Integers]:
-    """(sorted codes, order) of points along a curve, int64 [n] and int32 [n]; points that are not finite stand last."""
+    """Sorted codes int64 (n) and order int32 (n) along a curve; non-finite points last."""
     return encode_points(points, curve).sort(curve.code_bits)
 
 
 def levels_for(count: int) -> int:
-    """The levels of a curve whose codes and the indices of so many points fit into 62 bits."""
+    """Levels of a curve whose codes and `count` indices fit into 62 bits."""
     return min(MAX_LEVELS, (62 - max(1, (count - 1).bit_length() if count else 1)) // 3)
 
 
 class HilbertOrder:
-    """The order of a cloud's finite points along a curve through their box, or along a given one.
-
-    Parts of a cloud along the curve of the whole have the order that their points have in the whole.
-
-    Attributes:
-        order: int32 [n], positions in the cloud by rank on the curve; points that are not finite stand last.
-        codes: int64 [n], sorted.
-        finite_count: Points that are finite.
-        low, high: The box of the finite points, float32 [3].
-        curve: The HilbertCurve.
-    """
+    """Order of a cloud's finite points (others last) along the curve through their box, or a given one."""
 
     def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
         self.low, self.high, self.finite_count = bound_points(points)

@@ -1,8 +1,4 @@
-"""The k nearest points of one query, by one thread: bucket after bucket, keys of what lies near enough, then a pick.
-
-A result is kept as one packed key a neighbour, its squared distance above its index: keys in ascending order are
-neighbours by distance, ties by index.
-"""
+"""The k nearest points of one query by one thread, as packed keys: by distance, ties by index."""
 
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import array, func, int32, int64, vec3
@@ -24,11 +20,7 @@ def offer_bucket(
     reach: float,
     limit: int64,
 ) -> int:
-    """Append the keys up to `limit` of the points of a bucket, none beyond the squared distance `reach`; how many keys
-    are then held.
-
-    Every key of a leaf is stored and the count moves on only for those up to the limit: no branch to mispredict.
-    """
+    """Append the keys of a bucket's points up to `limit` and `reach`, branch-free; return the count of keys."""
     size = held
     distances = measure_boxes(tree.boxes, bucket, p, p)
     for leaf in range(FAN):
@@ -38,7 +30,7 @@ def offer_bucket(
             wanted = 1
             nearest = pack_key(distances[leaf], labels[first])
             if nearest > limit:
-                # As far as the last key. Of points at one place the order is that of their labels, so none is wanted.
+                # Up to the last key: duplicates are ordered by label.
                 wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
         if wanted == 1:
             for j in range(first, min(first + LEAF, tree.count)):
@@ -62,7 +54,7 @@ def offer_leaves_in_turn(
     reach: float,
     limit: int64,
 ) -> int:
-    """The same, leaf after leaf: eight boxes at once would take the registers of a second block."""
+    """CUDA variant, one leaf at a time to save registers."""
     size = held
     leaves = int(FAN)
     for leaf in range(leaves):
@@ -96,11 +88,11 @@ def search_k_nearest(
     room: int,
     reach: float,
 ) -> int:
-    """Leave the k nearest points with squared distance <= reach as sorted keys from `base` on; how many."""
+    """Write the k nearest points with squared distance <= reach as sorted keys from `base` on; return the count."""
     bound = reach
-    # The last key that may still belong to the result: of many points at one distance only those of low index.
+    # The last key that may still be a result: of many points at one distance only those of low index.
     limit = key_limit(reach)
-    crowd = min(room - BUCKET, 3 * k + BUCKET)  # picking is quadratic in what is held
+    crowd = min(room - BUCKET, 3 * k + BUCKET)  # selection is quadratic in the number of keys
     size = 0
     step = start_walk(start)
     while int(step[0]) <= tree.root:
@@ -132,7 +124,7 @@ def search_with_one_pick(
     room: int,
     reach: float,
 ) -> int:
-    """The same, with one place where keys are picked: each is written out, and takes some 20 KB of instructions."""
+    """CUDA variant with one inlined selection, which takes about 20 KB of instructions."""
     bound = reach
     limit = key_limit(reach)
     crowd = min(room - BUCKET, 3 * k + BUCKET)

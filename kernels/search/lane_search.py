@@ -1,13 +1,8 @@
-"""Neighbours for the 32 lanes of a CUDA warp: one walk through the tree, then each lane measures what it found.
+"""Neighbors of the 32 queries of a CUDA warp: one traversal lists leaves, then each lane measures their points.
 
-A warp takes 32 queries that follow each other on the curve, one a lane. Together they list the leaves near the box
-around them; all lanes read the same eight points at once, six accesses of 16 B, and each measures them against its own
-query and keeps the keys of those near enough. Each lane then finds the k smallest of its keys by counting them against
-limits between (neighbor_keys.limit_nearest): no pass is quadratic. A reach that held too few is widened, one that held
-too many narrowed; a lane for which that does not end walks the tree alone.
-
-A warp with 30 neighbours on a surface measures some 400 candidates and keeps some 60 keys a lane. Its scratch memory is
-used again for the next group, so that it stays in the L2.
+Lanes read the same eight points together and keep keys within reach. The k smallest keys are found by counting against
+interpolated limits (neighbor_keys.limit_nearest), without a quadratic pass. The reach is widened or narrowed as needed;
+a lane that does not converge searches alone. Scratch memory is reused so that it stays in the L2 cache.
 """
 
 from ..algebra.plain_min_max import larger
@@ -42,26 +37,22 @@ from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
 from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_box, square_distance
 
 eight_points = vector(24, float32)
-SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared reach of k points of a plane
-SPARE = 1.5  # times the squared reach that k points are expected in
-MOST_GROWTH = 8.0  # of a squared reach at once
-SHRUNK = 0.25  # a squared reach of too many leaves
-TINY = 1.0e-37  # [m^2] what a squared reach of zero grows to
-TURNS = 12  # guesses at a reach, and then each lane walks the tree
+SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
+SPARE = 1.5  # safety factor of the expected squared radius
+MOST_GROWTH = 8.0  # maximum growth of a squared radius per step
+SHRUNK = 0.25  # shrink factor of a squared radius with too many leaves
+TINY = 1.0e-37  # [m^2] minimum of a growing squared radius
+TURNS = 12  # attempts before each lane traverses the tree
 
 
 @cuda_func
 def point_of_lane(p: vec3, owner: int) -> vec3:
-    """The point of one lane."""
     return vec3(shuffle(p[0], owner), shuffle(p[1], owner), shuffle(p[2], owner))
 
 
 @cuda_func
 def nearby_children(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """`children_within`, a lane a child: a byte, with a bit for each child within the squared distance `bound`.
-
-    Eight lanes may have a box and a bound of their own: of the children near any of the four.
-    """
+    """`children_within` with one child per lane; bits are set for children near any group of eight lanes."""
     sqdist = measure_box(boxes, node, lane() & (FAN - 1), a, b)
     near = ballot(1 if sqdist <= bound else 0)
     near = near | (near >> (2 * FAN))
@@ -79,28 +70,23 @@ def nearby_nodes(
     level: int,
     node: int,
 ) -> int:
-    """`nearby_children` for a node given by its level; the levels of its tree stand from `first` on."""
+    """`nearby_children` for a node given by its level; the levels of its tree start at `first`."""
     return nearby_children(boxes, levels[first + level] + node, a, b, bound)
 
 
 @cuda_func
 def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
-    """`next_bucket`, for all lanes together."""
     return next_step(step, tree.root, partial(nearby_nodes, tree.levels, 0, tree.boxes, a, b, bound))
 
 
 @cuda_func
 def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
-    """List the first places of all leaves near the lanes' points; how many, more than `gather` are not all listed.
-
-    Of each eight lanes, those within their largest squared distance of the box around their points: a leaf's points are
-    close together, four leaves often are not.
-    """
+    """List the leaves near the lanes' points by boxes of eight lanes; return the count, partial beyond `gather`."""
     a = low_of_eight(p)
     b = high_of_eight(p)
     widest = most_of_eight(reach)
     own = lane()
-    sync_lanes()  # with those that still read the list before
+    sync_lanes()  # after lanes have read the previous list
     size = 0
     step = start_walk(start)
     while int(step[0]) <= tree.root and size <= scratch.gather:
@@ -117,16 +103,12 @@ def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: Gro
 
 @cuda_func
 def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
-    """`square_distance` of one of a leaf's points."""
     return square_distance(p, vec3(leaf[3 * j], leaf[3 * j + 1], leaf[3 * j + 2]))
 
 
 @cuda_func
 def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int) -> int:
-    """Keep the keys of the points of the listed leaves within the squared distance `reach`, above their places.
-
-    How many there are; not all are kept where they are more than `room` - LEAF.
-    """
+    """Store the keys within squared distance `reach`, above positions; return the count, partial above room - LEAF."""
     at = base
     last = base + (scratch.room - LEAF) * scratch.stride
     lacking = 0
@@ -150,7 +132,7 @@ def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, lis
 def keep_up_to_limit(
     p: vec3, limit: int64, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
 ) -> int:
-    """Keep the keys up to a limit of the points of the listed leaves; how many, -1 where there is no room for them."""
+    """Store the keys up to a limit and return the count, -1 if there is no room."""
     found = keep_near(p, key_number(limit), tree, scratch, listing, size, base)
     held = -1
     if found <= scratch.room - LEAF:
@@ -162,13 +144,7 @@ def keep_up_to_limit(
 def keep_nearer(
     p: vec3, reach: float, found: int, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
 ) -> vec2:
-    """Keep the keys of k candidates or more that there is room for, where `found` within `reach` are too many.
-
-    Points within a squared radius grow in proportion to it on a surface.
-
-    Returns:
-        The squared distance that they lie within, -1 where none is found; how many there are.
-    """
+    """Store at least k keys if `found` are too many: (squared distance or -1, count)."""
     low = 0.0
     high = reach
     above = int(found)
@@ -191,7 +167,7 @@ def keep_nearer(
 
 @cuda_func
 def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
-    """A squared distance in which k points are expected around each lane's, from a bucket near them."""
+    """Squared distance within which k points are expected around each lane's, from a nearby bucket."""
     a = least_of_each(p)
     b = most_of_each(p)
     at = bucket * SIDES + (lane() & (FAN - 1))
@@ -208,17 +184,12 @@ def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
 def keep_for_lanes(
     p: vec3, start: int, guess: float, tree: PointTree, scratch: GroupScratch, listing: int, base: int, reach: float
 ) -> vec3:
-    """Keep each lane's points within one squared distance in which every lane has k, or within `reach`.
-
-    Returns:
-        The squared distance; how many leaves are listed, more than `gather` where they do not fit; how many points of
-        the lane there are.
-    """
+    """Store each lane's points within a distance at which all have k, or `reach`: (distance, leaves, points)."""
     covered = guess
     if guess < 0.0:
         covered = guess_reach(p, start, scratch.k, tree)
     covered = min(covered, reach)
-    beyond = float(INFINITY)  # more leaves than there is room for lie within
+    beyond = float(INFINITY)  # the leaves exceed the room
     listed = 0
     found = 0
     turn = 0
@@ -243,7 +214,6 @@ def keep_for_lanes(
 
 @cuda_func
 def name_keys(labels: array(dtype=int32), scratch: GroupScratch, base: int, held: int):
-    """Put the labels in the places of the places."""
     for j in range(held):
         key = scratch.keys[base + j * scratch.stride]
         scratch.keys[base + j * scratch.stride] = pack_bits(key_bits(key), labels[key_index(key)])
@@ -262,17 +232,8 @@ def search_lanes(
     reach: float,
     in_places: int,
 ) -> vec2i:
-    """The k nearest points within the squared distance `reach` of each lane's query, as keys in any order.
-
-    Args:
-        p: A finite point.
-        is_query: 0 in a lane without a query, which takes part with the point of another.
-        start: A bucket near the lanes' points, the same in all.
-        guess: A squared distance to look into first, the same in all; negative where none is known.
-        in_places: Whether a point's label is its place.
-
-    Returns:
-        How many; and the bits of a squared distance that they lie within.
+    """Store keys of the k nearest points within the squared distance `reach` of each lane's query, unordered; the
+    nearby bucket `start` and first squared distance `guess` are uniform. Returns count and bits of a bounding distance.
     """
     listing = (thread // WARP) * scratch.gather
     kept = keep_for_lanes(p, start, guess, tree, scratch, listing, thread, reach)

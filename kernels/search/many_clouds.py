@@ -1,9 +1,7 @@
-"""Many clouds in one array, each in the order of the Hilbert curve: what batches of searches run over.
+"""Many clouds in one array, each in Hilbert order, for batched searches.
 
-The finite points of each cloud stand behind one another in the curve's order, padded with points at infinity to whole
-buckets, so that a bucket belongs to one cloud. All clouds share one curve through the box of all points. One sort of
-(cloud, place on the curve): 40 B of memory a point while it runs, 16 B afterwards. The order of a single cloud that has
-its tree already is taken from there.
+Finite points are padded with points at infinity to whole buckets, so that a bucket belongs to one cloud. All share one
+curve through the common box and one sort (40 B per point while it runs, 16 B afterwards).
 """
 
 from collections.abc import Sequence
@@ -23,26 +21,9 @@ from .point_tree import BUCKET, PointTree
 
 @struct
 class ManyClouds:
-    """Clouds of one device in one array, each along the curve.
-
-    Args:
-        clouds: Device arrays of vec3; at least one, all on one device.
-        tree: The PointTree of the one cloud that there is, where it is known.
-
-    Attributes:
-        points: vec3 [padded], the finite points; infinite where a bucket is not full.
-        order: int32 [padded], the row of each in its own cloud, or -1.
-        owners: int32 [buckets], the cloud of each bucket.
-        starts: int32 [clouds + 1], where each cloud begins among the points as they were given, one after the other.
-        first_places: int32 [clouds], the first place of each cloud, a multiple of BUCKET.
-        finite_counts: int32 [clouds], the finite points of each cloud.
-        codes: int64 [buckets], the code of each bucket's first point.
-        curve: The HilbertCurve.
-        bases, counts: `first_places` and `finite_counts` on the host, int64.
-        low, high: The box of the finite points of all, float32 [3], on the host.
-
-    Raises:
-        ValueError: 2^31 places or more.
+    """Clouds in one array, each along the curve, with infinite padding: `order`: row in its cloud or -1; `owners` per
+    bucket; `starts` in the input; `first_places`, multiples of BUCKET; `codes` of first points; `bases`, `counts` and
+    box on the host. Raises ValueError for 2^31 positions or more.
     """
 
     points: array(dtype=vec3)
@@ -82,7 +63,7 @@ class ManyClouds:
             self.codes = keys
 
     def _sort(self, points: Points, sizes: np.ndarray) -> tuple[LongIntegers, int, Integers]:
-        """(keys, bits of a code, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
+        """(keys, code bits, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
         device, count = self.device, len(sizes)
         low, high, finite = bound_points(points)  # sync
         self.low, self.high = low, high
@@ -102,7 +83,7 @@ class ManyClouds:
         return keys, bits, rows
 
     def gather(self, arrays: Sequence[AnyArray]) -> AnyArray:
-        """One attribute of all clouds, vec3 or float32 [n, c], at the places of their points."""
+        """One attribute of all clouds, vec3 or float32 (n, c), in sorted order."""
         values = arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
         if values.dtype == vec3:
             placed, gather = empty(self.points.size, vec3, self.device), gather_vectors_kernel
@@ -114,14 +95,13 @@ class ManyClouds:
 
 @kernel
 def mark_segments_kernel(starts: array(dtype=int32), bits: int, codes: SortKeys):
-    """Put the segment of each point above its code."""
     i = tid()
     codes.keys[i] = codes.keys[i] | (int64(find_owner(starts, i)) << int64(bits))
 
 
 @kernel
 def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bits: int, counts: array(dtype=int32)):
-    """How many keys of each segment are those of finite points: bisection, as the others stand last."""
+    """Count the finite points of each segment by bisection; the others are last."""
     i = tid()
     limit = (int64(i) << int64(bits)) | (1 << int64(bits - 1))
     a = starts[i]
@@ -137,7 +117,7 @@ def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bi
 
 @kernel
 def place_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int32), clouds: ManyClouds):
-    """Each point at its place; -1 and infinity where a bucket has no point."""
+    """Sorted points; padding has row -1 and infinite coordinates."""
     i = tid()
     owner = clouds.owners[i // BUCKET]
     rank = i - clouds.first_places[owner]
@@ -153,7 +133,6 @@ def place_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int3
 
 @kernel
 def place_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
-    """The code of each bucket's first point."""
     i = tid()
     owner = clouds.owners[i]
     at = clouds.starts[owner] + i * BUCKET - clouds.first_places[owner]
@@ -165,7 +144,7 @@ def place_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
 
 @func
 def given_row(i: int, clouds: ManyClouds) -> int:
-    """The row of the point at a place, among those of all clouds as they were given; -1 where there is none."""
+    """Input row, over all clouds, of the point at a position; -1 for padding."""
     row = clouds.order[i]
     at = -1
     if row >= 0:
@@ -175,7 +154,6 @@ def given_row(i: int, clouds: ManyClouds) -> int:
 
 @kernel
 def gather_rows_kernel(values: array(dtype=float32, ndim=2), clouds: ManyClouds, placed: array(dtype=float32, ndim=2)):
-    """The rows of the points at their places; zeros where there is no point."""
     i = tid()
     row = given_row(i, clouds)
     for column in range(placed.shape[1]):
@@ -187,7 +165,6 @@ def gather_rows_kernel(values: array(dtype=float32, ndim=2), clouds: ManyClouds,
 
 @kernel
 def gather_vectors_kernel(values: array(dtype=vec3), clouds: ManyClouds, placed: array(dtype=vec3)):
-    """The vectors of the points at their places; zero where there is no point."""
     i = tid()
     row = given_row(i, clouds)
     value = vec3(0.0, 0.0, 0.0)

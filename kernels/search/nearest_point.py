@@ -1,11 +1,7 @@
-"""The one nearest point of each query: eight queries as eight lanes, one walk through the tree for all of them.
+"""The nearest point of each query: groups of eight queries share one tree traversal on the CPU.
 
-A candidate is loaded once and measured against all lanes in vector registers; what a lane has found is the
-bits of the squared distance above the index, so the smaller key is the nearer point and ties go to the lower index.
-The walk ends where no box lies nearer to the box of the group than the farthest of the lanes' points. Nothing is
-gathered or sorted: twice as fast as the search for k with k = 1. On CUDA, where a warp shares what the lanes share on
-the CPU, each query walks alone, and for queries far sparser than the cloud, whose groups would be wide, too; the result
-is the same.
+Results are keys, squared distance bits above the index, so ties go to the lower index. Twice as fast as the k-search
+with k = 1. On CUDA, and for queries much sparser than the cloud, each query searches alone with the same result.
 """
 
 import math
@@ -47,10 +43,10 @@ from .tree_search import order_along_curve, reach_of, search_nearest
 
 lane_numbers = vector(8, float32)
 lane_labels = vector(8, int32)
-lane_results = vector(16, int32)  # the bits of eight squared distances, then eight indices
-SPARSE = 16  # points of the cloud a query, above which groups are too wide
-NO_POINT = -1  # the key where there is no such point
-NOBODY = -1  # the label of no point
+lane_results = vector(16, int32)  # bits of eight squared distances, then eight indices
+SPARSE = 16  # cloud points per query, above which groups are too wide
+NO_POINT = -1  # key without a result
+NOBODY = -1  # label without a point
 
 
 @func
@@ -65,10 +61,7 @@ def measure_leaf(
     own: lane_labels,
     best: lane_results,
 ) -> lane_results:
-    """The lanes' results after the points first..last - 1; a point whose label is the lane's own does not count.
-
-    Bits of distances, none negative, compare as the distances do, and in 32 bits eight lanes are two registers.
-    """
+    """Update the lanes (distance bits compare as distances) with points first..last - 1, except a lane's own."""
     nearest = best
     for i in range(first, last):
         p = points[i]
@@ -93,7 +86,7 @@ def measure_leaf(
 def lane_distances(
     node: int, child: int, boxes: array(dtype=float32), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers
 ) -> lane_numbers:
-    """Squared distances [m^2] of the lanes from the box of a node's child."""
+    """Squared distances [m^2] of the lanes from a child's box."""
     at = node * SIDES + child
     x0 = boxes[at]
     y0 = boxes[at + FAN]
@@ -120,7 +113,7 @@ def lanes_reaching(
     zs: lane_numbers,
     best: lane_results,
 ) -> int:
-    """How many lanes lie no farther from the box of a node's child than from what they have found."""
+    """Count of lanes not farther from a child's box than from their current result."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
     found = 0
     for j in range(LEAF):
@@ -130,7 +123,6 @@ def lanes_reaching(
 
 @func
 def largest_of(values: lane_results, first: int) -> int:
-    """The largest of eight numbers from a place on."""
     largest = values[first]
     for j in range(1, LEAF):
         largest = max(largest, values[first + j])
@@ -139,7 +131,6 @@ def largest_of(values: lane_results, first: int) -> int:
 
 @func
 def closest_leaf(bucket: int, a: vec3, b: vec3, boxes: array(dtype=float32)) -> int:
-    """The leaf of a bucket that lies nearest to the box (a, b)."""
     distances = measure_boxes(boxes, bucket, a, b)
     nearest = 0
     for leaf in range(1, FAN):
@@ -157,14 +148,14 @@ def find_nearest_kernel(
     reach: float,
     nearest: array(dtype=int64),
 ):
-    """The key of the nearest point of each of LEAF queries, NO_POINT where none is within reach."""
+    """Key of the nearest point of each of LEAF queries, NO_POINT if none is within reach."""
     i = tid()
     head = i * LEAF
     tail = min(head + LEAF, query_order.shape[0])
     none = float_bits(reach) + 1
     best = lane_results(none)
     a = queries[query_order[head]]
-    if tree.count > 0 and isfinite(a):  # queries that are not finite stand last
+    if tree.count > 0 and isfinite(a):  # non-finite queries are last
         b = a + vec3(0.0, 0.0, 0.0)
         xs = lane_numbers(a[0])
         ys = lane_numbers(a[1])
@@ -182,12 +173,12 @@ def find_nearest_kernel(
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = find_bucket(queries[query_order[head]], tree)
-        seed = closest_leaf(start, a, b, tree.boxes)  # its points bound the search from the first
+        seed = closest_leaf(start, a, b, tree.boxes)  # its points bound the search from the start
         best = measure_leaf(
             seed * LEAF, min((seed + 1) * LEAF, tree.count), tree.points, tree.order, xs, ys, zs, own, best
         )
         farthest = largest_of(best, 0)
-        bound = min(reach, bits_float(farthest))  # beyond infinity the bits are those of NaN
+        bound = min(reach, bits_float(farthest))  # above infinity the bits are NaN
         step = start_walk(start)
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
@@ -196,7 +187,7 @@ def find_nearest_kernel(
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
                 if distances[leaf] <= bound and bucket * FAN + leaf != seed:
-                    # as far as the farthest: of points at one place only those of lower index are wanted
+                    # up to the farthest: of coincident points only lower indices matter
                     wanted = 1
                     if float_bits(distances[leaf]) == farthest:
                         if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > largest_of(best, LEAF):
@@ -224,7 +215,7 @@ def find_nearest_kernel(
         nearest[row] = key
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def find_alone_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
@@ -233,7 +224,6 @@ def find_alone_kernel(
     reach: float,
     nearest: array(dtype=int64),
 ):
-    """As find_nearest_kernel, a query a thread: what it holds stays in registers, and a warp shares the loads."""
     i = tid()
     row = query_order[i]
     q = queries[row]
@@ -251,14 +241,14 @@ def find_alone_kernel(
             for leaf in range(FAN):
                 within = within | ((1 if distances[leaf] <= bound else 0) << leaf)
             found = 0
-            while within != 0:  # one body for all leaves: a body each would take the registers of all
+            while within != 0:  # one body for all leaves, to save registers
                 lowest = within & (-within)
                 within = within ^ lowest
                 leaf = bit_count(lowest - 1)
                 first = bucket * BUCKET + leaf * LEAF
                 distance = float_bits(measure_box(tree.boxes, bucket, leaf, q, q))
                 wanted = 1 if distance <= float_bits(bound) else 0
-                if wanted == 1 and distance == best:  # of points at one place only that of lower index
+                if wanted == 1 and distance == best:  # of coincident points only the lower index
                     if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > label:
                         wanted = 0
                 if wanted == 1:
@@ -289,7 +279,7 @@ def pack_neighbor_kernel(
     others: int,
     nearest: array(dtype=int64),
 ):
-    """The key of one column of a search's result: the first, or the first that is not the query itself."""
+    """Key of one column of a k-search: the first, or the first that is not the query itself."""
     i = tid()
     column = 0
     if others == 1 and indices[i, 0] == i:
@@ -309,18 +299,8 @@ def find_nearest(
     order: Indices | None = None,
     nearest: LongIntegers | None = None,
 ) -> LongIntegers:
-    """The nearest point of each query closer than a radius [m].
-
-    Args:
-        tree: A PointTree.
-        queries: Device array of vec3, shape [m].
-        radius: Upper limit of the distance, excluded.
-        others: The queries are the tree's own points, and a point is not its own neighbour.
-        order: For CUDA, an order in which queries that follow each other are near each other; found where it is None.
-        nearest: Where the result goes; with both of these nothing is allocated on CUDA.
-
-    Returns:
-        int64 device array [m]: the bits of the squared distance above the index; NO_POINT where there is no such point.
+    """Nearest point of each query closer than a radius [m] (exclusive), int64 (m): squared distance bits above the
+    index, or NO_POINT. `others`: the queries are the tree's own points. `order`: coherent query order for CUDA.
     """
     nearest = empty(queries.size, int64, queries.device) if nearest is None else nearest
     alone = queries.device.is_cuda
@@ -340,13 +320,12 @@ def find_nearest(
 
 @kernel
 def unpack_rows_kernel(nearest: array(dtype=int64), rows: array(dtype=int32)):
-    """The index of each key; -1 for NO_POINT, whose bits are all set."""
     i = tid()
     rows[i] = key_index(nearest[i])
 
 
 def find_nearest_rows(tree: PointTree, queries: Points) -> Indices:
-    """The row of the nearest point of each query, int32 [m]; -1 where there is none."""
+    """Row of the nearest point of each query, int32 (m), or -1."""
     rows = empty(queries.size, int32, queries.device)
     launch(unpack_rows_kernel, queries.size, [find_nearest(tree, queries), rows])
     return rows

@@ -1,8 +1,4 @@
-"""Distances to neighbours: the mean over the k nearest of each point, and to the nearest of another cloud.
-
-The mean is summed while the neighbours lie in scratch memory, so none is listed: 12 B read and 8 B written a point
-beside the search. Distances are float32 roots, their sum is float64.
-"""
+"""Mean distance to the k nearest points, and distance to the nearest point of another cloud (float32)."""
 
 import math
 
@@ -39,10 +35,7 @@ count_sum = vector(2, float64)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
-    """The mean distance of the k nearest points of each point, the point itself among them.
-
-    Infinite where fewer than k have a squared distance that float32 holds.
-    """
+    """Mean distance of the k nearest points including the point itself; infinite for fewer than k."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, LARGEST_SQDIST, 0):
         total = float64(0.0)
@@ -55,7 +48,6 @@ def average_distances_kernel(
 
 @reduction
 def sum_finite(values: array(dtype=float64)) -> count_sum:
-    """How many values are finite, and their sum."""
     i = tid()
     value = values[i]
     part = count_sum(0.0, 0.0)
@@ -66,7 +58,7 @@ def sum_finite(values: array(dtype=float64)) -> count_sum:
 
 @reduction
 def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
-    """How many values are finite, and the sum of their squared differences from the mean."""
+    """Count of finite values and the sum of their squared deviations from the mean."""
     i = tid()
     value = values[i]
     part = count_sum(0.0, 0.0)
@@ -77,7 +69,7 @@ def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
 
 @kernel
 def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: array(dtype=uint8)):
-    """1 where a value is at most the threshold; 0 where it is NaN."""
+    """1 where a value is at most the threshold; 0 for NaN."""
     i = tid()
     kept = 0
     if values[i] <= threshold:
@@ -89,7 +81,7 @@ def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: ar
 def root_distances_kernel(
     nearest: array(dtype=int64), queries: array(dtype=vec3), missing: float, distances: array(dtype=float64)
 ):
-    """The distance of each query's nearest point; `missing` where there is none, NaN for a query that is not finite."""
+    """Distance to each query's nearest point; `missing` if there is none, NaN for a non-finite query."""
     i = tid()
     q = queries[i]
     distance = float64(missing)
@@ -101,11 +93,7 @@ def root_distances_kernel(
 
 
 def average_distances(tree: PointTree, k: int) -> Doubles:
-    """The mean distance [m] of each point's k nearest, itself among them; of all where there are fewer than k.
-
-    Returns:
-        float64 [n]; NaN for points that are not finite.
-    """
+    """Mean distance [m] to the k nearest points including itself, float64 (n); NaN for non-finite points."""
     points, device = tree.source, tree.device
     means = full(points.size, NAN, float64, device)
     if tree.count == 0:
@@ -115,10 +103,7 @@ def average_distances(tree: PointTree, k: int) -> Doubles:
 
 
 def nearest_distances(tree: PointTree, queries: Points, *, others: bool = False, missing: float = INFINITY) -> Doubles:
-    """The distance [m] of each query's nearest point, float64 [m]; of another point than itself with `others`.
-
-    `missing` where there is no such point, NaN for queries that are not finite.
-    """
+    """Distance [m] to each query's nearest point, excluding itself with `others`; `missing` if there is none."""
     distances = empty(queries.size, float64, queries.device)
     nearest = find_nearest(tree, queries, others=others)
     launch(root_distances_kernel, queries.size, [nearest, queries, float(missing), distances])
@@ -126,7 +111,7 @@ def nearest_distances(tree: PointTree, queries: Points, *, others: bool = False,
 
 
 def mean_and_deviation(values: Doubles) -> tuple[int, float, float]:
-    """(count, mean, standard deviation with n - 1) of the finite values of a float64 device array; two syncs."""
+    """(count, mean, sample deviation) of the finite values of a float64 device array; two syncs."""
     n, total = download(reduce(sum_finite, values.size, [values]))[0].tolist()  # sync
     if n == 0:
         return 0, NAN, NAN
@@ -135,7 +120,6 @@ def mean_and_deviation(values: Doubles) -> tuple[int, float, float]:
 
 
 def mask_up_to(values: Doubles, threshold: float) -> Mask:
-    """uint8 [n]: 1 where a float64 value is at most the threshold."""
     mask = empty(values.size, uint8, values.device)
     launch(mask_up_to_kernel, values.size, [values, threshold, mask])
     return mask

@@ -1,27 +1,23 @@
-"""Keys of neighbours in scratch memory: sorting them, keeping the k smallest, dropping far ones early.
+"""Sorting and selection of neighbor keys in scratch memory.
 
-Key j of a row that begins at `base` stands at `base` + j * `stride`: side by side on the CPU, whose vector registers
-take several; a launch's rows interleaved on CUDA, where the lanes of a warp take theirs at once.
-
-A key (packed_keys) is a squared distance above the index of the neighbour, so keys in ascending order are neighbours by
-distance, ties by index, and no two are equal.
+Key j of a row is at `base` + j * `stride`: contiguous on the CPU, interleaved across threads on CUDA. A key
+(packed_keys) is a squared distance above the neighbor's index, so keys are unique and ordered by distance, then index.
 """
 
 from ..arrays.packed_keys import key_limit, key_number
 from ..lang import array, bits_float, float_bits, func, int64
 
-CLOSE = 1.05  # times the expected squared distance of the k-th neighbour: holds k in more than half of the cases
+CLOSE = 1.05  # times the expected squared distance of the k-th neighbor: sufficient in more than half of the cases
 MIDDLE = 1.15  # ... in most
 WIDE = 1.3  # ... in nearly all
-MANY = 400  # keys that a heap sorts in the time of comparing all with all
-SLIGHT = 8  # an eighth more than k is not worth a pass
-GUESSES = 6  # before the search for a limit halves its interval: interpolation needs about four
-BOUNDLESS = 3.0e38  # [m^2] a squared reach from here on is none
+MANY = 400  # keys up to which comparing all pairs beats a heap sort
+SLIGHT = 8  # an excess of up to k / 8 is not worth a pass
+GUESSES = 6  # interpolations before bisection: about four are needed
+BOUNDLESS = 3.0e38  # [m^2] larger squared radii are unlimited
 
 
 @func
 def sift_down(keys: array(dtype=int64), base: int, stride: int, start: int, size: int):
-    """Restore the heap property (largest first) below one slot."""
     slot = start
     key = keys[base + slot * stride]
     child = 2 * slot + 1
@@ -40,7 +36,7 @@ def sift_down(keys: array(dtype=int64), base: int, stride: int, start: int, size
 
 @func
 def sort_keys(keys: array(dtype=int64), base: int, stride: int, size: int):
-    """Sort `size` keys in place: heap sort, O(n log n) for any order and without scratch."""
+    """Heap sort of `size` keys in place."""
     for j in range(size // 2):
         sift_down(keys, base, stride, size // 2 - 1 - j, size)
     for j in range(size - 1):
@@ -53,10 +49,7 @@ def sort_keys(keys: array(dtype=int64), base: int, stride: int, size: int):
 
 @sort_keys.on_cuda
 def sort_by_network(keys: array(dtype=int64), base: int, stride: int, size: int):
-    """Sort `size` keys by Batcher's network for any number of them (Knuth 5.2.2 M).
-
-    All lanes of a warp compare the same places, O(n log^2 n) times.
-    """
+    """Sort `size` keys by Batcher's merge exchange (Knuth 5.2.2 M): O(n log^2 n), uniform over a warp."""
     top = 1
     while top * 2 < size:
         top = top * 2
@@ -81,8 +74,7 @@ def sort_by_network(keys: array(dtype=int64), base: int, stride: int, size: int)
 
 @func
 def count_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
-    """How many of the keys held lie up to a limit."""
-    count = int64(0)  # as wide as the keys, so that both share vector registers
+    count = int64(0)  # as wide as the keys, to share vector registers
     for j in range(held):
         if keys[base + j * stride] <= limit:
             count += 1
@@ -91,10 +83,8 @@ def count_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, lim
 
 @func
 def limit_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int64:
-    """A limit that the k smallest of the keys lie up to and no other; the limit of `reach` where they are no more.
-
-    Points within a squared radius grow in proportion to it on a surface, so interpolation finds one in a few passes.
-    Where distances are tied or the guesses go wrong the interval is halved: keys differ, so at most 64 times.
+    """A limit of exactly the k smallest keys, or that of `reach`. Interpolates, assuming counts proportional to the
+    squared radius; bisection (at most 64 steps) for ties and failures.
     """
     low = int64(-1)
     high = key_limit(reach)
@@ -122,10 +112,7 @@ def limit_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
 @limit_nearest.on_cuda
 def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int64:
-    """The same, by passes that also find the distances beside the guess: three or four are enough for all lanes.
-
-    The k-th distance lies in [least, largest]; ties with it are told apart by halving.
-    """
+    """CUDA variant in three or four passes; the k-th distance is in [least, largest], ties by bisection."""
     low = 0.0
     least = 0.0
     largest = reach
@@ -170,7 +157,7 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
 @func
 def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
-    """Move the keys up to a limit to the front, in their order; how many."""
+    """Move the keys up to a limit to the front in their order; return the count."""
     size = 0
     for j in range(held):
         key = keys[base + j * stride]
@@ -182,18 +169,14 @@ def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limi
 
 @func
 def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
-    """Sort the keys held at `base` and keep the k smallest; how many are left.
-
-    Each key's place is the number of smaller keys. That is quadratic, yet up to MANY faster than a sort: the inner loop
-    has no branch and runs in vector registers. Keys differ, since each holds the index of its point.
-    """
+    """Sort and keep the k smallest keys by counting smaller ones, fast up to MANY keys; return the count."""
     left = min(held, k)
     if held > MANY:
         sort_keys(keys, base, stride, held)
     else:
         for a in range(held):
             key = keys[base + a * stride]
-            place = int64(0)  # as wide as the keys, so that both share vector registers
+            place = int64(0)  # as wide as the keys, to share vector registers
             for b in range(held):
                 if keys[base + b * stride] < key:
                     place += 1
@@ -206,7 +189,7 @@ def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k:
 
 @keep_nearest.on_cuda
 def pick_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
-    """Sort the keys held at `base` and keep the k smallest, without a quadratic pass; how many are left."""
+    """CUDA variant without a quadratic pass."""
     left = held
     if held > k:
         largest = keys[base]
@@ -220,11 +203,7 @@ def pick_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k:
 
 @func
 def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int:
-    """Drop far keys while at least k are left, by three guesses at the k-th distance; how many are left.
-
-    Points within a squared radius grow in proportion to it on a surface, so k of `held` lie within about k / held of
-    the reach. A wrong guess only leaves more keys to sort.
-    """
+    """Drop far keys, keeping at least k, by three guesses of the k-th distance; return the count."""
     left = held
     if held > k + k // SLIGHT and reach < BOUNDLESS:
         share = reach * (float(k) / float(held))

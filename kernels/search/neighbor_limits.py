@@ -1,8 +1,7 @@
-"""How far the neighbours of each point reach, as one 64-bit limit a point: they are the keys up to it.
+"""Neighborhoods as one 64-bit limit per point: the neighbors are the keys up to it.
 
-A key is a squared distance above a place on the curve, as in the search. An operation that needs the neighbours twice,
-or in another kernel than the one that found them, keeps 8 B a point instead of a list of k: whoever has the limit
-finds the neighbours again by comparing keys, with nothing left to sort or pick.
+A key is a squared distance above a tree position. Operations that need the neighbors again store 8 B per point instead
+of a list and search without sorting or selection.
 """
 
 from collections.abc import Sequence
@@ -45,12 +44,11 @@ from .point_tree import BUCKET, LEAF, PointTree, square_distance
 from .tree_search import reach_of
 
 eight_counts = vector(8, int32)
-LIST_SIZE = 256  # neighbours that scratch memory is laid out for where their number is not limited
+LIST_SIZE = 256  # neighbors assumed for scratch memory if unlimited
 
 
 @func
 def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reach: float) -> int:
-    """How many of the candidates lie within the squared distance `reach`: no keys are made to find that out."""
     counts = eight_counts(0)
     full = size // LEAF
     for chunk in range(full):
@@ -83,7 +81,7 @@ def gather_group(
     scratch: GroupScratch,
     listing: int,
 ) -> int:
-    """Copy the points within reach of the box of a group of queries; their number, gather + 1 where they are more."""
+    """Copy the points within reach of the box of a query group; return the count, or gather + 1 if there are more."""
     size = scratch.gather + 1
     if scratch.gather > 0:
         a = tree.points[ranks[head]]
@@ -100,7 +98,7 @@ def gather_group(
 
 @func
 def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(dtype=int64)) -> float:
-    """The largest squared distance that the limits of a group of queries reach to."""
+    """Largest squared distance of the limits of a query group."""
     widest = limits[ranks[head]]
     for j in range(head + 1, tail):
         widest = max(widest, limits[ranks[j]])
@@ -117,7 +115,6 @@ def find_limits_kernel(
     reach: float,
     limits: array(dtype=int64),
 ):
-    """The limit of the k nearest points within reach, of each query."""
     i = tid()
     base = i * (scratch.room + scratch.k)
     listing = i * scratch.gather
@@ -158,7 +155,6 @@ def find_limits_of_lanes_kernel(
     reach: float,
     limits: array(dtype=int64),
 ):
-    """The same, a query a lane."""
     i = tid()
     guess = -1.0
     first = part.first + (i // WARP) * part.run
@@ -180,21 +176,9 @@ def find_limits_of_lanes_kernel(
 
 @struct
 class Neighborhood:
-    """The neighbours that a radius, a count or both give each point of a tree, without a list of them.
-
-    Distances are compared as the search compares them; where several points tie for the last place, those that come
-    first on the curve are taken.
-
-    Args:
-        tree: A PointTree.
-        radius: Upper limit of the distance [m], excluded; infinity for none.
-        max_nn: Neighbours of a point, itself included; None for all within the radius.
-        ranks: int32 device array of the places on the curve whose limits are needed first; None for all.
-
-    Attributes:
-        limits: int64 [tree.count] by place.
-        places: int32, 0 .. tree.count - 1.
-        reach: Squared distance [m^2] that no neighbour lies beyond.
+    """The neighbors of each point of a tree within a radius, a count or both, without lists; ties go to the first on
+    the curve. `radius` [m] is exclusive; `max_nn` includes the point itself; `ranks`: positions computed first.
+    `limits` (tree.count); maximum squared distance `reach` [m^2].
     """
 
     tree: PointTree
@@ -215,7 +199,6 @@ class Neighborhood:
             self.find(self.places if ranks is None else ranks)
 
     def find(self, ranks: Integers) -> None:
-        """Find the limits of points at these places."""
         if self.is_complete:
             return
         scratch = GroupScratch(self.tree.device, ranks.size, self.list_size)
@@ -224,22 +207,13 @@ class Neighborhood:
             launch(find_limits_kernel, part.threads, arguments)
 
     def visit(self, kernel: Kernel, ranks: Integers, arguments: Sequence[Any]) -> None:
-        """Launch a kernel over the neighbours of the points at these places.
-
-        The candidates of a group of points are found together, as the search does.
-
-        Args:
-            kernel: Takes a LaunchPart, ranks, the Neighborhood, a GroupScratch and `arguments`: it loops over
-                `members_of`.
-            ranks: int32 device array; their limits are known.
-            arguments: What the kernel takes besides.
-        """
+        """Launch a kernel (LaunchPart, ranks, Neighborhood, GroupScratch, `arguments`) that loops over `members_of`."""
         scratch = GroupScratch(self.tree.device, ranks.size, self.list_size)
         for part in scratch.parts():
             launch(kernel, part.threads, [part, ranks, self, scratch, *arguments])
 
     def mark(self, ranks: Integers) -> Integers:
-        """int32 [tree.count]: 1 at the points at these places and at their neighbours, else 0."""
+        """int32 (tree.count): 1 at these tree positions and their neighbors."""
         marks = zeros(self.tree.count, int32, self.tree.device)
         launch(mark_neighbors_kernel, ranks.size, [ranks, self, marks])
         return marks
@@ -249,11 +223,7 @@ class Neighborhood:
 def members_of(
     thread: int, part: LaunchPart, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> tuple[int, int, int]:
-    """The queries of a thread: their number in `ranks`, and where their keys begin and how many are held.
-
-    The keys hold all neighbours, and others beyond the limit; `held_key` reads them. With -1 of them the
-    query has to walk the tree.
-    """
+    """The queries of a thread, base and count of their keys, which may exceed the limit; -1 requires a traversal."""
     base = thread * (scratch.room + scratch.k)
     listing = thread * scratch.gather
     for group in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
@@ -274,7 +244,7 @@ def members_of(
 def hold_members(
     thread: int, group: int, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> int:
-    """Keep the keys of all neighbours of each lane's query of a group; how many, -1 where they do not fit."""
+    """Store the keys of all neighbors of each lane's query; return the count, -1 if they do not fit."""
     last = ranks.shape[0] - 1
     rank = ranks[min(group * WARP + lane(), last)]
     p = neighborhood.tree.points[rank]
@@ -292,7 +262,6 @@ def hold_members(
 def members_of_lanes(
     thread: int, part: LaunchPart, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> tuple[int, int, int]:
-    """The same, a query a lane."""
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
         held = hold_members(thread, group, ranks, neighborhood, scratch)
@@ -304,7 +273,7 @@ def members_of_lanes(
 
 @loop
 def neighbors_of(rank: int, neighborhood: Neighborhood) -> tuple[int, float]:
-    """The places and squared distances [m^2] of the neighbours of the point at a place, by a walk through the tree."""
+    """Tree positions and squared distances [m^2] of a point's neighbors, by tree traversal."""
     p = neighborhood.tree.points[rank]
     limit = neighborhood.limits[rank]
     for j, sqdist in points_in_reach(rank // BUCKET, p, key_number(limit), neighborhood.tree):
@@ -314,7 +283,7 @@ def neighbors_of(rank: int, neighborhood: Neighborhood) -> tuple[int, float]:
 
 @kernel
 def mark_neighbors_kernel(ranks: array(dtype=int32), neighborhood: Neighborhood, marks: array(dtype=int32)):
-    """Set the marks of some points and of their neighbours; the atomic settles who sets one, all of them to 1."""
+    """Flag some points and their neighbors; all writers write 1."""
     i = tid()
     rank = ranks[i]
     atomic_max(marks, rank, 1)

@@ -1,8 +1,4 @@
-"""The k nearest points of every point of a tree as lists of ranks, in parts that are made one after the other.
-
-Points are named by their rank on the tree's curve, so neighbours in space lie near each other in memory, whatever
-order the cloud has. 4 B a neighbour and nothing else: no distances, no rows of the cloud.
-"""
+"""Lists of the k nearest points of every tree point, as tree ranks (4 B per neighbor), generated in parts."""
 
 from collections.abc import Iterator
 
@@ -16,7 +12,7 @@ from .group_search import nearest_of_leaves
 from .point_tree import PointTree
 from .tree_search import reach_of
 
-MOST_ENTRIES = 2**30  # of a part: below the limit of what one array of a launch may hold
+MOST_ENTRIES = 2**30  # per part: below the array size limit of a launch
 
 
 @kernel(most_registers=80)
@@ -31,10 +27,7 @@ def list_neighbors_kernel(
     reach: float,
     lists: array(dtype=int32),
 ):
-    """Rows of the ranks of the k nearest points within reach, for the leaves of a part.
-
-    Where they are fewer than k the point itself with `own`, else -1.
-    """
+    """Ranks of the k nearest points within reach; padded with the point itself with `own`, else -1."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, sort):
         out = (rank - begin) * scratch.k
@@ -47,19 +40,8 @@ def list_neighbors_kernel(
 def list_neighbors(
     tree: PointTree, k: int, radius: float = INFINITY, sort: bool = True, own: bool = False, most: int = MOST_ENTRIES
 ) -> Iterator[tuple[int, Indices]]:
-    """The k nearest points of each of a tree's points, itself among them.
-
-    Args:
-        tree: A PointTree.
-        k: Neighbours a list.
-        radius: Upper limit of the distance [m], excluded.
-        sort: By distance, ties by rank; else in an order that may differ between devices.
-        own: Fill up lists that have fewer than k entries with the point itself, else with -1. Without a radius, too,
-            they may: where squared distances are beyond float32.
-        most: Entries of a part.
-
-    Yields:
-        (begin, lists): the lists of the points of rank `begin` and following, int32 [points * k].
+    """Yield (begin, lists): the k nearest, including itself, of the points from rank `begin` on, int32 (points * k).
+    Short lists (by `radius` [m] or float32 overflow) are padded with the point itself if `own`, else with -1.
     """
     device, reach = tree.device, reach_of(radius)
     places = positions(tree.count, device)

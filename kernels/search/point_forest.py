@@ -1,8 +1,7 @@
-"""Search trees over many clouds in shared arrays, so that one launch searches all of them.
+"""Search trees over many clouds in shared arrays for batched launches.
 
-Each tree is that of point_tree.py: leaves of LEAF points in Hilbert order, buckets of FAN leaves, nodes of FAN
-children. Nodes are numbered within their tree; a node of tree t on a level has its children's boxes in the record
-levels[t * HEIGHTS + level] + node. Padding is at infinity and inside no box.
+As in point_tree.py. Node `node` of tree t has its children's boxes in record levels[t * HEIGHTS + level] + node.
+Padding is at infinity and inside no box.
 """
 
 from collections.abc import Sequence
@@ -21,23 +20,13 @@ from .point_tree import FAN, LEAF, SIDES, bound_leaf, find_run, highest_corner, 
 if TYPE_CHECKING:
     from .point_tree import PointTree
 
-HEIGHTS = 12  # more levels than 2^31 points have
+HEIGHTS = 12  # sufficient for 2^31 points
 
 
 @struct
 class PointForest:
-    """The search trees of several clouds.
-
-    Args:
-        clouds: Device arrays of vec3; at least one, all on one device.
-        tree: The PointTree of the one cloud that there is, where it is known.
-
-    Attributes:
-        clouds: The points in their order: a ManyClouds.
-        bucket_counts: Buckets of each tree.
-        levels: HEIGHTS numbers a tree: where the nodes of each level begin; buckets are level 0, named as in `codes`.
-        roots: The level of each tree's highest node.
-        boxes: SIDES numbers a node.
+    """Search trees of several clouds: `levels`: HEIGHTS numbers per tree, start of each level (buckets are level 0,
+    indexed as in `codes`); `roots`: top level per tree; `boxes`: SIDES numbers per node.
     """
 
     clouds: ManyClouds
@@ -72,17 +61,14 @@ class PointForest:
 
 @kernel
 def bound_forest_leaves_kernel(points: array(dtype=vec3), boxes: array(dtype=float32)):
-    """The boxes of the leaves; empty, which no query reaches, where a leaf has no point."""
+    """Leaf boxes; empty, which no query reaches, for leaves without points."""
     i = tid()
     bound_leaf(i, points, points.shape[0], boxes)
 
 
 @kernel
 def bound_forest_nodes_kernel(trees: int, level: int, forest: PointForest):
-    """Put the box of each node of the level below beside its siblings', where its parent on this one holds them.
-
-    Nodes there are not are empty boxes. Every tree has a record on every level, looked at or not.
-    """
+    """Copy the node boxes of the level below into their parents; missing nodes get empty boxes."""
     i = tid()
     record = forest.levels[level] + i // FAN
     a = 0
@@ -111,7 +97,7 @@ def bound_forest_nodes_kernel(trees: int, level: int, forest: PointForest):
 
 @func
 def find_bucket_of(p: vec3, tree: int, forest: PointForest) -> int:
-    """The bucket of one of the trees, counted from its first, whose run on the curve holds a place."""
+    """Bucket, within one tree, whose curve interval contains a point."""
     code = locate_on_curve(p, forest.clouds.curve)
     return find_run(forest.clouds.codes, forest.levels[tree * HEIGHTS], forest.bucket_counts[tree], code)
 

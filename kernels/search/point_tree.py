@@ -1,15 +1,8 @@
-"""A tree of boxes over points in Hilbert order: one exact search structure for every radius, count and density.
+"""Bounding-box tree over points in Hilbert order, for exact searches with any radius, count and density.
 
-Leaves are runs of LEAF points of the order, buckets are runs of FAN leaves, and above them each node has FAN children.
-Nothing depends on the density of the cloud, there is no cell size to guess, and the tree need not be built again for
-another radius. Build: the Hilbert sort, then 12 B of points and 3.4 B of boxes written a point. A query walks up from
-the bucket where it lies on the curve, and at each step down into the other children that reach into the ball of the
-best points so far (bucket_walk.py). The boxes of a node's children lie side by side and are measured together, in
-vector registers on the CPU: a binary tree took twice as long.
-
-Exactness: the distance of a box is computed by the same operations as the distance of a point, and none are fused.
-Rounding is monotonic, so a box is never farther than a point in it, and nothing that belongs to the result is left out,
-ties included.
+Leaves are runs of LEAF points, buckets of FAN leaves, and higher nodes have FAN children, whose boxes are tested
+together. Queries start at their bucket on the curve and go up (bucket_walk.py). Build: Hilbert sort, 15.4 B written per
+point. Box distances use the same unfused operations as point distances and monotonic rounding, so results are exact.
 """
 
 from collections.abc import Sequence
@@ -39,30 +32,20 @@ from ..lang import (
 from ..memory import empty, upload
 from .hilbert_order import HilbertCurve, HilbertOrder, locate_on_curve
 
-LEAF = 8  # points a leaf
-FAN = 8  # leaves a bucket
-BUCKET = LEAF * FAN  # points a bucket
-ROUNDED_UP = 1.000001  # times a square: more than float32 rounds it up
-LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: a walk without a radius reaches so far, not farther
-SIDES = 6 * FAN  # numbers of a node's boxes: low x, y, z, high x, y, z of all its children
+LEAF = 8  # points per leaf
+FAN = 8  # leaves per bucket
+BUCKET = LEAF * FAN  # points per bucket
+ROUNDED_UP = 1.000001  # factor above the float32 rounding of a square
+LARGEST_SQDIST = 3.4028234663852886e38  # [m^2] the largest float32: limit of a traversal without a radius
+SIDES = 6 * FAN  # numbers per node: low x, y, z, high x, y, z of all its children
 box_distances = vector(8, float32)
 
 
 @struct
 class PointTree:
-    """The search structure over the finite points of a device array.
-
-    Attributes:
-        count: Finite points.
-        root: The level of the highest node; buckets are level 0.
-        levels: Where the nodes of each level begin, and end.
-        boxes: SIDES numbers a node: the boxes of its children.
-        points: By place on the curve, and points at infinity up to a whole leaf.
-        order: int32 [n], positions in the cloud by place; points that are not finite stand last.
-        codes: The code of each bucket's first point.
-        curve: The HilbertCurve.
-        source: The points that it was built over, kept alive, so that no other array can take their address.
-        low, high: The box of the finite points, float32 [3].
+    """Search structure over the `count` finite points of `source`, which is kept alive so that its address is not
+    reused. `root`: top level (buckets are level 0); `boxes`: SIDES numbers per node (its children's boxes); `points` in
+    tree order, padded with infinity; `order`: cloud rows, non-finite points last; `codes` of first points.
     """
 
     count: int
@@ -94,13 +77,13 @@ class PointTree:
 
 
 def widest_square(tree: PointTree, reach: float) -> float:
-    """The squared distance [m^2] that no two points of a tree exceed, nor a squared reach."""
+    """Squared distance [m^2] that bounds both the tree's diameter and a squared reach."""
     diagonal = tree.high.astype(np.float64) - tree.low if tree.count else np.zeros(3)
     return float(np.float32(min(reach, float((diagonal**2).sum()) * ROUNDED_UP)))
 
 
 def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
-    """(nodes of each level, where each begins and the last ends as int32) over `count` nodes of the lowest level."""
+    """Node counts and int32 offsets of each level over `count` lowest nodes."""
     sizes = [max(1, count)]
     while sizes[-1] > 1:
         sizes.append(-(-sizes[-1] // FAN))
@@ -108,10 +91,7 @@ def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
 
 
 def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: int) -> None:
-    """Put the boxes of the nodes of each level into the level above it, from the level `known` on, which is there.
-
-    On CUDA two levels a launch.
-    """
+    """Copy node boxes into the level above, from level `known` upwards; two levels per launch on CUDA."""
     for level in range(known + 1, len(sizes), 2 if boxes.device.is_cuda else 1):
         if not boxes.device.is_cuda:
             threads = sizes[level] * FAN
@@ -124,7 +104,7 @@ def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: 
 
 @func
 def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dtype=float32)):
-    """Write the box of the finite points of a leaf; an empty one, which no query reaches, where it has none."""
+    """Write the box of a leaf's finite points; an empty one, which no query reaches, if there are none."""
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
@@ -140,11 +120,7 @@ def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dt
 
 @kernel
 def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
-    """Put the points of a leaf at their places, and bound it; leaves beyond the last point are empty boxes.
-
-    Behind the last point stands what no query reaches, up to a whole leaf, so that leaves are read without a branch.
-    The first leaf of a bucket takes its first point's code along.
-    """
+    """Store and bound the points of a leaf, with unreachable padding; the first of a bucket stores its code."""
     i = tid()
     if i % FAN == 0:
         tree.codes[i // FAN] = codes[i * LEAF] if i * LEAF < tree.count else 0
@@ -157,7 +133,7 @@ def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tr
 
 @cuda_func
 def lowest_of_lanes(p: vec3, first: int, last: int) -> vec3:
-    """The lowest coordinates of lanes whose numbers differ in these bits alone."""
+    """Minimum over lanes whose numbers differ only in these bits."""
     a = p + vec3(0.0, 0.0, 0.0)
     for bit in range(first, last):
         x = shuffle_xor(a[0], 1 << bit)
@@ -169,7 +145,7 @@ def lowest_of_lanes(p: vec3, first: int, last: int) -> vec3:
 
 @cuda_func
 def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=float32)):
-    """Write a box, a number a lane; a vector with a computed index would live in local memory."""
+    """Write a box, one number per lane; an indexed vector would be in local memory."""
     x = high[0] if lane == 3 else low[0]
     y = high[1] if lane == 4 else low[1]
     z = high[2] if lane == 5 else low[2]
@@ -180,17 +156,14 @@ def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=flo
 
 @place_leaves_kernel.on_cuda
 def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
-    """A bucket a warp, two points a lane: reads and writes are side by side, and the bucket's own box comes for free.
-
-    Buckets there are not are empty boxes for the level above.
-    """
+    """CUDA variant: one warp per bucket, two points per lane, coalesced; also bounds the bucket."""
     i = tid()
     bucket = i // WARP
     lane = i % WARP
     if lane == 0 and bucket < tree.codes.shape[0]:
         tree.codes[bucket] = codes[bucket * BUCKET] if bucket * BUCKET < tree.count else 0
     low = vec3(INFINITY, INFINITY, INFINITY)
-    high = vec3(INFINITY, INFINITY, INFINITY)  # of minus the coordinates
+    high = vec3(INFINITY, INFINITY, INFINITY)  # of the negated coordinates
     for half in range(2):
         place = bucket * BUCKET + half * WARP + lane
         a = vec3(INFINITY, INFINITY, INFINITY)
@@ -217,7 +190,6 @@ def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), t
 
 @func
 def lowest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
-    """The lowest coordinates of the boxes of a node's children."""
     a = vec3(INFINITY, INFINITY, INFINITY)
     for j in range(node * SIDES, node * SIDES + FAN):
         a = vec3(min(a[0], boxes[j]), min(a[1], boxes[j + FAN]), min(a[2], boxes[j + 2 * FAN]))
@@ -226,7 +198,6 @@ def lowest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
 
 @func
 def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
-    """The highest coordinates of the boxes of a node's children."""
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     for j in range(node * SIDES + 3 * FAN, node * SIDES + 4 * FAN):
         b = vec3(max(b[0], boxes[j]), max(b[1], boxes[j + FAN]), max(b[2], boxes[j + 2 * FAN]))
@@ -235,10 +206,7 @@ def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
 
 @kernel
 def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
-    """Put the box of each node of the level below beside its siblings', where its parent on this one holds them.
-
-    Nodes there are not, behind the last of the level below, are empty boxes.
-    """
+    """Copy the node boxes of the level below into their parents; missing nodes get empty boxes."""
     i = tid()
     below = levels[level - 1]
     a = vec3(INFINITY, INFINITY, INFINITY)
@@ -254,7 +222,7 @@ def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtyp
 
 @bound_nodes_kernel.on_cuda
 def bound_two_levels_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
-    """And the box of their parent where that holds its own: FAN lanes have siblings."""
+    """CUDA variant that also bounds the parent."""
     i = tid()
     below = levels[level - 1]
     first = levels[level]
@@ -278,7 +246,7 @@ def bound_two_levels_kernel(level: int, levels: array(dtype=int32), boxes: array
 
 @func
 def square_distance(p: vec3, q: vec3) -> float:
-    """|p - q|^2 [m^2], summed as the box distance is."""
+    """|p - q|^2 [m^2], summed in the order of the box distance."""
     x = q[0] - p[0]
     y = q[1] - p[1]
     z = q[2] - p[2]
@@ -287,10 +255,7 @@ def square_distance(p: vec3, q: vec3) -> float:
 
 @func
 def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> box_distances:
-    """Squared distances [m^2] between the box (a, b) and those of a node's children; a point is the box (p, p).
-
-    Infinite for empty boxes.
-    """
+    """Squared distances [m^2] from the box (a, b), or point (p, p), to a node's child boxes; infinite if empty."""
     at = node * SIDES
     distances = box_distances(0.0)
     for j in range(FAN):
@@ -303,7 +268,6 @@ def measure_boxes(boxes: array(dtype=float32), node: int, a: vec3, b: vec3) -> b
 
 @func
 def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: vec3) -> float:
-    """`measure_boxes` for one child."""
     at = node * SIDES + child
     x = larger(larger(boxes[at] - b[0], a[0] - boxes[at + 3 * FAN]), 0.0)
     y = larger(larger(boxes[at + FAN] - b[1], a[1] - boxes[at + 4 * FAN]), 0.0)
@@ -313,7 +277,7 @@ def measure_box(boxes: array(dtype=float32), node: int, child: int, a: vec3, b: 
 
 @func
 def find_run(codes: array(dtype=int64), first: int, count: int, code: int64) -> int:
-    """Which of `count` runs holds a code, by bisection over their first codes, which stand from `first` on."""
+    """Index of the run that contains a code, by bisection over `count` first codes from `first` on."""
     a = 0
     b = count
     while b - a > 1:
@@ -327,13 +291,11 @@ def find_run(codes: array(dtype=int64), first: int, count: int, code: int64) -> 
 
 @func
 def find_bucket(p: vec3, tree: PointTree) -> int:
-    """The bucket whose run on the curve holds a place."""
     return find_run(tree.codes, 0, (tree.count + BUCKET - 1) // BUCKET, locate_on_curve(p, tree.curve))
 
 
 @func
 def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
-    """1 where all points of a node's child have the same coordinates."""
     at = node * SIDES + child
     equal = 1
     for axis in range(3):

@@ -1,7 +1,5 @@
-"""Neighbours of queries in a PointTree: the k nearest within a radius, or all within it.
-
-A thread takes a run of queries that follow each other on the curve. Its scratch row then stays in the nearest cache,
-and each query starts with the ball of the query before it. Output 8 B a neighbour and 4 B a query.
+"""Neighbors of queries in a PointTree: the k nearest within a radius, or all. A thread takes consecutive queries on the
+curve, so scratch stays cached and each starts with the previous reach.
 """
 
 import numpy as np
@@ -37,7 +35,7 @@ from .neighbor_keys import BOUNDLESS, sort_keys
 from .point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, PointTree, find_bucket, square_distance
 from .tree_walk import lowest_bit
 
-MAX_ROWS = 2**31 - 1  # arrays of one launch hold fewer elements than this
+MAX_ROWS = 2**31 - 1  # element limit of arrays in a launch
 
 
 @func
@@ -51,7 +49,7 @@ def write_row(
     distances: array(dtype=float32),
     counts: array(dtype=int32),
 ):
-    """Write a query's sorted keys, which begin at `base`, as its row; what is missing is -1 at an infinite distance."""
+    """Write a query's sorted keys as its row; missing neighbors are -1 at infinite distance."""
     first = row * scratch.k
     for j in range(size):
         key = scratch.keys[base + j * stride]
@@ -77,7 +75,6 @@ def search_nearest_kernel(
     distances: array(dtype=float32),
     counts: array(dtype=int32),
 ):
-    """Rows of neighbours by distance, ties by index; missing ones are -1 at an infinite distance."""
     i = tid()
     base = i * (scratch.room + scratch.k)
     listing = i * scratch.gather
@@ -91,14 +88,14 @@ def search_nearest_kernel(
         b = a + vec3(0.0, 0.0, 0.0)
         for rank in range(head + 1, tail):
             q = queries[query_order[rank]]
-            if isfinite(q):  # the others stand last and search nothing
+            if isfinite(q):  # non-finite queries are last and search nothing
                 a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
         gathered = scratch.gather + 1
         covered = min(reach, widest * GUESS)
         widest = 0.0
-        if tree.count > 0 and isfinite(a):  # else no query of the group is finite
+        if tree.count > 0 and isfinite(a):  # otherwise no query of the group is finite
             if self_query == 0:
                 start = find_bucket(a, tree)
             if scratch.gather > 0 and covered < BOUNDLESS:
@@ -132,7 +129,6 @@ def search_nearest_of_lanes_kernel(
     distances: array(dtype=float32),
     counts: array(dtype=int32),
 ):
-    """The same, a query a lane."""
     i = tid()
     guess = -1.0
     first = part.first + (i // WARP) * part.run
@@ -166,7 +162,6 @@ def count_within_kernel(
     reach: float,
     counts: array(dtype=int32),
 ):
-    """How many points lie within the squared radius of each query."""
     i = tid()
     q = query_order[i]
     p = queries[q]
@@ -188,7 +183,6 @@ def list_within_kernel(
     indices: array(dtype=int32),
     sqdists: array(dtype=float32),
 ):
-    """The points within the squared radius of each query, sorted."""
     i = tid()
     q = query_order[i]
     p = queries[q]
@@ -205,31 +199,21 @@ def list_within_kernel(
 
 
 def reach_of(radius: float) -> float:
-    """The largest float32 below radius^2: Open3D counts a neighbour when d^2 < r^2. Finite without a radius, too."""
+    """Largest float32 below radius^2, finite, since Open3D counts neighbors with d^2 < r^2."""
     exact = float(radius) * float(radius)
     square = np.float32(min(exact, LARGEST_SQDIST))
     return float(square) if float(square) < exact else float(np.nextafter(square, np.float32(0)))
 
 
 def order_along_curve(tree: PointTree, queries: Points) -> Indices:
-    """The queries' order along the tree's curve, int32 [n]."""
     return argsort_along(queries, tree.curve)[1]
 
 
 def search_nearest(
     tree: PointTree, queries: Points, k: int, radius: float = INFINITY
 ) -> tuple[Array2[int32], Array2[float32], Integers]:
-    """The k nearest neighbours of each query closer than a radius.
-
-    Args:
-        tree: A PointTree.
-        queries: Device array of vec3, shape [m]; the tree's own points are known by their address.
-        k: Neighbours a query.
-        radius: Upper limit of the distance [m], excluded.
-
-    Returns:
-        (indices, sqdists, counts): int32 [m, k], float32 [m, k], int32 [m]; -1 and infinity where there are fewer
-            than k.
+    """(indices, sqdists, counts) of the k nearest neighbors closer than a radius [m], padded with -1 and infinity. The
+    tree's own points as queries are recognized by address.
     """
     device, total = queries.device, queries.size
     indices, sqdists = empty((total, k), int32, device), empty((total, k), float32, device)
@@ -249,14 +233,7 @@ def search_nearest(
 
 
 def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Integers, Scalars, Integers]:
-    """All neighbours of each query closer than a radius, by distance.
-
-    Returns:
-        (indices, sqdists, offsets): int32 [total], float32 [total], int32 [m + 1]; row q is offsets[q]:offsets[q + 1].
-
-    Raises:
-        ValueError: 2^31 neighbours or more.
-    """
+    """(indices, sqdists, offsets) of all neighbors closer than a radius [m]. Raises ValueError for 2^31 or more."""
     device, total, reach = queries.device, queries.size, reach_of(radius)
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)

@@ -1,8 +1,4 @@
-"""Splats in a picture: their light from the front to the back (Kerbl et al. 2023, eq. 3), and the surface they show.
-
-One thread a pixel, which goes through the list of its tile until less than a share of 1e-4 of the light is left. Reads
-32 B a splat of the list, and 24 B of those that are seen.
-"""
+"""Front-to-back blending of splats (Kerbl et al. 2023, eq. 3) down to 1e-4 of the light, and their surface."""
 
 from ..algebra.exponential import exp_in_float
 from ..array_types import Array2, Scalars, Vectors
@@ -14,20 +10,12 @@ from ..memory import empty, zeros
 from .projection import FAINTEST, MOST_OPACITY, TILE_PIXELS, ProjectedSplats
 from .tile_lists import TileLists, pixel_of_thread
 
-LEAST_LEFT = 1.0e-4  # share of the light that is not followed further
+LEAST_LEFT = 1.0e-4  # transmittance at which blending stops
 
 
 @struct
 class SplatSurface:
-    """What the pixels of a picture show.
-
-    Attributes:
-        colors: vec3 [pixels], 0 where nothing is seen.
-        left: float32 [pixels], the share of the light of what lies behind.
-        depths: float32 [pixels], the mean depth, by the light; 0 where nothing is seen.
-        medians: float32 [pixels], the depth behind which half of the light is left; 0 where more than half is.
-        normals: vec3 [pixels], the mean normal, of length 1, in the camera's frame; 0 where nothing is seen.
-    """
+    """Pixels of splats: transmittance `left`; mean `depths`; `medians` at half transmittance; unit `normals`."""
 
     colors: array(dtype=vec3)
     left: array(dtype=float32)
@@ -43,7 +31,7 @@ class SplatSurface:
 
 @func
 def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats) -> float:
-    """The opacity of a splat in a pixel, 0 where it adds nothing."""
+    """Opacity of a splat in a pixel, 0 if negligible."""
     middle = projected.middles[splat]
     conic = projected.conics[splat]
     x = column - middle[0]
@@ -57,7 +45,7 @@ def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats
 
 @func
 def meet_splat(splat: int, ray: vec3, projected: ProjectedSplats) -> float:
-    """The depth at which a splat is densest along a ray of depth 1."""
+    """Depth of maximum density of a splat along a ray of depth 1."""
     middle = projected.middles[splat][2]
     sides = projected.others[splat]
     a = projected.diagonals[splat]
@@ -80,7 +68,7 @@ def blend_splats_kernel(
     left: array(dtype=float32),
     light: array(dtype=vec3),
 ):
-    """Add the light of splats to the pixels of a picture whose cells hold what is solid."""
+    """Add splats to an image whose cells hold the solid surfaces."""
     i = tid()
     pixel = pixel_of_thread(i, lists)
     if pixel >= 0:
@@ -120,7 +108,6 @@ def blend_splats_kernel(
 
 @kernel
 def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View, surface: SplatSurface):
-    """Colour, depths and normal of each pixel."""
     i = tid()
     pixel = pixel_of_thread(i, lists)
     if pixel >= 0:
@@ -159,7 +146,6 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
 
 @kernel
 def color_surface_kernel(surface: SplatSurface, pixels: array(dtype=uint8, ndim=2)):
-    """The colour of what a pixel shows of splats, as bytes: without what lies behind them."""
     i = tid()
     share = 1.0 - surface.left[i]
     for channel in range(3):
@@ -172,27 +158,17 @@ def color_surface_kernel(surface: SplatSurface, pixels: array(dtype=uint8, ndim=
 def blend_splats(
     lists: TileLists, projected: ProjectedSplats, buffer: DepthBuffer, left: Scalars, light: Vectors
 ) -> None:
-    """Add splats to a picture, before what its buffer holds.
-
-    Args:
-        lists: Of the picture's tiles.
-        projected: The splats, their depths in the buffer's unit.
-        buffer: What is solid, SAMPLES cells a pixel and axis.
-        left: float32 [cells], the share of the light that comes past what has been drawn so far; is lowered.
-        light: vec3 [pixels], the light of all cells of a pixel.
-    """
+    """Add splats in front of a buffer of SAMPLES cells per pixel and axis, in its unit; updates `left`."""
     launch(blend_splats_kernel, lists.threads, [lists, projected, buffer, left, light])
 
 
 def find_surface(lists: TileLists, projected: ProjectedSplats, view: View) -> SplatSurface:
-    """What the pixels of a picture show of splats."""
     surface = SplatSurface(lists)
     launch(find_surface_kernel, lists.threads, [lists, projected, view, surface])
     return surface
 
 
 def color_surface(surface: SplatSurface) -> Array2[uint8]:
-    """The colours of a surface as those of a picture, uint8 [pixels, 3]."""
     pixels = empty((surface.left.size, 3), uint8, surface.left.device)
     launch(color_surface_kernel, surface.left.size, [surface, pixels])
     return pixels

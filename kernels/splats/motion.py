@@ -1,7 +1,5 @@
-"""Splats under rotations: their axes turn by a quaternion, their harmonics by a matrix a band.
-
-A splat's rotation is a quaternion (w, x, y, z) of any length above zero. Its harmonics beyond the first are 3 (K - 1)
-numbers a splat, K = (degree + 1)^2: all of red, then all of green, then all of blue, band by band.
+"""Rotation of splats: quaternions (w, x, y, z, any length) and spherical harmonics, by a matrix per band. Harmonics
+beyond the first are 3 (K - 1) numbers per splat, K = (degree + 1)^2: all of red, then green, then blue.
 """
 
 import numpy as np
@@ -22,7 +20,7 @@ def mask_splats_kernel(
     most_scale: float,
     mask: array(dtype=uint8),
 ):
-    """1 where a splat can be drawn, its opacity reaches a limit, and its longest axis lies between two."""
+    """1 for valid splats within the opacity and size limits."""
     i = tid()
     keep = 0
     longest = scales[i, 0]
@@ -50,7 +48,7 @@ def mask_splats(
     least_scale: float,
     most_scale: float,
 ) -> Mask:
-    """Which splats to keep: opacities as logits, scales as logarithms, both as the limits."""
+    """Mask of splats to keep; opacities and limits as logits, scales and limits as logarithms."""
     mask = empty(points.size, uint8, points.device)
     limits = [least_opacity, least_scale, most_scale]
     launch(mask_splats_kernel, points.size, [points, opacities, scales, quaternions, *limits, mask])
@@ -59,7 +57,7 @@ def mask_splats(
 
 @func
 def multiply_quaternions(a: vec4d, b: vec4d) -> vec4d:
-    """The product a b of quaternions (w, x, y, z): the rotation of b, and then that of a."""
+    """Product a b of quaternions (w, x, y, z): rotation b, then a."""
     return vec4d(
         a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
         a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -70,7 +68,6 @@ def multiply_quaternions(a: vec4d, b: vec4d) -> vec4d:
 
 @kernel
 def turn_quaternions_kernel(quaternions: array(dtype=float32, ndim=2), turn: vec4d, out: array(dtype=float32, ndim=2)):
-    """out = turn q."""
     i = tid()
     q = vec4d(0.0)
     for part in range(4):
@@ -87,7 +84,6 @@ def turn_harmonics_kernel(
     degree: int,
     out: array(dtype=float32, ndim=2),
 ):
-    """Each band of one colour of one splat under the block of `turns` that belongs to it."""
     i = tid()
     splat = i // 3
     first = (i % 3) * ((degree + 1) * (degree + 1) - 1)
@@ -104,14 +100,14 @@ def turn_harmonics_kernel(
 
 
 def turn_quaternions(quaternions: Array2[float32], turn: np.ndarray) -> Array2[float32]:
-    """Quaternions [n, 4] (w, x, y, z) turned further by one, float64 [4]."""
+    """Quaternions (n, 4) (w, x, y, z) rotated by one, float64 (4)."""
     out = empty(quaternions.shape, float32, quaternions.device)
     launch(turn_quaternions_kernel, quaternions.shape[0], [quaternions, vec4d(*turn), out])
     return out
 
 
 def turn_harmonics(harmonics: Array2[float32], turns: np.ndarray, degree: int) -> Array2[float32]:
-    """Harmonics [n, 3 (K - 1)] under the blocks of a float64 matrix [K - 1, K - 1], a block a band."""
+    """Harmonics (n, 3 (K - 1)) rotated by the diagonal blocks of a float64 matrix (K - 1, K - 1)."""
     out = empty(harmonics.shape, float32, harmonics.device)
     matrix = upload(turns, float64, harmonics.device)
     launch(turn_harmonics_kernel, 3 * harmonics.shape[0], [harmonics, matrix, degree, out])

@@ -1,13 +1,8 @@
-"""Splats before a camera: where each lies in the picture, as which ellipse, and in which colour.
+"""Projection of splats to image ellipses and colors.
 
-A Gaussian is projected by the affine map that is tangent to the camera at its centre (Zwicker et al., "EWA splatting",
-IEEE TVCG 2002), with 0.3 px^2 added to its variance, as training does (Kerbl et al. 2023). The depth at which a ray
-meets a splat is where the Gaussian is densest along it (Zhang et al., "RaDe-GS", 2024, section 3): of a flat one, its
-plane.
-
-One thread a splat; reads 56 B to 236 B, writes 64 B or 116 B. Only + - * / and sqrt beside `exp_in_float`, so that
-pictures have the same bits everywhere; the logarithm of an opacity widens a rectangle alone, and what that adds is not
-seen.
+Affine approximation at the center (Zwicker et al., "EWA splatting", IEEE TVCG 2002) plus 0.3 px^2 variance, as in
+training (Kerbl et al. 2023). Ray depth is that of maximum density (Zhang et al., "RaDe-GS", 2024, section 3). Only + -
+* /, sqrt and `exp_in_float`, so images are bitwise identical.
 """
 
 import numpy as np
@@ -38,29 +33,20 @@ from ..lang import (
 )
 from ..memory import empty, upload
 
-TILE = 16  # [px] of a tile's side
+TILE = 16  # [px] tile side
 TILE_PIXELS = TILE * TILE
-BLUR = 0.3  # [px^2] added to the variance in the picture
-FAINTEST = 1.0 / 255.0  # opacity below which a splat adds nothing to a pixel
-MOST_OPACITY = 0.99  # of a splat in a pixel: what lies behind it stays to be seen
-BESIDE = 0.15  # of the picture's width and height: what lies farther out has the tangent map of there
-FLATTEST = 1.0e-4  # of the longest axis: the shortest one that a splat is taken to have
-REACH = 3.0  # standard deviations along the ray, beyond which no splat is met
+BLUR = 0.3  # [px^2] added to the image variance
+FAINTEST = 1.0 / 255.0  # opacity below which a splat is skipped in a pixel
+MOST_OPACITY = 0.99  # per splat and pixel: the background stays visible
+BESIDE = 0.15  # of the image size: beyond, the tangent map is clamped
+FLATTEST = 1.0e-4  # of the longest axis: minimum of the shortest axis
+REACH = 3.0  # standard deviations along the ray, beyond which a splat is not hit
 
 
 @struct
 class SplatColumns:
-    """Splats as files have them.
-
-    Attributes:
-        points: vec3 [n] about an origin.
-        opacities: float32 [n], logits.
-        scales: float32 [n, 3], logarithms.
-        quaternions: float32 [n, 4], w, x, y, z of any length.
-        first: float32 [n, 3], harmonics of degree 0.
-        rest: float32 [n, 3 (K - 1)], the others: all of red, then green, then blue; of size 0 for degree 0.
-        sizes: float32 [K], what each harmonic is multiplied by (`harmonics.sizes_of`).
-        degree: Of the harmonics.
+    """Splats as in files: logit `opacities`; logarithmic `scales`; quaternions w, x, y, z; harmonics `first` (n, 3) and
+    `rest` (n, 3 (K - 1)), red, green, blue; their factors `sizes` (K).
     """
 
     points: array(dtype=vec3)
@@ -91,20 +77,10 @@ class SplatColumns:
 
 @struct
 class ProjectedSplats:
-    """Splats in a picture.
-
-    Attributes:
-        middles: vec3 [n]: column, row [px], depth.
-        conics: vec3 [n]: (a, b, c) of the exponent -(a x^2 + 2 b x y + c y^2) / 2.
-        colors: vec3 [n], not below 0.
-        opacities: float32 [n], 0 to 1.
-        limits: float32 [n]: a pixel whose exponent is below minus this shows nothing of a splat.
-        boxes: vec4i [n], first and last column and row of tiles; the last before the first where it is not seen.
-        diagonals, others: vec3 [n], A00 A11 A22 and A01 A02 A12 of the inverse covariance A in the camera's frame times
-            the square of the shortest axis; of size 0 where no surface is asked for, as are the next three.
-        pulls: vec3 [n], A times the centre.
-        normals: vec3 [n], the shortest axis, to the camera.
-        depths: float32 [n], how far along the ray from its middle a splat is met at most.
+    """`middles`: column, row [px], depth; `conics`: (a, b, c) of the exponent -(a x^2 + 2 b x y + c y^2) / 2; `limits`:
+    negative exponent beyond which nothing is visible; `boxes`: tile columns and rows, reversed if invisible. For
+    surfaces: `diagonals`, `others`: A00 A11 A22 and A01 A02 A12 of the inverse covariance A times the squared shortest
+    axis; `pulls`: A times the center; `normals`: shortest axis; `depths`: maximum ray depth offset.
     """
 
     middles: array(dtype=vec3)
@@ -131,7 +107,6 @@ class ProjectedSplats:
 
 @func
 def axes_of(i: int, splats: SplatColumns) -> mat33:
-    """The rotation of a splat: its axes as columns."""
     w = splats.quaternions[i, 0]
     x = splats.quaternions[i, 1]
     y = splats.quaternions[i, 2]
@@ -150,7 +125,7 @@ def axes_of(i: int, splats: SplatColumns) -> mat33:
 
 @func
 def axes_before_camera(axes: mat33, rotation: mat33, unit: float) -> mat33:
-    """Axes under a rotation times a scale, without the scale."""
+    """Axes under a scaled rotation, without the scale."""
     turned = mat33(0.0)
     for k in range(3):
         axis = rotation @ vec3(axes[0, k], axes[1, k], axes[2, k])
@@ -161,12 +136,12 @@ def axes_before_camera(axes: mat33, rotation: mat33, unit: float) -> mat33:
 
 @func
 def color_towards(i: int, direction: vec3, splats: SplatColumns) -> vec3:
-    """The colour seen along a unit vector from the camera: 0.5 and the harmonics, by recursion over order and band."""
+    """Color along a unit vector from the camera: 0.5 plus harmonics, by recursion over order and band."""
     rest = (splats.degree + 1) * (splats.degree + 1) - 1
     color = vec3(splats.first[i, 0], splats.first[i, 1], splats.first[i, 2]) * splats.sizes[0]
     cosine = 1.0
     sine = 0.0
-    start = 1.0  # the Legendre function of a band of its own order
+    start = 1.0  # Legendre function of a band at its own order
     for m in range(splats.degree + 1):
         before = 0.0
         legendre = start + 0.0
@@ -190,7 +165,7 @@ def color_towards(i: int, direction: vec3, splats: SplatColumns) -> vec3:
 
 @func
 def scaled_inverse(turn: mat33, scales: vec3) -> mat33:
-    """The inverse of a covariance times the square of its shortest axis: entries of at most 1."""
+    """Inverse covariance times the squared shortest axis: entries of at most 1."""
     shortest = max(min(min(scales[0], scales[1]), scales[2]), FLATTEST * max(max(scales[0], scales[1]), scales[2]))
     total = mat33(0.0)
     for k in range(3):
@@ -204,7 +179,6 @@ def scaled_inverse(turn: mat33, scales: vec3) -> mat33:
 
 @func
 def note_surface(i: int, q: vec3, turn: mat33, scales: vec3, projected: ProjectedSplats):
-    """What a ray needs in order to meet a splat."""
     A = scaled_inverse(turn, scales)
     projected.diagonals[i] = vec3(A[0, 0], A[1, 1], A[2, 2])
     projected.others[i] = vec3(A[0, 1], A[0, 2], A[1, 2])
@@ -225,7 +199,7 @@ def note_surface(i: int, q: vec3, turn: mat33, scales: vec3, projected: Projecte
 
 @func
 def ellipse_of(q: vec3, turn: mat33, scales: vec3, view: View) -> vec4:
-    """The variances and the covariance of a splat in the picture [px^2], a b c, and their determinant."""
+    """Image covariance a b c of a splat [px^2] and the determinant."""
     fx = float(view.camera.fx)
     fy = float(view.camera.fy)
     left = ray_through(-BESIDE * float(view.camera.width), -BESIDE * float(view.camera.height), view)
@@ -239,13 +213,13 @@ def ellipse_of(q: vec3, turn: mat33, scales: vec3, view: View) -> vec4:
         down[k] = (turn[1, k] - y * turn[2, k]) * scales[k] * (fy / q[2])
     a = dot(across, across) + BLUR
     c = dot(down, down) + BLUR
-    area = cross(across, down)  # its square is what a c - b b leaves of two large numbers
+    area = cross(across, down)  # its square equals a c - b b without cancellation
     return vec4(a, dot(across, down), c, dot(area, area) + BLUR * (a + c - BLUR))
 
 
 @func
 def tiles_of(middle: vec3, right: float, below: float, view: View) -> vec4i:
-    """The tiles that a rectangle about a place lies in: first and last column, first and last row."""
+    """Tile box of a rectangle: first and last column, first and last row."""
     columns = (view.camera.width + TILE - 1) // TILE
     rows = (view.camera.height + TILE - 1) // TILE
     first_column = int(max(floor((middle[0] - right) / float(TILE)), 0.0))
@@ -265,7 +239,6 @@ def project_splats_kernel(
     projected: ProjectedSplats,
     counts: array(dtype=int32),
 ):
-    """Where each splat lies in the picture, and in how many tiles."""
     i = tid()
     q = to_camera(splats.points[i], view)
     box = vec4i(0, -1, 0, -1)
@@ -306,16 +279,7 @@ def project_splats_kernel(
 def project_splats(
     splats: SplatColumns, view: View, eye: np.ndarray, near: float, share: float, *, surfaces: bool
 ) -> tuple[ProjectedSplats, Integers]:
-    """Splats before a camera, and in how many tiles each lies.
-
-    Args:
-        splats: The splats.
-        view: The camera in pixels, and the frame of the points in it.
-        eye: Where the camera is in the frame of the points [3].
-        near: Least depth, in the view's unit.
-        share: What opacities are multiplied by.
-        surfaces: Whether `meet_splat` is to be asked.
-    """
+    """Project splats; returns them and their tile counts. `share`: opacity factor; `surfaces`: prepare `meet_splat`."""
     count, device = splats.points.size, splats.points.device
     projected = ProjectedSplats(count, device, surfaces=surfaces)
     counts = empty(count, int32, device)

@@ -1,9 +1,4 @@
-"""Which splats each tile of a picture shows, from the front to the back.
-
-Splats are sorted by depth, each writes its number for the tiles that it lies in, and these are sorted by tile: both
-sorts are stable, so splats of equal depth keep their order, and lists are the same from run to run. 12 B a splat in a
-tile, 52 B while they are sorted.
-"""
+"""Splats of each tile, front to back: stable sorts by depth, then by tile, so lists are deterministic."""
 
 from ..array_types import Integers
 from ..arrays.key_starts import find_key_starts
@@ -18,14 +13,7 @@ BITS_OF_DEPTH = 32
 
 @struct
 class TileLists:
-    """Lists of splats.
-
-    Attributes:
-        width, height: Of the picture [px].
-        columns: Tiles side by side.
-        starts: int32 [tiles + 1], where the list of each tile begins.
-        members: int32, the splats.
-    """
+    """Splat lists per tile: `width`, `height` [px]; `columns` of tiles; `starts` (tiles + 1); `members`."""
 
     width: int
     height: int
@@ -34,7 +22,7 @@ class TileLists:
     members: array(dtype=int32)
 
     def __init__(self, projected: ProjectedSplats, counts: Integers, width: int, height: int) -> None:
-        """Of splats, and the number of tiles that each lies in (two syncs)."""
+        """From splats and their tile counts (two syncs)."""
         device = projected.device
         self.width, self.height, self.columns = width, height, -(-width // TILE)
         self.tile_count = self.columns * -(-height // TILE)
@@ -53,13 +41,13 @@ class TileLists:
 
     @property
     def threads(self) -> int:
-        """Of a kernel over pixels, those of a tile side by side: `pixel_of_thread`."""
+        """Thread count of pixel kernels, tile by tile: `pixel_of_thread`."""
         return self.tile_count * TILE_PIXELS
 
 
 @func
 def pixel_of_thread(i: int, lists: TileLists) -> int:
-    """The pixel of a thread; -1 where it lies beyond the picture."""
+    """Pixel of a thread; -1 outside the image."""
     tile = i // TILE_PIXELS
     column = (tile % lists.columns) * TILE + i % TILE
     row = (tile // lists.columns) * TILE + (i // TILE) % TILE
@@ -68,7 +56,7 @@ def pixel_of_thread(i: int, lists: TileLists) -> int:
 
 @kernel
 def key_depths_kernel(projected: ProjectedSplats, counts: array(dtype=int32), keys: SortKeys):
-    """The bits of a depth, which are ordered as it is; what is not seen comes last."""
+    """Depth bits as ordered keys; invisible splats come last."""
     i = tid()
     key = (int64(1) << int64(BITS_OF_DEPTH)) - int64(1)
     if counts[i] > 0:
@@ -78,7 +66,6 @@ def key_depths_kernel(projected: ProjectedSplats, counts: array(dtype=int32), ke
 
 @kernel
 def take_counts_kernel(order: array(dtype=int32), values: array(dtype=int32), taken: array(dtype=int32)):
-    """taken[i] = values[order[i]]."""
     i = tid()
     taken[i] = values[order[i]]
 
@@ -92,7 +79,6 @@ def list_tiles_kernel(
     keys: SortKeys,
     owners: array(dtype=int32),
 ):
-    """The tiles of each splat, from the front to the back."""
     i = tid()
     splat = order[i]
     box = boxes[splat]

@@ -1,1 +1,1 @@
-"""Depth from pictures whose poses are known: plane hypotheses, their costs, what views agree on."""
+"""Multi-view stereo with known poses: plane hypotheses, costs, consistency."""

@@ -1,7 +1,4 @@
-"""Brightness of a picture at another size: each pixel the mean of what it covers, parts of pixels by their area.
-
-One thread a pixel of the result; reads what it covers, 3 B a pixel with colours and 1 B without, writes 4 B.
-"""
+"""Brightness of an image at another size, by area averaging."""
 
 from ..images.depth import BLUE, GREEN, RED
 from ..lang import array, float32, func, kernel, tid, uint8
@@ -11,7 +8,7 @@ WHITE = 255.0
 
 @func
 def brightness_of(pixels: array(dtype=uint8), place: int, channels: int) -> float:
-    """The brightness of a pixel, 0..1, with 3 channels or 1."""
+    """Brightness of a pixel, 0..1, from 3 channels or 1."""
     value = float(pixels[place * channels])
     if channels == 3:
         green = float(pixels[place * channels + 1])
@@ -31,7 +28,7 @@ def resize_brightness_kernel(
     first: int,
     brightness: array(dtype=float32),
 ):
-    """A picture of columns x rows at width x height, into `brightness` from `first` on."""
+    """Resize an image of columns x rows to width x height, into `brightness` from `first` on."""
     i = tid()
     across = float(columns) / float(width)
     down = float(rows) / float(height)

@@ -1,14 +1,6 @@
-"""Depth maps held against those of other pictures: there and back again.
-
-A pixel's point is carried into another picture; the surface that is known there is carried back. They agree where the
-way ends near the pixel it began at, at about the depth it began with (Schönberger et al. 2016, "Pixelwise view
-selection for unstructured multi-view stereo", section 4.3). All in float64: poses far from zero do no harm.
-
-One thread a pixel of the reference, one launch a source: reads up to 20 B, adds to 12 B, some 150 operations. Each
-thread adds to its own pixel and the launches come in a fixed order, so the sums have the same bits each time.
-
-What several pictures get wrong alike, beside edges, looks like grains: few pixels around one lie on its plane. The last
-kernel drops those; it reads 25 depths a pixel, some 150 operations.
+"""Consistency checks of depth maps: forward-backward projection (Schönberger et al. 2016, "Pixelwise view selection for
+unstructured multi-view stereo", section 4.3) in float64, and support by neighboring pixels on the same plane, which
+removes speckles. One launch per source in fixed order: bitwise reproducible.
 """
 
 import numpy as np
@@ -20,23 +12,16 @@ from ..images.depth import unproject_pixel
 from ..lang import array, dot, float32, float64, floor, func, int32, kernel, launch, struct, tid, vec3, vec3d, vector
 from ..memory import empty, zeros
 
-SAME_SURFACE = (
-    0.02  # neighbouring pixels of one surface differ by less: seen at 80 degrees with a focal length of 300 px
-)
-AROUND = 2  # pixels to each side of one that may support it
-NEIGHBORS = 24  # in all
-GRAZING = 1.0e-3  # cosine below which a plane has no slope that means anything
-meeting = vector(4, float64)  # a source's surface carried back: column, row, inverse depth (0 for none); pixel met
+SAME_SURFACE = 0.02  # relative difference of neighboring pixels of one surface: 80 degrees at a focal length of 300 px
+AROUND = 2  # window radius of supporting pixels
+NEIGHBORS = 24  # in total
+GRAZING = 1.0e-3  # cosine below which the plane's slope is meaningless
+meeting = vector(4, float64)  # source surface projected back: column, row, inverse depth (0 for none); source pixel
 
 
 @struct
 class Pair:
-    """A reference picture and a source.
-
-    Attributes:
-        reference, source: Their cameras.
-        there, back: From the frame of the reference's camera to that of the source's, and back.
-    """
+    """Cameras of a reference and a source image, and the maps between their frames: `there`, `back`."""
 
     reference: Camera
     source: Camera
@@ -52,13 +37,13 @@ class Pair:
 
 @func
 def project_to_pixel(p: vec3d, camera: Camera) -> vec3d:
-    """Column, row and inverse depth of a point of the camera's frame; inverse depth 0 outside the picture."""
+    """Column, row and inverse depth of a camera-frame point; inverse depth 0 outside."""
     seen = vec3d(0.0, 0.0, 0.0)
     if p[2] > 0.0:
         u = camera.fx * p[0] / p[2] + camera.cx
         v = camera.fy * p[1] / p[2] + camera.cy
         half = float64(0.5)
-        # not so of NaN, which must not become a whole number
+        # false for NaN, which must not be converted to an integer
         if u >= -half and v >= -half and u < float64(camera.width) - half and v < float64(camera.height) - half:
             seen = vec3d(u, v, 1.0 / p[2])
     return seen
@@ -66,11 +51,7 @@ def project_to_pixel(p: vec3d, camera: Camera) -> vec3d:
 
 @func
 def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float32)) -> vec3d:
-    """Column, row and inverse depth of the surface that is seen at a place inside the picture; 0 where there is none.
-
-    Inverse depth is linear over a plane, so between four pixels of one surface (inverse depths near the nearest
-    pixel's) it is bilinear and the place is the one asked for; else it is the nearest pixel's own.
-    """
+    """Column, row and inverse depth of the surface at a position, bilinear within one surface; 0 if none."""
     iu = int(floor(u + 0.5))
     iv = int(floor(v + 0.5))
     d = depth[iv * camera.width + iu]
@@ -110,10 +91,7 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
 
 @func
 def meet(x: int, y: int, d: float, pair: Pair, source_depth: array(dtype=float32)) -> meeting:
-    """What the source knows where it sees the point of a pixel at depth d, carried back to the reference.
-
-    Column, row and inverse depth in the reference, 0 where the source knows nothing; and the source's nearest pixel.
-    """
+    """Back-projected (column, row, inverse depth or 0) of a pixel at depth d by the source; its nearest pixel."""
     met = meeting(0.0)
     seen = project_to_pixel(transform_point(unproject_pixel(x, y, d, pair.reference), pair.there), pair.source)
     if seen[2] > 0.0:
@@ -130,7 +108,7 @@ def meet(x: int, y: int, d: float, pair: Pair, source_depth: array(dtype=float32
 
 @func
 def agrees(x: int, y: int, d: float, met: meeting, max_pixels: float64, max_relative: float64) -> int:
-    """1 where what was carried back lies near the pixel, and its inverse depth near the pixel's own."""
+    """1 if the back-projection is near the pixel in position and inverse depth."""
     dx = met[0] - float64(x)
     dy = met[1] - float64(y)
     w = 1.0 / float64(d)
@@ -151,7 +129,6 @@ def check_depth_kernel(
     counts: array(dtype=int32),
     totals: array(dtype=float64),
 ):
-    """Where a source agrees with a pixel: one more that does, and its inverse depth is added."""
     i = tid()
     x = i % pair.reference.width
     y = i // pair.reference.width
@@ -173,7 +150,7 @@ def keep_depth_kernel(
     min_confidence: float,
     kept: array(dtype=float32),
 ):
-    """The depth whose inverse is the mean of the pixel's and of those that agree; 0 where too few do."""
+    """Depth from the mean inverse depth of the pixel and agreeing sources; 0 if too few agree."""
     i = tid()
     d = depth[i]
     mean = 0.0
@@ -191,10 +168,7 @@ def support_depth_kernel(
     least: int,
     supported: array(dtype=float32),
 ):
-    """The depth of pixels with whose plane enough of those around agree; 0 of others.
-
-    The plane is that of the pixel's normal, over which inverse depth is linear; without one it faces the camera.
-    """
+    """Depth of pixels whose plane is supported by enough neighbors, else 0; no normal faces the camera."""
     i = tid()
     x = i % camera.width
     y = i // camera.width
@@ -225,13 +199,7 @@ def support_depth_kernel(
 
 
 class DepthChecks:
-    """One picture's depth, held against that of its sources one after the other.
-
-    Args:
-        depth: float32 device array [pixels], 0 for none.
-        max_pixels: How far from the pixel the way may end [px].
-        max_relative: By how much the inverse depths may differ, of the pixel's.
-    """
+    """Depth of an image, checked against sources in turn, to `max_pixels` [px] and `max_relative` inverse depth."""
 
     def __init__(self, depth: Scalars, max_pixels: float, max_relative: float) -> None:
         self.depth, self.limits = depth, [float(max_pixels), float(max_relative)]
@@ -239,12 +207,11 @@ class DepthChecks:
         self.totals = zeros(depth.size, float64, depth.device)
 
     def compare(self, source_depth: Scalars, pair: Pair) -> None:
-        """Count where a source agrees; its depth is a float32 device array."""
         arrays = [self.depth, source_depth, pair, *self.limits, self.counts, self.totals]
         launch(check_depth_kernel, self.depth.size, arrays)
 
     def kept(self, least: int, confidence: Scalars, min_confidence: float) -> Scalars:
-        """Averaged depth, float32 [pixels], 0 where fewer than `least` sources agree or the confidence is too low."""
+        """Averaged depth, float32 (pixels), 0 if fewer than `least` sources agree or the confidence is low."""
         kept = empty(self.depth.size, float32, self.depth.device)
         arrays = [self.depth, confidence, self.counts, self.totals, int(least), float(min_confidence), kept]
         launch(keep_depth_kernel, self.depth.size, arrays)
@@ -252,15 +219,7 @@ class DepthChecks:
 
 
 def support_depth(depth: Scalars, normals: Vectors, camera: CameraLike, max_relative: float, least: int) -> Scalars:
-    """The depth that at least so many of the 24 pixels around lie in one plane with, float32 [pixels].
-
-    Args:
-        depth: float32 device array [pixels], 0 for none.
-        normals: vec3 device array, in the camera's frame.
-        camera: A Camera, or what has its attributes.
-        max_relative: By how much an inverse depth may be off the plane, of the pixel's.
-        least: How many.
-    """
+    """Depth of pixels with at least `least` of 24 neighbors on their plane, within `max_relative` inverse depth."""
     supported = empty(depth.size, float32, depth.device)
     launch(support_depth_kernel, depth.size, [depth, normals, camera, float(max_relative), int(least), supported])
     return supported

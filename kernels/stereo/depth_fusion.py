@@ -1,11 +1,6 @@
-"""Depth maps of several pictures as one set of points: what several pictures see becomes one point.
-
-A pixel takes in what it meets in the other pictures (depth_checks.py), and belongs to the picture that sees the place
-best: the one with the finest pixels there, in whole octaves, and of those the first. So of all pixels that meet one
-remains. The order is total, so that no ring of pixels drops all its members; and each pixel gathers for itself, without
-atomics, so sums come in the order of the pictures (Schönberger et al. 2016 walk a graph of pixels one by one instead).
-
-One thread a pixel, one launch a pair of pictures: reads up to 80 B, adds to 44 B, some 200 operations.
+"""Fusion of depth maps into points. A pixel merges with its matches in other images (depth_checks.py), and the image
+with the finest pixels (in octaves, then the first) keeps the point. Each pixel gathers for itself in image order,
+without atomics, unlike the graph traversal of Schönberger et al. 2016.
 """
 
 import numpy as np
@@ -34,20 +29,13 @@ from ..lang import (
 from ..memory import empty, zeros
 from .depth_checks import Pair, agrees, meet
 
-EXPONENT = 23  # bits below that of a float32
+EXPONENT = 23  # position of the exponent in a float32
 HAS_NORMAL = 0.25  # of its squared length: unit, or zero for none
 
 
 @struct
 class DepthPixels:
-    """One picture's depth map on the device.
-
-    Attributes:
-        depth: 0 for none.
-        normals: In the camera's frame.
-        confidence: 0 to 1.
-        pixels: Colours, uint8 [pixels, 3].
-    """
+    """Depth map: `depth` (0 for none), `normals` in the camera frame, `confidence` 0 to 1, 8-bit `pixels`."""
 
     depth: array(dtype=float32)
     normals: array(dtype=vec3)
@@ -60,13 +48,7 @@ class DepthPixels:
 
 @struct
 class Agreement:
-    """When two pixels show the same place.
-
-    Attributes:
-        max_pixels: How far from the pixel the way there and back may end [px].
-        max_relative: By how much the inverse depths may differ, of the pixel's.
-        min_cosine: Of the angle between the normals.
-    """
+    """Match limits: `max_pixels` of the round trip, `max_relative` inverse depth, `min_cosine` of normals."""
 
     max_pixels: float64
     max_relative: float64
@@ -79,14 +61,7 @@ class Agreement:
 
 @struct
 class Gathered:
-    """What the pixels of one picture have taken in, themselves not counted.
-
-    Attributes:
-        shifts: Sum of the ways from the pixel's point to those met, in the camera's frame.
-        normals, colors, confidences: Sums over those met; normals in the camera's frame, colours 0 to 255.
-        views: How many were met.
-        beaten: 1 where another picture has the point.
-    """
+    """Sums over matches: `shifts`, `normals` in the camera frame; `beaten`: 1 if another image keeps the point."""
 
     shifts: array(dtype=vec3)
     normals: array(dtype=vec3)
@@ -103,13 +78,12 @@ class Gathered:
 
 @func
 def color_of(pixels: array(dtype=uint8, ndim=2), i: int) -> vec3:
-    """A pixel's colour, 0 to 255."""
     return vec3(float(pixels[i, 0]), float(pixels[i, 1]), float(pixels[i, 2]))
 
 
 @func
 def octave_of(depth: float, camera: Camera) -> int:
-    """The power of two of a pixel's width on the surface."""
+    """Octave of a pixel's width on the surface."""
     return float_bits(float(float64(depth) / camera.fx)) >> EXPONENT
 
 
@@ -117,7 +91,7 @@ def octave_of(depth: float, camera: Camera) -> int:
 def gather_pixels_kernel(
     own: DepthPixels, source: DepthPixels, pair: Pair, limits: Agreement, source_is_first: int, gathered: Gathered
 ):
-    """Each pixel takes in what it meets in another picture, and is beaten where that one sees it better."""
+    """Add the matches in another image; `beaten` if that one is better."""
     i = tid()
     x = i % pair.reference.width
     y = i // pair.reference.width
@@ -160,7 +134,7 @@ def make_points_kernel(
     views: array(dtype=int32),
     kept: array(dtype=uint8),
 ):
-    """The means of what pixels took in and their own, and which of them make points."""
+    """Means over the gathered sums and the pixel, and which pixels make points."""
     i = tid()
     d = own.depth[i]
     count = gathered.views[i] + 1
@@ -192,7 +166,7 @@ def make_points_kernel(
 def gather_pixels(
     own: DepthPixels, source: DepthPixels, pair: Pair, limits: Agreement, source_is_first: bool, gathered: Gathered
 ) -> None:
-    """Have the pixels of a picture take in those of another; `own` and `source` are DepthPixels."""
+    """Gather the matches of `own` in `source` (DepthPixels)."""
     arguments = [own, source, pair, limits, int(source_is_first), gathered]
     launch(gather_pixels_kernel, own.depth.size, arguments)
 
@@ -200,12 +174,7 @@ def gather_pixels(
 def make_points(
     own: DepthPixels, camera: CameraLike, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
 ) -> tuple[list[Scalars | Integers | Points], Bytes]:
-    """The points of one picture.
-
-    Returns:
-        (arrays, kept): points, normals, colours 0..1 (vec3), confidence (float32) and views (int32) a pixel; uint8
-        `kept` is 0 where there is no point.
-    """
+    """(arrays, kept): points, normals, colors 0..1, confidence (float32), views (int32) per pixel; mask `kept`."""
     count, device = own.depth.size, own.depth.device
     arrays = [empty(count, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]
     kept = empty(count, uint8, device)

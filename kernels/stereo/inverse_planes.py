@@ -1,41 +1,34 @@
-"""Planes as inverse depths: linear over the picture, so that one number and two slopes are a surface about a pixel.
-
-About a pixel p the inverse depth at q is w + gx (q.x - p.x) + gy (q.y - p.y): a plane n . X = d of the scene, exactly.
-A hypothesis is a vec4 of w [1 / unit of the poses], gx, gy [1 / (unit px)] and its cost. Normals here point away from
-the camera. A lens is a vec4 of fx, fy, cx, cy [px].
-
-One thread a pixel; a conversion takes some 20 operations.
+"""Planes as inverse depths, linear in the image: w + gx (q.x - p.x) + gy (q.y - p.y) about pixel p. A hypothesis is a
+vec4 of w [1 / pose unit], gx, gy [1 / (unit px)] and cost; a lens is fx, fy, cx, cy [px]. Normals point away.
 """
 
 from ..lang import array, dot, func, kernel, normalize, tid, vec2, vec3, vec4
 
-LEAST_COSINE = 0.2  # between a normal and the ray: surfaces seen at more than 78 degrees have no patch to compare
-LEANING = 0.25  # of the ray, added to a normal that is beyond
+LEAST_COSINE = 0.2  # between normal and ray: surfaces beyond 78 degrees cannot be compared
+LEANING = 0.25  # of the ray, added to normals beyond
 
 
 @func
 def ray_of(x: int, y: int, lens: vec4) -> vec3:
-    """The direction with depth 1 that a pixel sees."""
     return vec3((float(x) - lens[2]) / lens[0], (float(y) - lens[3]) / lens[1], 1.0)
 
 
 @func
 def slopes_of(normal: vec3, x: int, y: int, w: float, lens: vec4) -> vec2:
-    """gx and gy of the plane with this normal through what a pixel sees at inverse depth w."""
+    """gx and gy of the plane with this normal at inverse depth w."""
     d = dot(normal, ray_of(x, y, lens)) / w
     return vec2(normal[0] / (lens[0] * d), normal[1] / (lens[1] * d))
 
 
 @func
 def normal_of(plane: vec4, x: int, y: int, lens: vec4) -> vec3:
-    """The unit normal of a hypothesis, pointing away from the camera."""
     z = plane[0] - plane[1] * (float(x) - lens[2]) - plane[2] * (float(y) - lens[3])
     return normalize(vec3(plane[1] * lens[0], plane[2] * lens[1], z))
 
 
 @func
 def faced_away(direction: vec3, x: int, y: int, lens: vec4) -> vec3:
-    """A unit normal along a direction, mirrored and leant so that it points away from the camera."""
+    """Unit normal along a direction, mirrored and tilted to point away from the camera."""
     ray = normalize(ray_of(x, y, lens))
     n = normalize(direction)
     c = dot(n, ray)
@@ -49,13 +42,12 @@ def faced_away(direction: vec3, x: int, y: int, lens: vec4) -> vec3:
 
 @func
 def random_direction(u: vec4, x: int, y: int, lens: vec4) -> vec3:
-    """A normal that points away from the camera, by three uniform numbers u[1:]."""
+    """Random normal pointing away from the camera, from uniform numbers u[1:]."""
     return faced_away(vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0), x, y, lens)
 
 
 @func
 def inverse_depth_at(plane: vec4, dx: float, dy: float) -> float:
-    """The inverse depth of a hypothesis, so many pixels from its own."""
     return plane[0] + plane[1] * dx + plane[2] * dy
 
 
@@ -63,7 +55,7 @@ def inverse_depth_at(plane: vec4, dx: float, dy: float) -> float:
 def refine_planes_kernel(
     coarse: array(dtype=vec4), columns: int, rows: int, width: int, height: int, planes: array(dtype=vec4)
 ):
-    """Hypotheses for a picture of another size, from the nearest pixel of a smaller one."""
+    """Resample hypotheses from the nearest pixel of a smaller image."""
     i = tid()
     x = i % width
     y = i // width

@@ -1,13 +1,8 @@
-"""How well a plane explains a pixel in other pictures: normalised correlation of patches, and there-and-back distance.
+"""Photometric cost of a plane hypothesis: weighted normalized cross-correlation of patches, and round-trip distance.
 
-A pixel p of the reference with inverse depth w is seen by a source at A p + b w, with A = K_s R K^-1 and b = K_s t: a
-patch on a plane is a sum of three vectors a sample. A sample weighs less the farther it is from the middle and the more
-its brightness differs (Schoenberger et al. 2016, "Pixelwise view selection for unstructured multi-view stereo", eq. 6,
-with rational weights, since exponentials round differently on each device).
-
-What a patch of the reference comes to is worked out once a pixel (`window_of`), so that a sample of a hypothesis takes
-four brightnesses of the source and some 40 operations. Eight samples are worked on at a time: each of eight lanes has
-sums of its own, added in one order at the end, which LLVM makes vectors of on the CPU. 256 B a thread hold the patch.
+A source sees pixel p at inverse depth w at A p + b w, A = K_s R K^-1, b = K_s t. Samples are weighted by distance and
+brightness difference (Schoenberger et al. 2016, "Pixelwise view selection for unstructured multi-view stereo", eq. 6,
+with rational weights for reproducibility). Reference terms are precomputed per pixel (`window_of`).
 """
 
 import numpy as np
@@ -17,14 +12,14 @@ from ..lang import array, float32, floor, func, int32, mat33, sqrt, struct, vec2
 from ..memory import upload
 from .inverse_planes import inverse_depth_at
 
-BAD = 2.0  # the cost of what a source does not see, and of patches that are each other's negative
-COLOR_SCALE = 0.06  # brightness that halves a sample's weight
-SPACE_SCALE = 18.0  # squared pixels that halve it
-LEAST_VARIANCE = 1.0e-6  # of brightness over a patch, that a correlation can be spoken of
-NEAR = 1.0e-6  # least depth before a source, in the units of A p + b w
-FARTHEST_BACK = 3.0  # [px] that the distance there and back is cut at
-LANES = 8  # samples that are worked on together
-MOST_BLOCKS = 4  # of them in a patch
+BAD = 2.0  # cost if a source does not see a patch, or of negatively correlated ones
+COLOR_SCALE = 0.06  # brightness difference that halves a sample's weight
+SPACE_SCALE = 18.0  # squared pixels that halve the weight
+LEAST_VARIANCE = 1.0e-6  # minimum brightness variance for a correlation
+NEAR = 1.0e-6  # minimum depth in a source, in the units of A p + b w
+FARTHEST_BACK = 3.0  # [px] maximum round-trip error
+LANES = 8  # samples processed together
+MOST_BLOCKS = 4  # groups per patch
 
 samples = vector(LANES * MOST_BLOCKS, float32)
 eight = vector(LANES, float32)
@@ -33,16 +28,7 @@ eight_places = vector(LANES, int32)
 
 @struct
 class Reference:
-    """The picture whose depth is sought, at one of its sizes.
-
-    Args:
-        width, height: [px].
-        first: Its first pixel among the pictures.
-        lens: fx, fy, cx, cy [px].
-        limits: The least and the greatest inverse depth looked for.
-        pixels_per: How far the sources' pixels move for an inverse depth of one [px].
-        patch: Of `patch_on`.
-    """
+    """Reference image at one size; inverse depth `limits`; `pixels_per`: source displacement per unit of it [px]."""
 
     width: int
     height: int
@@ -70,17 +56,7 @@ class Reference:
 
 
 def patch_on(pattern: np.ndarray, device: Device) -> Scalars:
-    """A patch as kernels take it.
-
-    Args:
-        pattern: Where its samples are from its middle, across and down [px]: whole numbers [n, 2], n up to LANES *
-            MOST_BLOCKS.
-        device: Where.
-
-    Returns:
-        All places across, then all down, then what each weighs by its distance. The last block of eight is filled with
-        samples in the middle that weigh nothing.
-    """
+    """Patch from integer sample offsets (n, 2) [px]: columns, rows, then distance weights; zero-padded."""
     near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
     columns = np.column_stack([pattern, near])
     return upload(np.pad(columns, ((0, -len(pattern) % LANES), (0, 0))).T.ravel(), float32, device)
@@ -88,17 +64,7 @@ def patch_on(pattern: np.ndarray, device: Device) -> Scalars:
 
 @struct
 class Sources:
-    """The pictures that a reference is compared with, and their depth where it is known.
-
-    Args:
-        there: A and b of each, float64 [n, 3, 4], from pixels of the reference to the source's picture.
-        map_there: The same to the source's map of planes, which may have another size.
-        map_back: From the source's map to pixels of the reference.
-        layout: Width, height, first pixel of each in `pictures`, int [n, 3].
-        map_layout: The same in `maps`.
-        pictures: Brightness of all pictures, 0..1.
-        maps: Planes of all maps.
-    """
+    """Source images: `there` (n, 3, 4): A and b; `map_there`, `map_back`: to and from the source's plane map."""
 
     count: int
     there: array(dtype=mat33)
@@ -135,10 +101,7 @@ class Sources:
 
 @func
 def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[samples, samples, float]:
-    """What the samples of a pixel's patch weigh, their sum 1; what they count in a covariance; and their variance.
-
-    Samples outside the picture weigh nothing. The second is the weight times what brightness is above its mean.
-    """
+    """Normalized weights of a pixel's samples, times centered brightness, and the variance."""
     count = LANES * reference.blocks
     weights = samples(0.0)
     rises = samples(0.0)
@@ -170,7 +133,7 @@ def window_of(x: int, y: int, reference: Reference, sources: Sources) -> tuple[s
 
 @func
 def sum_of(lanes: eight) -> float:
-    """Of eight numbers, always in this order."""
+    """Fixed-order sum of eight numbers."""
     return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]))
 
 
@@ -187,10 +150,7 @@ def correlation_cost(
     reference: Reference,
     sources: Sources,
 ) -> float:
-    """1 - the weighted correlation with a source of a patch about `middle`; brightness is bilinear, its border goes on.
-
-    Loops over lanes are LLVM's, which makes vectors of them.
-    """
+    """1 - weighted correlation of a patch about `middle` with a source; vectorized by LLVM."""
     count = LANES * reference.blocks
     means = eight(0.0)
     squares = eight(0.0)
@@ -252,10 +212,7 @@ def patch_cost(
     reference: Reference,
     sources: Sources,
 ) -> float:
-    """1 - the weighted correlation of a slanted patch with a source, 0 to 2; BAD where the source does not see it.
-
-    The weights are those of `window_of`.
-    """
+    """1 - weighted correlation of a slanted patch with a source, 0 to 2; BAD if not visible."""
     A = sources.there[s]
     b = sources.shift[s]
     there = sources.layout[s]
@@ -277,10 +234,7 @@ def patch_cost(
 
 @func
 def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
-    """How far [px] a pixel lands from itself after going to a source's surface and back, and at what inverse depth.
-
-    The distance is FARTHEST_BACK at most, and with inverse depth 0 where the source has no surface there.
-    """
+    """Round-trip error [px] through a source's surface, at most FARTHEST_BACK, and the inverse depth, 0 if unknown."""
     p = sources.map_there[s] @ vec3(float(x), float(y), 1.0) + sources.map_shift[s] * w
     distance = float(FARTHEST_BACK)
     back = 0.0
@@ -298,5 +252,5 @@ def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
                 dx = q[0] / q[2] - float(x)
                 dy = q[1] / q[2] - float(y)
                 distance = min(sqrt(dx * dx + dy * dy), FARTHEST_BACK)
-                back = found / q[2]  # q is the pixel times what the inverse depth fell by
+                back = found / q[2]  # q is the pixel times the decrease of the inverse depth
     return vec2(distance, back)

@@ -1,21 +1,10 @@
-"""PatchMatch for the depth of a picture: planes that spread between pixels, better ones drawn by lot.
+"""PatchMatch stereo with checkerboard propagation.
 
-The pixels of a picture are coloured as a chessboard. In a half-turn those of one colour try the planes of the best of
-eight regions of the other colour, then a few changes of their own, and keep what fits best; they read only the other
-colour, so that it does not matter in which order (Galliani et al. 2015, "Massively parallel multiview stereopsis by
-surface normal diffusion"; the regions are those of Xu and Tao 2019). A plane's cost is the mean over the sources that a
-pixel has chosen, with the distance there and back where maps of the sources are known.
-
-One thread a pixel. Random numbers are functions of seed, pixel and turn: the same planes from run to run, on any
-number of threads. 16 B a pixel for the planes and 4 B a pixel and source for their costs.
-
-Which sources a pixel is compared with: those that its neighbours' planes fit, and few that they do not. Each pixel
-keeps the cost of its plane in every source. A source is worth what it shows of the neighbours that the pixel might take
-its plane from: good costs speak for it, bad ones (it is hidden there, or the plane is wrong) against. That is the joint
-view selection of Xu and Tao 2019, "Multi-scale geometric consistency guided multi-view stereo" (section 3.1), from
-costs that are there already, and without drawing lots.
-
-It reads up to 9 costs a source, and takes some 100 operations a source.
+Pixels of one color test the planes of the best of eight regions of the other color, then random perturbations (Galliani
+et al. 2015, "Massively parallel multiview stereopsis by surface normal diffusion"; regions and joint view selection of
+Xu and Tao 2019, "Multi-scale geometric consistency guided multi-view stereo", section 3.1, without random sampling).
+Costs are means over the chosen sources plus round-trip errors where maps are known. Random numbers depend on seed,
+pixel and iteration only: bitwise reproducible.
 """
 
 from ..array_types import Array1, Scalars
@@ -27,11 +16,11 @@ from .patch_costs import Reference, Sources, patch_cost, samples, way_back, wind
 
 NEIGHBORS = 8
 MOST_SOURCES = 8
-BAD_COST = 1.2  # speaks against a source
+BAD_COST = 1.2  # counts against a source
 MOST_BAD = 2  # of the nine costs
 LEAST_GOOD = 2
-FALLOFF = 0.09  # square of the cost that halves what a good one says
-UNSURE = 0.02  # the weight of a source that nothing speaks for or against
+FALLOFF = 0.09  # squared cost that halves the weight of a good one
+UNSURE = 0.02  # weight of a source without evidence
 
 eight = vector(8, float32)
 eight_places = vector(8, int32)
@@ -39,7 +28,7 @@ eight_places = vector(8, int32)
 
 @func
 def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> float:
-    """What a source is worth to pixel i, 0 to 1; `near` are the neighbours, -1 where there is none."""
+    """Value of a source for pixel i, 0 to 1; `near` are neighbors or -1."""
     fine = 0
     bad = 0
     total = 0.0
@@ -65,7 +54,7 @@ def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs:
 
 @func
 def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> eight:
-    """What each source is worth to pixel i; 0 beyond their count."""
+    """Value of each source for pixel i; 0 beyond the count."""
     worths = eight(0.0)
     for s in range(count):
         worths[s] = worth_of(i, s, count, near, good, costs)
@@ -74,7 +63,7 @@ def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(
 
 @func
 def order_of(worths: eight, count: int) -> eight_places:
-    """The sources, the one of most worth first; of equals the first."""
+    """Sources by descending value; the first of equal ones."""
     order = eight_places(0)
     for s in range(count):
         rank = int(s)
@@ -85,28 +74,19 @@ def order_of(worths: eight, count: int) -> eight_places:
     return order
 
 
-NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and of a far region
-FAR_BEGIN = 3  # [px] of the far regions, every second pixel from here
+NEAR_COUNT, FAR_COUNT = 7, 11  # pixels of a near and a far region
+FAR_BEGIN = 3  # [px] start of the far regions, every second pixel
 NO_COST = 1.0e9
-TRIALS = 4  # changed planes a half-turn: depth, normal, both, anything
-SAME_PLANE = 0.02  # [px] that two planes differ by over a patch and count as one
-PATCH_REACH = 5.0  # [px] from the middle of a patch to its border
-TILT = 0.08  # change of a unit normal for each pixel of spread
+TRIALS = 4  # perturbed planes per half iteration: depth, normal, both, random
+SAME_PLANE = 0.02  # [px] difference over a patch below which planes are equal
+PATCH_REACH = 5.0  # [px] patch radius
+TILT = 0.08  # change of a unit normal per pixel of spread
 
 
 @struct
 class Turn:
-    """What a half-turn does.
-
-    Args:
-        seed, number: Choose the random numbers.
-        color: Which half of the chessboard, 0 or 1.
-        regions: Of the eight whose planes are tried.
-        trials: Changed planes that are tried.
-        chosen: Sources that a plane is compared with.
-        spread: Greatest change of a plane [px in the sources].
-        geometric: Weight of the distance there and back [1 / px]; 0 for none.
-        good: Cost below which a source fits.
+    """Options of a half iteration: checkerboard `color`; `regions` tested; `trials` perturbations up to `spread` [px in
+    the sources]; `chosen` sources; `geometric` round-trip weight [1 / px]; `good`: cost of a fitting source.
     """
 
     seed: int
@@ -148,7 +128,6 @@ def source_cost(
     reference: Reference,
     sources: Sources,
 ) -> float:
-    """The cost of a plane in one source."""
     c = patch_cost(x, y, plane, s, weights, rises, variance, reference, sources)
     if geometric > 0.0:
         back = way_back(x, y, plane[0], s, sources)
@@ -158,7 +137,7 @@ def source_cost(
 
 @func
 def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
-    """The pixel of least cost in a region, all of the other colour; -1 where it lies outside."""
+    """Pixel of least cost in a region of the other color; -1 outside."""
     found = -1
     low = float(NO_COST)
     side = region % 4
@@ -198,10 +177,9 @@ def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width
 
 @func
 def mean_of_best(i: int, chosen: int, count: int, costs: array(dtype=float32)) -> float:
-    """The mean of a pixel's least costs."""
     total = 0.0
     last = -1.0
-    for k in range(chosen):  # the next greater cost each time; equal ones count once each
+    for k in range(chosen):  # next greater cost each time; equal ones count once
         low = float(NO_COST)
         for s in range(count):
             c = costs[i * count + s]
@@ -224,7 +202,7 @@ def start_planes_kernel(
     planes: array(dtype=vec4),
     costs: array(dtype=float32),
 ):
-    """A random plane for each pixel, or the one given; its cost in every source, and the mean of the best."""
+    """Initialize each plane randomly or as given, its cost in every source, and the mean of the best."""
     i = tid()
     x = i % reference.width
     y = i // reference.width
@@ -245,7 +223,7 @@ def start_planes_kernel(
 
 @func
 def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Turn, reference: Reference) -> vec4:
-    """A plane near the present one, or anywhere; its cost is not set."""
+    """A perturbed or random plane; the cost is not set."""
     u = random_uniform(turn.seed, pixel, 1 + turn.number * TRIALS + trial)
     n = normal_of(plane, x, y, reference.lens)
     w = plane[0]
@@ -263,7 +241,7 @@ def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Tur
 
 @func
 def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
-    """1 for two planes that differ over a patch by more than what matters."""
+    """1 if two planes differ significantly over a patch."""
     difference = abs(a[0] - b[0]) + PATCH_REACH * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
     other = 0
     if difference * pixels_per > SAME_PLANE:
@@ -275,7 +253,7 @@ def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
 def hypothesis(
     k: int, x: int, y: int, plane: vec4, near: eight_places, planes: array(dtype=vec4), turn: Turn, reference: Reference
 ) -> vec4:
-    """What a pixel tries: the plane of a region, or a changed one; the fourth number is 1 where it may be better."""
+    """Candidate plane: of a region, or perturbed; the fourth number is 1 if it may be better."""
     found = vec4(0.0, 0.0, 0.0, 0.0)
     if k >= turn.regions:
         found = changed_plane(plane, x, y, y * reference.width + x, k - turn.regions, turn, reference)
@@ -292,7 +270,7 @@ def hypothesis(
 
 @func
 def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tuple[eight, int, float]:
-    """What the best sources count, by rank; how many they are, and their sum."""
+    """Weights of the best sources by rank; their count and sum."""
     weight = eight(0.0)
     for k in range(count):
         weight[k] = worths[order[k]]
@@ -302,7 +280,7 @@ def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tup
         if weight[k] > 0.0:
             chosen += 1
             total += weight[k]
-    if chosen == 0:  # no source fits: all that would be are alike
+    if chosen == 0:  # no source fits: all are equal
         chosen = most
         for k in range(chosen):
             weight[k] = 1.0
@@ -323,7 +301,7 @@ def ways_of(
     weight: eight,
     sources: Sources,
 ) -> tuple[eight, float]:
-    """What the ways there and back cost in the sources of some ranks, and their weighted sum, up to the bound."""
+    """Round-trip costs in the sources of some ranks, and their weighted sum, up to the bound."""
     ways = eight(0.0)
     total = 0.0
     if geometric > 0.0:
@@ -339,7 +317,7 @@ def ways_of(
 def spread_planes_kernel(
     turn: Turn, reference: Reference, sources: Sources, planes: array(dtype=vec4), costs: array(dtype=float32)
 ):
-    """Pixels of one colour try their neighbours' planes, then changed ones; they read only the other colour."""
+    """Pixels of one color test candidates; they read only the other color."""
     i = tid()
     half = (reference.width + 1) // 2
     y = i // half
@@ -352,19 +330,17 @@ def spread_planes_kernel(
     for k in range(turn.regions):
         near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
     worths = worths_of(pixel, count, near, turn.good, costs)
-    order = order_of(worths, count)  # those behind the chosen ones are looked at once, at the end
+    order = order_of(worths, count)  # sources behind the chosen ones are evaluated once, at the end
     weight, chosen, sum_of_weights = weights_of(worths, order, count, turn.chosen)
     plane = planes[pixel]
-    bound = 0.0  # the weighted sum of costs that a better plane stays below
+    bound = 0.0  # weighted cost sum that a better plane must not exceed
     for k in range(chosen):
         bound += weight[k] * costs[pixel * count + order[k]]
     is_new = 0
     weights, rises, variance = window_of(x, y, reference, sources)
     hypotheses = turn.regions + turn.trials
     for k in range(hypotheses + 1):
-        is_last = (
-            1 if k == hypotheses else 0
-        )  # then the plane that was found goes to the sources behind the chosen ones
+        is_last = 1 if k == hypotheses else 0  # evaluate the resulting plane in the remaining sources
         candidate = plane
         is_tried = is_new
         first = chosen
@@ -379,7 +355,7 @@ def spread_planes_kernel(
             limit = bound
             if is_last == 1:
                 limit = NO_COST
-            # The ways take few operations: where sources' surfaces speak against a plane, no patch is compared.
+            # Round trips are fast to compute: if they reject a plane, no patch is compared.
             ways, total = ways_of(x, y, candidate[0], first, last, limit, turn.geometric, order, weight, sources)
             rank = first
             while rank < last and total < limit:
@@ -407,7 +383,7 @@ def start_planes(
     geometric: float,
     chosen: int,
 ) -> Scalars:
-    """Set `planes` where none are given, and their costs; returns the costs in each source, [pixels * sources]."""
+    """Initialize `planes` unless given, and their costs; returns the costs per source, (pixels * sources)."""
     count = reference.width * reference.height
     costs = empty(count * sources.count, float32, planes.device)
     launch(start_planes_kernel, count, [seed, int(is_given), geometric, chosen, reference, sources, planes, costs])
@@ -415,6 +391,6 @@ def start_planes(
 
 
 def spread_planes(turn: Turn, reference: Reference, sources: Sources, planes: Array1[vec4], costs: Scalars) -> None:
-    """One half-turn: the pixels of one colour find better planes."""
+    """One half iteration: pixels of one color find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
     launch(spread_planes_kernel, threads, [turn, reference, sources, planes, costs])

@@ -1,19 +1,10 @@
-"""Planes of plain places: the one that most sure pixels in and around a place lie on, and then another of the rest.
+"""Plane priors of textureless regions.
 
-RANSAC (Fischler and Bolles 1981) for all places at once: a thread a place and trial draws three pixels and counts some
-of the others; the best plane is fitted to those on it by least squares, twice. Each pixel of a place then takes the
-plane of the nearest of some of the pixels that lie on one.
-
-TRIALS threads a place look at MOST_TRIED pixels each, PARTS threads sum the moments. The sums are in float64 and of
-fixed order; random numbers are functions of the seed, the place and the trial. 40 B a pair of a place and a sure pixel.
-
-Plain places: where patches say nothing, and whether a plane fitted to what surrounds them may stand there. A patch of
-one brightness fits every plane alike, so that PatchMatch follows the noise. Such a pixel takes the plane of its
-surroundings unless the pictures speak clearly against it (the idea is Xu and Tao's, 2020, "Planar prior assisted
-PatchMatch multi-view stereo"; their likelihoods are exponentials, which round differently on each device: here it is a
-difference of costs that may be the greater the plainer the pixel is). What has texture is not touched.
-
-One thread a pixel. The first reads 49 brightnesses and 16 B a source; the second the patches of plain pixels alone.
+RANSAC (Fischler and Bolles 1981) for all regions in parallel, over reliable pixels in and around each; the best plane
+is refitted twice, its pixels are removed, and so on. Each region pixel takes the plane of the nearest assigned pixel,
+unless the images clearly contradict it, by a cost difference that grows with the lack of texture (idea: Xu and Tao
+2020, "Planar prior assisted PatchMatch multi-view stereo", whose likelihoods are not bitwise reproducible). Fixed-order
+float64 sums; random numbers depend on seed, region and trial.
 """
 
 from ..array_types import Array1, Scalars
@@ -42,18 +33,18 @@ from .patch_match import mean_of_best, source_cost
 from .plain_places import Places, pixel_of, place_of
 from .plane_results import AGREED_PIXELS, AGREED_SHARE
 
-REACH = 2  # [px] from the middle of the window that texture is measured in to its border
-PLAIN = 0.011  # standard deviation of brightness that is noise alone: 2 to 3 of 255
-TEXTURED = 0.016  # and that is texture
-SURE_COST = 0.35  # below which a plane is one to hold others against
-SURE_SOURCES = 2  # whose own depth agrees with it, or all that there are
-PLAIN_COST = 0.75  # of a prior at most, where no patch has a say
-CLEARLY = 0.8  # by which another plane has to fit better than the prior of a wholly plain pixel: noise does by half
+REACH = 2  # [px] radius of the texture window
+PLAIN = 0.011  # brightness deviation of pure noise: 2 to 3 of 255
+TEXTURED = 0.016  # brightness deviation of texture
+SURE_COST = 0.35  # maximum cost of a reliable plane
+SURE_SOURCES = 2  # that agree with its depth, or all existing ones
+PLAIN_COST = 0.75  # maximum cost of a prior without texture
+CLEARLY = 0.8  # cost advantage required against the prior of an untextured pixel: noise reaches half
 
 
 @kernel
 def judge_places_kernel(reference: Reference, sources: Sources, planes: array(dtype=vec4), judged: array(dtype=vec2)):
-    """How plain each pixel is, 0 to 1, and 1 where its depth is sure."""
+    """Lack of texture of each pixel, 0 to 1, and 1 if its depth is reliable."""
     i = tid()
     x = i % reference.width
     y = i // reference.width
@@ -97,7 +88,7 @@ def take_priors_kernel(
     planes: array(dtype=vec4),
     costs: array(dtype=float32),
 ):
-    """Pixels take their prior, whose last number is its weight and not a cost, unless their plane is clearly better."""
+    """Replace planes by priors (last number: weight, not cost) unless the plane is clearly better."""
     i = tid()
     x = i % reference.width
     y = i // reference.width
@@ -116,7 +107,7 @@ def take_priors_kernel(
 
 
 def judge_places(reference: Reference, sources: Sources, planes: Array1[vec4]) -> Array1[vec2]:
-    """How plain pixels are and how sure their depth, [pixels, 2]."""
+    """Lack of texture and reliability of pixels, (pixels, 2)."""
     count = reference.width * reference.height
     judged = empty(count, vec2, planes.device)
     launch(judge_places_kernel, count, [reference, sources, planes, judged])
@@ -132,43 +123,30 @@ def take_priors(
     planes: Array1[vec4],
     costs: Scalars,
 ) -> None:
-    """Put priors where they stand against the planes; `costs` of each source are spent."""
+    """Apply priors to the planes; overwrites the `costs` of each source."""
     count = reference.width * reference.height
     launch(take_priors_kernel, count, [chosen, geometric, reference, sources, priors, planes, costs])
 
 
 TRIALS = 100
-MOST_TRIED = 600  # sure pixels that a trial is counted on
-ROUNDS = 2  # planes of a place: more of them cannot each have LEAST_SHARE
+MOST_TRIED = 600  # reliable pixels counted per trial
+ROUNDS = 2  # planes per region: more cannot each have LEAST_SHARE
 REFITS = 2
-PARTS = 32  # threads that sum the moments of a place
-SEEDS = 256  # pixels of a place that are asked which plane they lie on
-LEAST_SUPPORT = 20  # sure pixels that lie on a plane
-LEAST_SHARE = 0.35  # of all that are sure there: less, and scattered errors make planes of their own
-LEAST_SPREAD = 3.0  # [px] of them across their longest direction: a line has many planes
-LEAST_TRIANGLE = 50.0  # [px^2] twice the area of three pixels that say how a plane leans
-TOLERANCE = 0.5  # [px in the sources] beside a plane
+PARTS = 32  # threads per region that sum moments
+SEEDS = 256  # pixels per region tested for the nearest plane
+LEAST_SUPPORT = 20  # minimum inliers of a plane
+LEAST_SHARE = 0.35  # of all reliable pixels: with less, scattered errors form planes
+LEAST_SPREAD = 3.0  # [px] inlier extent across the longest direction: a line does not determine a plane
+LEAST_TRIANGLE = 50.0  # [px^2] twice the area of three sampled pixels
+TOLERANCE = 0.5  # [px in the sources] inlier distance
 
 vec9d = vector(9, float64)
 
 
 @struct
 class Consensus:
-    """What is found so far.
-
-    Attributes:
-        left: int32 [pairs]: 1 where a pair lies on no plane yet.
-        listed: int32 [pairs]: those that are left, of each place from its first on.
-        remaining: int32 [places]: how many.
-        lying: int32 [pairs]: the round whose plane a pair lies on, from 1; 0: none.
-        scores: int32 [places * TRIALS]: pixels on the plane of a trial; -1: it is none.
-        tried: vec3d [places * TRIALS]: its inverse depth at pixel 0, 0 and the slopes across and down.
-        fits: vec3d [places]: the plane of this round.
-        alive: int32 [places]: 1 while planes are found.
-        found: vec3d [places * ROUNDS]: planes that stand.
-        count: int32 [places]: how many of them.
-        moments: vec9d [places * PARTS].
-        tolerance: Of inverse depths.
+    """RANSAC state. `left`: 1 without plane, `listed` per region; `lying`: round of the plane from 1, or 0; `scores`:
+    inliers or -1; `tried`: inverse depth at pixel 0 and slopes; `fits`, `found`: planes; `tolerance` of inverse depth.
     """
 
     left: array(dtype=int32)
@@ -196,19 +174,18 @@ class Consensus:
 
 @func
 def height_at(plane: vec3d, pixel: int, width: int) -> float64:
-    """The inverse depth of a plane at a pixel."""
     return plane[0] + plane[1] * float64(pixel % width) + plane[2] * float64(pixel // width)
 
 
 @func
 def least_of(place: int, places: Places) -> float64:
-    """The pixels that a plane needs."""
+    """Minimum pixels of a plane."""
     return max(float64(LEAST_SUPPORT), float64(LEAST_SHARE) * float64(places.lasts[place] - places.firsts[place]))
 
 
 @kernel
 def list_left_kernel(places: Places, sums: array(dtype=int32), state: Consensus):
-    """Close the gaps in the list of a place, by running sums of what is left."""
+    """Compact the list of a region by prefix sums."""
     j = tid()
     place = place_of(places.pairs[j])
     first = places.firsts[place]
@@ -221,7 +198,6 @@ def list_left_kernel(places: Places, sums: array(dtype=int32), state: Consensus)
 
 @kernel
 def begin_round_kernel(places: Places, state: Consensus):
-    """A place with too few pixels left has no more planes."""
     k = tid()
     least = least_of(k, places)
     if places.lasts[k] == places.firsts[k] or float64(state.remaining[k]) < least:
@@ -230,7 +206,7 @@ def begin_round_kernel(places: Places, state: Consensus):
 
 @kernel
 def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
-    """A plane through three pixels at random, and how many of the others lie on it."""
+    """Plane through three random pixels, and its inlier count."""
     i = tid()
     k = i // TRIALS
     score = -1
@@ -266,7 +242,6 @@ def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype
 
 @kernel
 def choose_planes_kernel(state: Consensus):
-    """The first of the best trials."""
     k = tid()
     best = int(-1)
     most = int(-1)
@@ -283,7 +258,7 @@ def choose_planes_kernel(state: Consensus):
 
 @kernel
 def sum_moments_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
-    """Moments of the pixels on a plane about the place's first: x, y, z, xx, xy, yy, xz, yz and how many."""
+    """Moments of the inliers about the region's first pixel: x, y, z, xx, xy, yy, xz, yz, count."""
     i = tid()
     k = i // PARTS
     total = vec9d(float64(0.0))
@@ -306,7 +281,7 @@ def sum_moments_kernel(places: Places, planes: array(dtype=vec4), state: Consens
 
 @kernel
 def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
-    """The plane of least squares; none of pixels that lie about a line, or of too few."""
+    """Least-squares plane; none for collinear or too few pixels."""
     k = tid()
     if state.alive[k] == 0:
         return
@@ -325,7 +300,7 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
         yy = total[5] / n - my * my
         xz = total[6] / n - mx * mz
         yz = total[7] / n - my * mz
-        narrow = (xx + yy - sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)) * 0.5  # their spread across, squared
+        narrow = (xx + yy - sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)) * 0.5  # their squared extent across
         if narrow >= float64(LEAST_SPREAD * LEAST_SPREAD):
             whole = xx * yy - xy * xy
             du = (xz * yy - yz * xy) / whole
@@ -338,7 +313,6 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
 
 @kernel
 def keep_planes_kernel(round: int, state: Consensus):
-    """Planes that are still there stand."""
     k = tid()
     if state.alive[k] != 0:
         state.found[k * ROUNDS + round] = state.fits[k]
@@ -347,7 +321,6 @@ def keep_planes_kernel(round: int, state: Consensus):
 
 @kernel
 def take_support_kernel(round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
-    """Pixels on the plane of this round are left no more."""
     j = tid()
     k = place_of(places.pairs[j])
     if state.alive[k] != 0 and state.left[j] != 0:
@@ -359,7 +332,7 @@ def take_support_kernel(round: int, places: Places, planes: array(dtype=vec4), s
 
 @func
 def nearest_round(i: int, k: int, places: Places, state: Consensus) -> int:
-    """The round of the plane that the nearest of some pixels lies on; of equally near ones the first."""
+    """Round of the plane of the nearest sampled pixel; the first of equal ones."""
     found = int(0)
     least = int64(0x7FFFFFFFFFFFFFFF)
     first = places.firsts[k]
@@ -381,7 +354,6 @@ def nearest_round(i: int, k: int, places: Places, state: Consensus) -> int:
 
 @kernel
 def write_priors_kernel(judged: array(dtype=vec2), places: Places, state: Consensus, priors: array(dtype=vec4)):
-    """The plane of each plain pixel, and how plain it is."""
     i = tid()
     prior = vec4(0.0)
     if places.labels[i] >= 0:
@@ -399,18 +371,7 @@ def write_priors_kernel(judged: array(dtype=vec2), places: Places, state: Consen
 def plane_priors(
     places: Places, judged: Array1[vec2], planes: Array1[vec4], tolerance: float, seed: int
 ) -> Array1[vec4]:
-    """The plane of each plain pixel and how much it weighs.
-
-    Args:
-        places: The plain places of the picture.
-        judged: How plain each pixel is, 0 to 1, and 1 where its depth is sure: device array [pixels].
-        planes: Hypotheses, device array [pixels].
-        tolerance: Inverse depth beside a plane.
-        seed: Chooses the pixels that planes are tried through; not negative.
-
-    Returns:
-        Inverse depth, its two slopes, the weight, or 0: device array [pixels]. Waits for nothing.
-    """
+    """Plane priors: inverse depth, two slopes, weight, or 0 (pixels), no sync; `judged` as of `judge_places`."""
     state, pairs, count = Consensus(places, tolerance), places.pairs.size, places.count
     sums = empty(pairs, int32, places.device)
     for k in range(ROUNDS):

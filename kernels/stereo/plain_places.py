@@ -1,11 +1,4 @@
-"""Plain places of a picture, and the pixels with sure depth in and around each of them.
-
-A place is what hangs together of plain pixels by their sides. A sure pixel counts for each place that has a pixel
-within AROUND steps to the sides: farther off other things begin. What counts for a place stands side by side in one
-list.
-
-One thread a pixel: 25 looks at labels for a sure one, twice. 12 B a pixel, and 32 B a pair of a place and a sure pixel.
-"""
+"""Textureless regions of an image (4-connected), and the reliable pixels in each or within AROUND pixels of it."""
 
 from ..array_types import Array1, Device, Indices, Integers, Keys
 from ..arrays.prefix_sum import exclusive_scan
@@ -15,22 +8,15 @@ from ..arrays.union_find import flatten_sets_kernel, unite
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct, tid, uint8, vec2
 from ..memory import empty, fill, zeros
 
-AROUND = 3  # [px] steps from a plain pixel
-LEAST_AREA = 64  # [px] of a place that is worth a plane
-PIXEL_BITS = 32  # of a pair's key: its pixel; above them its place
+AROUND = 3  # [px] from an untextured pixel
+LEAST_AREA = 64  # [px] minimum area of a region
+PIXEL_BITS = 32  # of a pair's key: pixel, below the region
 
 
 @struct
 class Places:
-    """Plain places with what is sure about them.
-
-    Attributes:
-        labels: int32 [pixels]: the lowest pixel of a pixel's place; -1 where it is not plain.
-        numbers: int32 [pixels]: at the lowest pixel of a place its number; -1 of places that are too small.
-        count: How many places have numbers.
-        pairs: int64 [pairs]: the number of a place and a sure pixel, as `place << 32 | pixel`, ascending.
-        firsts, lasts: int32 [count]: the pairs of each place; the last is excluded.
-        width: Of the picture [px].
+    """Textureless regions: `labels`: lowest pixel of the region or -1; `numbers` at lowest pixels, -1 if too small;
+    `pairs` with reliable pixels, ascending, `region << 32 | pixel`, in `firsts`..`lasts` (exclusive).
     """
 
     labels: array(dtype=int32)
@@ -49,25 +35,21 @@ class Places:
 
     @property
     def device(self) -> Device:
-        """Where they lie."""
         return self.labels.device
 
 
 @func
 def pixel_of(pair: int64) -> int:
-    """The pixel of a pair."""
     return int(pair & int64(0xFFFFFFFF))
 
 
 @func
 def place_of(pair: int64) -> int:
-    """The number of its place."""
     return int(pair >> int64(PIXEL_BITS))
 
 
 @kernel
 def label_plain_kernel(judged: array(dtype=vec2), labels: array(dtype=int32)):
-    """Each plain pixel is a place of its own."""
     i = tid()
     label = -1
     if judged[i][0] > 0.0:
@@ -77,7 +59,6 @@ def label_plain_kernel(judged: array(dtype=vec2), labels: array(dtype=int32)):
 
 @kernel
 def unite_plain_kernel(width: int, labels: array(dtype=int32)):
-    """Make one place of neighbours."""
     i = tid()
     if labels[i] >= 0:
         if i % width + 1 < width and labels[i + 1] >= 0:
@@ -88,15 +69,13 @@ def unite_plain_kernel(width: int, labels: array(dtype=int32)):
 
 @kernel
 def count_areas_kernel(labels: array(dtype=int32), areas: array(dtype=int32)):
-    """Whole numbers: their sum is the same in any order."""
     i = tid()
     if labels[i] >= 0:
-        atomic_add(areas, labels[i], 1)
+        atomic_add(areas, labels[i], 1)  # integer sum: order-independent
 
 
 @kernel
 def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
-    """Lowest pixels of the places that are large enough."""
     i = tid()
     mark = 0
     if areas[i] >= LEAST_AREA:
@@ -106,7 +85,7 @@ def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
 
 @func
 def place_near(i: int, dx: int, dy: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)) -> int:
-    """The number of the place of a pixel beside another; -1 without one."""
+    """Region number of a neighboring pixel, or -1."""
     x = i % width + dx
     y = i // width + dy
     found = -1
@@ -121,7 +100,7 @@ def place_near(i: int, dx: int, dy: int, width: int, labels: array(dtype=int32),
 def is_first(
     i: int, dx: int, dy: int, place: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)
 ) -> bool:
-    """Whether no pixel before that one, row by row, has a part of the same place."""
+    """True if no earlier pixel of the window is in the same region."""
     before = int(0)
     rows = int(dy + AROUND + 1)
     for r in range(rows):
@@ -146,10 +125,10 @@ def list_near_kernel(
     counts: array(dtype=int32),
     keys: array(dtype=int64),
 ):
-    """Count the places about each sure pixel; or list them, where there are keys."""
+    """Count the regions around each reliable pixel, or list them if there are keys."""
     i = tid()
     count = int(0)
-    last = -1  # place that was met: most about a pixel are one, which need no look at all that lie before
+    last = -1  # last region found: usually the same, which saves the search
     if judged[i][1] > 0.0:
         rows = int(2 * AROUND + 1)
         for r in range(rows):
@@ -171,7 +150,6 @@ def list_near_kernel(
 
 @kernel
 def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), lasts: array(dtype=int32)):
-    """Where the pairs of each place begin and end."""
     j = tid()
     place = place_of(pairs[j])
     if j == 0 or place_of(pairs[max(j - 1, 0)]) != place:
@@ -181,15 +159,7 @@ def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), la
 
 
 def find_places(judged: Array1[vec2], width: int) -> Places | None:
-    """The plain places of a picture.
-
-    Args:
-        judged: How plain each pixel is, 0 to 1, and 1 where its depth is sure: device array [pixels].
-        width: Of the picture [px].
-
-    Returns:
-        The places; None where there is none that is large enough, or nothing sure about any (two syncs).
-    """
+    """Textureless regions from `judged` (pixels); None if none is large enough or has reliable pixels (two syncs)."""
     device, size = judged.device, judged.size
     labels, areas = empty(size, int32, device), zeros(size, int32, device)
     launch(label_plain_kernel, size, [judged, labels])
@@ -201,7 +171,7 @@ def find_places(judged: Array1[vec2], width: int) -> Places | None:
     roots = positions_of(large)  # sync
     if not roots.size:
         return None
-    numbers = areas  # of no more use
+    numbers = areas  # reused
     fill(numbers, -1)
     launch(number_rows_kernel, roots.size, [roots, numbers])
     pairs = _list_pairs(judged, width, labels, numbers, roots)

@@ -1,11 +1,4 @@
-"""Depth, normals and confidence of planes.
-
-The confidence of a pixel is (1 - cost) n / (n + 1), where n is the number of sources whose own depth agrees with it:
-there and back within a pixel, and the depth that comes back within a hundredth. So it is 0 where nobody agrees, at most
-1/2 where one does.
-
-One thread a pixel; reads 16 B and 16 B a source, writes 20 B.
-"""
+"""Depth, normals and confidence (1 - cost) n / (n + 1) of planes, with n sources that agree in the round trip."""
 
 from ..array_types import Array1, Scalars, Vectors
 from ..lang import array, float32, kernel, launch, tid, vec3, vec4
@@ -13,7 +6,7 @@ from ..memory import empty
 from .inverse_planes import normal_of
 from .patch_costs import Reference, Sources, way_back
 
-WORST_COST = 1.0  # of patches that have nothing to do with each other: no depth
+WORST_COST = 1.0  # of uncorrelated patches: no depth
 AGREED_PIXELS = 1.0
 AGREED_SHARE = 0.01
 
@@ -27,7 +20,7 @@ def finish_planes_kernel(
     normals: array(dtype=vec3),
     confidence: array(dtype=float32),
 ):
-    """Depth, the unit normal towards the camera, and the confidence of each pixel; zero where there is no depth."""
+    """Depth, normal towards the camera, and confidence of each pixel; zero without depth."""
     i = tid()
     x = i % reference.width
     y = i // reference.width
@@ -50,7 +43,6 @@ def finish_planes_kernel(
 
 
 def finish_planes(reference: Reference, sources: Sources, planes: Array1[vec4]) -> tuple[Scalars, Vectors, Scalars]:
-    """Depth [pixels], normals [pixels] and confidence [pixels] of planes."""
     count, device = reference.width * reference.height, planes.device
     depth, normals, confidence = (
         empty(count, float32, device),

@@ -1,1 +1,1 @@
-"""The surface that points lie on: normals, covariances, orientation, smoothing."""
+"""Surface estimation: normals, covariances, orientation, smoothing."""

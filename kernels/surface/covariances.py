@@ -1,8 +1,7 @@
-"""Covariances of the neighbours of each point, about their mean.
+"""Covariances of the neighbors of each point about their mean.
 
-Moments are sums of differences to the point in whole steps, so coordinates of any size do no harm, and neither does the
-order in which neighbours are met. With a count the neighbours are listed a part at a time (4 B each, a part of 64 MB);
-without one the moments are summed as the points are found. 36 B written a point.
+Moments are integer sums of quantized differences to the point, so they are independent of the order of neighbors. With
+`max_nn`, neighbors are listed in parts of 64 MB.
 """
 
 from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
@@ -15,12 +14,12 @@ from ..search.tree_search import reach_of
 from .neighbor_moments import moments_within
 from .normals import MIN_NEIGHBORS
 
-LIST_ENTRIES = 2**24  # of the lists held at a time
+LIST_ENTRIES = 2**24  # list entries in memory
 
 
 @func
 def write_covariance(m: moments, row: int, covariances: array(dtype=float32, ndim=2)):
-    """Store the nine entries; the identity where fewer than three points were summed."""
+    """Store the nine entries; the identity for fewer than three points."""
     C = covariance_of(m)
     few = m[0] < float64(MIN_NEIGHBORS)
     for a in range(3):
@@ -37,7 +36,6 @@ def write_covariance(m: moments, row: int, covariances: array(dtype=float32, ndi
 def fit_covariances_nearest_kernel(
     tree: PointTree, begin: int, k: int, lists: array(dtype=int32), covariances: array(dtype=float32, ndim=2)
 ):
-    """Covariances of listed neighbours."""
     i = tid()
     p = tree.points[begin + i]
     farthest = float(0.0)
@@ -56,14 +54,13 @@ def fit_covariances_nearest_kernel(
 def fit_covariances_within_kernel(
     tree: PointTree, reach: float, widest: float, covariances: array(dtype=float32, ndim=2)
 ):
-    """Covariances of all points within reach."""
     i = tid()
     write_covariance(moments_within(i // BUCKET, tree.points[i], reach, widest, tree), tree.order[i], covariances)
 
 
 @kernel
 def fill_missing_covariances_kernel(points: array(dtype=vec3), covariances: array(dtype=float32, ndim=2)):
-    """NaN for points that are not finite."""
+    """Write NaN for non-finite points."""
     i = tid()
     p = points[i]
     if not isfinite(p):
@@ -72,17 +69,7 @@ def fill_missing_covariances_kernel(points: array(dtype=vec3), covariances: arra
 
 
 def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Array2[float32]:
-    """Covariances [m^2] of the neighbours of the points that the tree was built from.
-
-    Args:
-        tree: A PointTree over `points`.
-        points: Device array of vec3, shape [n].
-        max_nn: Neighbours, the point itself included; None takes all within the radius.
-        radius: Upper limit of the distance [m], excluded; infinity for none.
-
-    Returns:
-        float32 device array of shape [n, 9], row by row.
-    """
+    """Covariances [m^2] of the neighbors of a tree's points, float32 (n, 9); limits as of `estimate_normals`."""
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
         reach = reach_of(radius)

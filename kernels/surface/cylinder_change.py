@@ -1,11 +1,8 @@
-"""How far one surface lies from another along the surface's normal: the sums of M3C2 over cylinders.
+"""M3C2 distances between two surfaces along the normal: sums over cylinders.
 
 Lague, Brodu and Leroux, "Accurate 3D comparison of complex topography with terrestrial laser scanner", ISPRS Journal
-82, 2013, section 3: at a core point, the normal of the scale at which the points are flattest, then a cylinder along
-it, and of each cloud the mean and the spread of the points in it. Planarity is (l2 - l1) / l3 of ascending eigenvalues,
-as in py4dgeo. One walk finds the leaves near a cylinder, whatever way it leans. All sums are exact, of whole steps (for
-normals at least 2^22 a radius, and 2^14 where it holds more than 131,072 points): the same bits in whatever order
-points are met, so that a part of a cloud that holds a neighbourhood gives those of the whole. 12 B read a point found.
+82, 2013, section 3. Planarity is (l2 - l1) / l3 of ascending eigenvalues, as in py4dgeo. Sums are integers of quantized
+values, so they are bitwise independent of the order of points.
 """
 
 import math
@@ -42,29 +39,23 @@ from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
 from ..search.tree_search import find_bucket, order_along_curve, reach_of
 from .neighbor_moments import moments_within
 
-MIN_NEIGHBORS = 3.0  # fewer points span no plane
-SLACK = 1.0e-5  # of a cylinder: distances of boxes are float32
-OUTWARDS = 1.0e-6  # of coordinates: what rounding to float32 takes, and more
-WHOLE = 68719476736.0  # 2^36: steps of a length along the axis, so that 2^26 points fit
-MOST_HALVINGS = 900  # of a length: what is shorter is no length of clouds
+MIN_NEIGHBORS = 3.0  # fewer points define no plane
+SLACK = 1.0e-5  # of a cylinder: box distances are float32
+OUTWARDS = 1.0e-6  # of coordinates: exceeds float32 rounding
+WHOLE = 68719476736.0  # 2^36 steps per length along the axis, so that 2^26 points fit
+MOST_HALVINGS = 900  # of a length: shorter ones do not occur
 HALF_BITS = 18
 HALF = 262143  # the lower 18 of 36 bits
-TWO_SIDED = 1.96  # standard deviations that hold 95 of 100
+TWO_SIDED = 1.96  # standard deviations of a 95 % interval
 
-# Of points in a cylinder: their count, the sum of places along the axis, and those of the squares of places' upper
+# Of points in a cylinder: their count, the sum of coordinates along the axis, and those of the squares of their upper
 # halves, of both halves' products, and of the squares of lower halves.
 place_sums = vector(5, int64)
 
 
 @struct
 class Cylinder:
-    """The shape of all cylinders.
-
-    Attributes:
-        radius: Its radius [m], the boundary included.
-        length: How far it reaches to either side of the core point [m].
-        scale: Steps a metre along the axis, a power of two.
-    """
+    """Cylinders: `radius` [m] (inclusive), half-length `length` [m], `scale` steps per meter (a power of two)."""
 
     radius: float64
     length: float64
@@ -76,14 +67,7 @@ class Cylinder:
 
 @struct
 class Changes:
-    """What is known at each core point.
-
-    Attributes:
-        distances: From the first cloud to the second along the normal [m], float64 [n].
-        limits: What a distance must exceed to be a change with 95 % confidence [m], float64 [n].
-        first_spreads, second_spreads: Standard deviations along the normal [m], float64 [n].
-        first_counts, second_counts: Points in the cylinder, int32 [n].
-    """
+    """Per core point [m]: `distances` first to second cloud, 95 % detection `limits`, standard deviations; counts."""
 
     distances: array(dtype=float64)
     limits: array(dtype=float64)
@@ -109,8 +93,7 @@ def find_flattest_kernel(
     directions: array(dtype=vec3),
     scales: array(dtype=int32),
 ):
-    """The normal of the scale with the highest planarity, turned to a direction, and which scale; NaN and -1 where the
-    points of no scale span a plane."""
+    """Oriented normal and index of the scale with the highest planarity; NaN and -1 if no scale has a plane."""
     t = tid()
     i = order[t]
     p = cores[i]
@@ -141,10 +124,7 @@ def find_flattest_kernel(
 def children_near_axis(
     boxes: array(dtype=float32), node: int, p: vec3, axis: vec3, radius: float, length: float
 ) -> int:
-    """A byte: bit j is set where the box of child j may reach into a cylinder about a point, along a unit axis.
-
-    The cylinder is given somewhat larger than it is, for rounding to float32; of the box its ball is looked at.
-    """
+    """Bit mask of the child boxes whose bounding spheres may intersect a cylinder, rounded up for float32."""
     first = node * SIDES
     found = 0
     for j in range(FAN):
@@ -160,7 +140,7 @@ def children_near_axis(
         dz = z - place * axis[2]
         along = hx * abs(axis[0]) + hy * abs(axis[1]) + hz * abs(axis[2])
         wide = radius + sqrt(hx * hx + hy * hy + hz * hz)
-        if abs(place) <= length + along and dx * dx + dy * dy + dz * dz <= wide * wide:  # false of empty boxes, by NaN
+        if abs(place) <= length + along and dx * dx + dy * dy + dz * dz <= wide * wide:  # false for empty boxes, by NaN
             found = found | (1 << j)
     return found
 
@@ -182,13 +162,13 @@ def nodes_near_axis(
 
 @func
 def widened(size: float64, p: vec3) -> float:
-    """A length with room for rounding to float32 about a point."""
+    """A length enlarged by the float32 rounding at a point."""
     return float(size * (1.0 + float64(SLACK))) + (abs(p[0]) + abs(p[1]) + abs(p[2])) * OUTWARDS
 
 
 @loop
 def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: float, tree: PointTree) -> int:
-    """The first places of the leaves that may reach into a cylinder about a point, from a bucket on."""
+    """First positions of the leaves that may intersect a cylinder, starting at a bucket."""
     step = start_walk(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
@@ -204,7 +184,7 @@ def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: flo
 
 @func
 def add_place(total: place_sums, place: float64, scale: float64) -> place_sums:
-    """Add a place along the axis and its square, in whole steps."""
+    """Add a coordinate along the axis and its square, in integer steps."""
     steps = int64(place * scale)
     high = steps >> int64(HALF_BITS)
     low = steps & int64(HALF)
@@ -220,7 +200,7 @@ def sum_cylinders_kernel(
     cylinder: Cylinder,
     sums: array(dtype=place_sums),
 ):
-    """Count, places along the axis and their squares, of the points of a cloud in each cylinder."""
+    """Count, coordinates along the axis and their squares, summed over the points in each cylinder."""
     t = tid()
     i = order[t]
     p = cores[i]
@@ -247,13 +227,12 @@ def sum_cylinders_kernel(
 
 @func
 def squares_of(sums: place_sums) -> float64:
-    """The sum of squared places, in squared steps."""
     return (float64(sums[2]) * 262144.0 + float64(sums[3]) * 2.0) * 262144.0 + float64(sums[4])
 
 
 @func
 def variance_of(sums: place_sums, step: float64) -> float64:
-    """The variance [m^2], divided by the count less one; NaN of fewer than two."""
+    """Sample variance [m^2]; NaN for fewer than two points."""
     variance = float64(NAN)
     count = float64(sums[0])
     total = float64(sums[1])
@@ -264,7 +243,6 @@ def variance_of(sums: place_sums, step: float64) -> float64:
 
 @func
 def mean_of(sums: place_sums, step: float64) -> float64:
-    """The mean place along the axis [m]."""
     return float64(sums[1]) / float64(sums[0]) * step
 
 
@@ -295,24 +273,14 @@ def compare_sums_kernel(
 
 
 def scale_of(length: float) -> float:
-    """The power of two that makes a length one or less."""
+    """The power of two that scales a length to at most 1."""
     return 2.0 ** min(-math.ceil(math.log2(length)), MOST_HALVINGS)
 
 
 def find_flattest(
     tree: PointTree, cores: Points, radii: np.ndarray, orientation: np.ndarray
 ) -> tuple[Vectors, Integers]:
-    """The direction of each core point at the scale at which the cloud is flattest around it, and that scale's number.
-
-    Args:
-        tree: The cloud.
-        cores: Device array of vec3, shape [n].
-        radii: The scales [m], boundaries excluded.
-        orientation: The direction to whose side normals are turned, shape [3].
-
-    Returns:
-        vec3 [n] and int32 [n] on the device; NaN and -1 where the points of no scale span a plane.
-    """
+    """Oriented directions and scale indices of highest planarity at core points; NaN and -1 without a plane."""
     reaches: Scalars = upload(np.array([reach_of(radius) for radius in radii], np.float32), float32, cores.device)
     directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
     around = [cores, order_along_curve(tree, cores), tree, reaches, vec3(*orientation.tolist())]
@@ -328,7 +296,7 @@ def measure_changes(
     cylinder: Cylinder,
     registration_error: float,
 ) -> Changes:
-    """How far the second cloud lies from the first at core points, along directions."""
+    """Distances from the first to the second cloud at core points along directions."""
     order: Indices = order_along_curve(first, cores)
     sums: list[AnyArray] = []
     for tree in (first, second):

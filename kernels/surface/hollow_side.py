@@ -1,12 +1,7 @@
-"""Normals whose sign depends on the surface alone: they point to the side towards which it is hollow.
+"""Normals oriented to the concave side of the surface, independent of the pose of the cloud.
 
-Features of a point change where normals are turned over, and a cloud that may be moved anyhow says nothing of where its
-sensor stood. The mean of a wider neighbourhood lies on the hollow side of a curved surface, whichever way the cloud is
-turned (the rule by which Tombari, Salti and Di Stefano 2010 choose the axes of a local frame). On a plane noise
-decides; there nothing is lost, since all planes look alike.
-
-One walk a point through the tree, float64 sums of differences to the point, no list of neighbours. 12 B read and
-written a point beside the search.
+The mean of a wider neighborhood is on the concave side (the sign rule of Tombari, Salti and Di Stefano 2010). On a
+plane the sign is random, which does not affect features.
 """
 
 from ..algebra.eigen import largest_entry, smallest_eigenvector, sorted_eigenvalues
@@ -20,13 +15,13 @@ from ..search.bucket_walk import points_in_reach
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
-FEWEST = 5.0  # neighbours, the point among them, that show which way a surface lies
-STRAIGHT = 1.0e-3  # ratio of variances below which they lie on a line, and the plane through it is any
+FEWEST = 5.0  # neighbors, including the point, that determine a surface
+STRAIGHT = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
 
 
 @kernel(most_registers=128)
 def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: array(dtype=vec3)):
-    """The normal of each point's narrow neighbourhood, on the side of the mean of its wide one."""
+    """Normal of each narrow neighborhood, oriented to the mean of the wide one."""
     i = tid()
     p = tree.points[i]
     total = moments(0.0)
@@ -51,39 +46,24 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
 
 
 def find_sides(tree: PointTree, narrow: float, wide: float) -> Vectors:
-    """Unit normals of a tree's points on the hollow side of the surface.
-
-    Args:
-        tree: A PointTree.
-        narrow: Radius [m] of the neighbourhood that a plane is fitted to.
-        wide: Radius [m] of the one whose mean decides the side, not smaller.
-
-    Returns:
-        Device array of vec3 [n]; NaN where fewer than five neighbours, or neighbours on a line, show no surface, and
-        for points that are not finite.
-    """
+    """Unit normals on the concave side, from a plane fit within `narrow` and the mean within `wide` [m], or NaN."""
     normals = full(tree.source.size, vec3(NAN, NAN, NAN), vec3, tree.device)
     launch(find_sides_kernel, tree.count, [tree, reach_of(narrow), reach_of(wide), normals])
     return normals
 
 
 class Surface:
-    """The points of a cloud where a surface shows, their normals on its hollow side, and a tree over them.
-
-    Attributes:
-        points, normals: Device arrays of vec3 [m], none of them NaN, in the cloud's order.
-        tree: PointTree of the points.
-    """
+    """Points with valid normals: `points`, `normals` (vec3, in the cloud's order, no NaN), and their `tree`."""
 
     def __init__(self, points: Points, narrow: float, wide: float) -> None:
-        """Take the points of a device array of vec3; radii [m] as of `find_sides`."""
+        """Select the points of a device array of vec3; radii [m] as of `find_sides`."""
         normals = find_sides(PointTree(points), narrow, wide)
         rows = positions_of(mask_finite(normals, 1, 1))
         self._keep(gather_rows(points, rows), gather_rows(normals, rows))
 
     @classmethod
     def of_known(cls, points: Points, normals: Vectors) -> "Surface":
-        """One whose points and normals were found before: the same bits."""
+        """Build from known points and normals, bitwise identical."""
         surface = cls.__new__(cls)
         surface._keep(points, normals)
         return surface

@@ -1,9 +1,7 @@
-"""Count, mean and covariance of each point's neighbours, in one pass after their limits are known.
+"""Count, mean and covariance of each point's neighbors, in one pass after their limits are known.
 
-Differences to the point itself, taken and summed in float64 in the order in which the search meets them: points with
-the same neighbours get the same covariance to some 1e-15 of the radius squared, though each sums about itself and in
-an order of its own. 80 B written a point; no list of neighbours in memory. `moments_within` sums in whole steps, for
-what is not to depend on the order of neighbours.
+Float64 sums of differences to the point, in search order: points with the same neighbors agree up to 1e-15 of the
+radius squared. `moments_within` sums integers and is independent of the order.
 """
 
 from typing import Any
@@ -21,12 +19,12 @@ from ..search.point_tree import PointTree
 
 @func
 def moments_within(start: int, p: vec3, reach: float, widest: float, tree: PointTree) -> moments:
-    """The moments of the points within reach of p, in whole steps, from a bucket on; `widest` is that or less."""
+    """Moments of the points within reach of p in integer steps, starting at a bucket; `widest` bounds the reach."""
     steps = steps_for(widest, 0)
     total = whole_moments(0)
     for j, sqdist in points_in_reach(start, p, reach, tree):
         total = add_whole(total, p, tree.points[j], steps)
-    if total[0] > int64(MOST_WHOLE):  # too many for such steps; asked in the loop, it would take half as long again
+    if total[0] > int64(MOST_WHOLE):  # too many for these steps; testing in the loop would take 50 % longer
         steps = steps_for(widest, int(total[0]))
         total = whole_moments(0)
         for j, sqdist in points_in_reach(start, p, reach, tree):
@@ -42,7 +40,6 @@ def sum_moments_kernel(
     scratch: GroupScratch,
     sums: array(dtype=moments),
 ):
-    """The moments of each point's neighbours."""
     i = tid()
     for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
@@ -60,7 +57,7 @@ def sum_moments_kernel(
 
 
 def sum_neighbor_moments(neighborhood: Neighborhood) -> Array1[Any]:
-    """The moments of each point's neighbours about the point, by place on the curve; see algebra.moments."""
+    """Moments of each point's neighbors about the point, in tree order; see algebra.moments."""
     tree = neighborhood.tree
     sums = empty(tree.count, moments, tree.device)
     neighborhood.visit(sum_moments_kernel, neighborhood.places, [sums])

@@ -1,10 +1,8 @@
-"""How many near neighbours have normals that point to opposite sides of the surface they share.
+"""Fraction of near neighbors whose normals point to opposite sides of their common surface.
 
-A pair is a point and one of its k nearest. It counts where both normals are usable (finite, of a length), where their
-lines lie within 60 degrees of each other, so that no crease stands between them, and where the way from the one to the
-other lies within 45 degrees of the first one's tangent plane, so that they are not the two sides of a wall. It is
-opposed where the normals make more than a right angle. Pairs are counted in whole numbers: the same share on every
-device. 24 B read and 8 B written a point beside the search.
+A pair (point, one of its k nearest) counts if both normals are valid, their lines are within 60 degrees, and the offset
+is within 45 degrees of the first tangent plane, which excludes creases and opposite wall sides. It is opposed if the
+normals differ by more than 90 degrees. Integer counts.
 """
 
 from ..algebra.transform import widen
@@ -18,13 +16,13 @@ from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
-LEAST_COSINE = 0.25  # the square of that of 60 degrees
-FLATTEST = 0.5  # the square of the sine of 45 degrees
+LEAST_COSINE = 0.25  # squared cosine of 60 degrees
+FLATTEST = 0.5  # squared sine of 45 degrees
 
 
 @func
 def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
-    """Of a pair with normals: 1 where they point to the same side, -1 to opposite sides, 0 where it does not count."""
+    """1 for a pair with normals to the same side, -1 for opposite sides, 0 if it does not count."""
     side = 0
     a = widen(n)
     b = widen(m)
@@ -51,7 +49,6 @@ def count_sides_kernel(
     counted: array(dtype=int32),
     opposed: array(dtype=int32),
 ):
-    """The pairs of each point that count, and those of opposite sides."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
@@ -71,14 +68,7 @@ def count_sides_kernel(
 
 
 def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
-    """The share of opposed pairs among those that count, 0..1; 0 where none counts.
-
-    Args:
-        tree: A PointTree over `points`.
-        points: Device array of vec3, shape [n].
-        normals: Device array of vec3, shape [n], of any length.
-        k: Neighbours of a point, itself not counted.
-    """
+    """Fraction of opposed pairs among the counted ones, 0 if there are none. `k` neighbors without the point itself."""
     counted, opposed = (zeros(points.size, int32, points.device) for _ in range(2))
     launch_over_leaves(count_sides_kernel, tree, k + 1, [reach_of(INFINITY), normals, counted, opposed])
     pairs, against = sum_each(counted, opposed)  # sync

@@ -1,9 +1,7 @@
-"""Normals: search, covariance and eigenvector in one pass, with no list of neighbours in memory.
+"""Normals: search, covariance and eigenvector in one pass, without neighbor lists.
 
-Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.1. The covariance is taken
-about the mean of the neighbours, from differences to the query (exact in float32 for points this near each other),
-and summed in whole steps: coordinates of any size do no harm, and neither does the order in which neighbours are met.
-12 B read and 12 B written a point beside the search.
+Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.1. Covariances about the mean
+are integer sums of quantized differences to the query, independent of the order of neighbors.
 """
 
 from collections.abc import Sequence
@@ -22,12 +20,12 @@ from ..search.point_tree import BUCKET, PointTree, widest_square
 from ..search.tree_search import reach_of
 from .neighbor_moments import moments_within
 
-MIN_NEIGHBORS = 3.0  # fewer points span no plane
+MIN_NEIGHBORS = 3.0  # fewer points define no plane
 
 
 @func
 def normal_of(m: moments) -> vec3:
-    """The unit normal of the plane through the neighbours; (0, 0, 1) where they are fewer than three."""
+    """Unit normal of the plane through the neighbors; (0, 0, 1) for fewer than three."""
     n = vec3(0.0, 0.0, 1.0)
     if m[0] >= float64(MIN_NEIGHBORS):
         v = smallest_eigenvector(covariance_of(m))
@@ -44,7 +42,7 @@ def fit_normals_nearest_kernel(
     reach: float,
     normals: array(dtype=vec3),
 ):
-    """Normals from the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
+    """Normals from the k nearest points within reach; keys hold tree positions."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
@@ -57,14 +55,13 @@ def fit_normals_nearest_kernel(
 
 @kernel(most_registers=128)
 def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
-    """Normals from all points within reach, whose moments are summed as they are found."""
     i = tid()
     normals[tree.order[i]] = normal_of(moments_within(i // BUCKET, tree.points[i], reach, widest, tree))
 
 
 @kernel
 def align_normals_kernel(references: array(dtype=vec3), normals: array(dtype=vec3)):
-    """Turn each normal to the side of its reference, in place."""
+    """Flip each normal to the side of its reference, in place."""
     i = tid()
     if dot(normals[i], references[i]) < 0.0:
         normals[i] = -normals[i]
@@ -74,7 +71,7 @@ def align_normals_kernel(references: array(dtype=vec3), normals: array(dtype=vec
 def orient_normals_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), to_point: int, reference: vec3, oriented: array(dtype=vec3)
 ):
-    """Normals turned to a direction, or to the side of a point; a zero normal becomes the reference direction."""
+    """Orient normals to a direction or a point; a zero normal becomes the reference direction."""
     i = tid()
     n = normals[i]
     towards = reference + vec3(0.0, 0.0, 0.0)
@@ -94,7 +91,7 @@ def orient_normals_kernel(
 
 @kernel
 def fill_missing_normals_kernel(points: array(dtype=vec3), normals: array(dtype=vec3)):
-    """NaN normals for points that are not finite."""
+    """Write NaN for non-finite points."""
     i = tid()
     p = points[i]
     if not isfinite(p):
@@ -102,17 +99,7 @@ def fill_missing_normals_kernel(points: array(dtype=vec3), normals: array(dtype=
 
 
 def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Vectors:
-    """Normals of the points that the tree was built from.
-
-    Args:
-        tree: A PointTree over `points`.
-        points: Device array of vec3, shape [n].
-        max_nn: Neighbours a fit, the point itself included; None takes all within the radius.
-        radius: Upper limit of the distance [m], excluded; infinity for none.
-
-    Returns:
-        Device array of vec3, shape [n].
-    """
+    """Normals of a tree's points; `max_nn` (None: all) includes the point itself, `radius` [m] is exclusive."""
     device = points.device
     normals = empty(points.size, vec3, device)
     reach = reach_of(radius)
@@ -128,12 +115,12 @@ def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius
 def orient_normals(
     points: Points, normals: Vectors, reference: Sequence[float] | np.ndarray, to_point: bool
 ) -> Vectors:
-    """Normals turned to the direction `reference`, or to the side of the point `reference` where `to_point`."""
+    """Orient normals to the direction `reference`, or to the point `reference` if `to_point`."""
     oriented = empty(normals.size, vec3, normals.device)
     launch(orient_normals_kernel, normals.size, [points, normals, int(to_point), vec3(*reference), oriented])
     return oriented
 
 
 def align_normals(normals: Vectors, references: Vectors) -> None:
-    """Turn each normal to the side of its reference, in place."""
+    """Flip each normal to the side of its reference, in place."""
     launch(align_normals_kernel, normals.size, [references, normals])

@@ -1,25 +1,9 @@
-"""Normals on one side of their surface: signs carried along a spanning tree of the points.
+"""Consistent normal orientation along a minimum spanning tree.
 
-Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.3: a graph joins each point to
-its k nearest, its edges weigh 1 - |n . n'|, and along its least spanning tree each normal takes the side of the one
-before. Where the graph falls into several components the shortest bridges join them.
-
-Memory: the graph, 4 k B a point, until the spanning tree is known; beside it about 80 B a point. All on the device: one
-number comes back a round of Boruvka's algorithm.
-
-The shortest bridges between the components of a forest over the points of a tree, until one component is left.
-Boruvka's algorithm on distances: in each round every component picks the shortest way from one of its points to a point
-of another, so the bridges are edges of the Euclidean least spanning tree of the components. A thread takes a leaf of
-points and walks the tree of boxes past the nodes that lie wholly inside its own component; how far it looks is the
-shortest way that its component has found so far, which to begin with comes from points that follow each other on the
-curve. A leaf whose box reaches no other component within that distance is done after one walk.
-
-Bridges are ordered by length, lower rank, higher rank: no two are equal, so no cycle closes, and the result does not
-depend on the number of threads. 8 B a point and 0.6 B a point of labels beside the tree; at most log2(components)
-rounds.
-
-Source: single-tree Boruvka: Prokopenko, Sao and Lebrun-Grandie, "A single-tree algorithm to compute the Euclidean
-minimum spanning tree on GPUs", ICPP 2022.
+Hoppe et al., "Surface reconstruction from unorganized points", SIGGRAPH 1992, section 3.3: edges to the k nearest weigh
+1 - |n . n'|. The shortest bridges join the components: single-tree Boruvka (Prokopenko, Sao and Lebrun-Grandie, ICPP
+2022), one thread per leaf, pruned by the shortest bridge of its component. Bridges are ordered by length, lower rank,
+higher rank, so no cycle closes and results are deterministic. Memory: 4 k + 80 B per point.
 """
 
 from collections.abc import Sequence
@@ -55,23 +39,16 @@ if TYPE_CHECKING:
     from ..search.point_tree import PointTree
 
 
-INFINITE = 0x7F80_0000  # the bits of an infinite float32
+INFINITE = 0x7F80_0000  # bits of an infinite float32
 MOST_RANK = 0x7FFF_FFFF
-MIXED = -1  # the owner of a node whose points belong to several components
-EMPTY = -2  # the owner of a node without points
+MIXED = -1  # owner of a node with points of several components
+EMPTY = -2  # owner of an empty node
 
 
 @struct
 class Bridges:
-    """The shortest way out of each component of a forest over the points of a tree.
-
-    Attributes:
-        tree: The PointTree; its ranks are the forest's vertices.
-        forest: The Forest.
-        owners: int32, the component that holds all points below a node, MIXED or EMPTY; at record * FAN + child.
-        reaches: int32 by root, the bits of the squared length [m^2] of the shortest way known.
-        lows, highs: int32 by root, the ends of that way by rank.
-        ways: int64 by rank, the shortest way found from a point: its squared length [m^2] above the rank of its end.
+    """Shortest bridges between components. `owners`: component of a node, or MIXED or EMPTY; by root: squared lengths
+    `reaches`, ends `lows` and `highs`; by rank: `ways`, squared length above the end.
     """
 
     tree: PointTree
@@ -86,13 +63,13 @@ class Bridges:
         count, device = forest.count, forest.device
         self.tree, self.forest = tree, forest
         self.records = level_sizes(-(-tree.count // BUCKET))[1]
-        # A child that is not there is nobody's: its number is read beside its siblings', and written by no kernel.
+        # Missing children are EMPTY: they are read beside their siblings and written by no kernel.
         self.owners = full(int(self.records[-1]) * FAN, EMPTY, int32, device)
         self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
         self.ways = empty(count, int64, device)
 
     def label_nodes(self) -> None:
-        """Write the component of each node of the tree, level by level."""
+        """Write the component of each tree node, level by level."""
         launch(own_leaves_kernel, int(self.records[1]) * FAN, [self])
         for level in range(1, self.tree.root + 1):
             below, here = int(self.records[level - 1]), int(self.records[level])
@@ -101,7 +78,6 @@ class Bridges:
 
 @func
 def joint_owner(a: int, b: int) -> int:
-    """The component that two children lie in, or MIXED."""
     owner = a
     if a == EMPTY:
         owner = b
@@ -113,7 +89,6 @@ def joint_owner(a: int, b: int) -> int:
 
 @kernel
 def own_leaves_kernel(bridges: Bridges):
-    """The component that holds all points of a leaf."""
     i = tid()
     owner = int(EMPTY)
     for j in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
@@ -123,7 +98,6 @@ def own_leaves_kernel(bridges: Bridges):
 
 @kernel
 def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
-    """The component that holds all points below a node, written beside its siblings'."""
     i = tid()
     owner = int(EMPTY)
     for j in range(FAN):
@@ -133,7 +107,7 @@ def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
 
 @kernel
 def clear_ways_kernel(bridges: Bridges, going: array(dtype=int32)):
-    """No way yet for any component; `going` becomes 1 where one is found."""
+    """Reset the bridges; `going` is set later if one is found."""
     i = tid()
     if i == 0:
         going[0] = 0
@@ -145,23 +119,19 @@ def clear_ways_kernel(bridges: Bridges, going: array(dtype=int32)):
 
 @kernel
 def offer_steps_kernel(bridges: Bridges):
-    """The way from each point to the next on the curve, where that lies in another component: a first bound."""
+    """Offer the edge from each point to the next on the curve as a first bound."""
     i = tid()
     a = bridges.forest.links[i] >> 1
     b = bridges.forest.links[i + 1] >> 1
     if a != b:
         bits = float_bits(square_distance(bridges.tree.points[i], bridges.tree.points[i + 1]))
-        atomic_min(bridges.reaches, a, bits)  # settles the shortest
+        atomic_min(bridges.reaches, a, bits)  # resolves the race: the shortest
         atomic_min(bridges.reaches, b, bits)
 
 
 @func
 def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges, level: int, node: int) -> int:
-    """A byte: bit j is set where child j of a node may hold a key up to `limit` as seen from the box (a, b), and does
-    not lie wholly in component `own`.
-
-    A child's least key is its distance above its first rank: of many points at one place only the first are visited.
-    """
+    """Bit mask of children with keys up to `limit` from the box (a, b), not entirely in component `own`."""
     at = bridges.tree.levels[level] + node
     distances = measure_boxes(bridges.tree.boxes, at, a, b)
     rank = int64(node) * int64(BUCKET) << int64(3 * level)  # FAN is 2^3
@@ -178,7 +148,7 @@ def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges,
 
 @func
 def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
-    """1 where another component comes as near the leaf's box as its own component's shortest way, or as it is mixed."""
+    """1 if another component may be as near to the leaf's box as its own shortest bridge, or if the leaf is mixed."""
     own = bridges.owners[leaf]
     reached = 0
     if own < 0:
@@ -202,10 +172,7 @@ def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
 
 @func
 def nearest_foreign(rank: int, bridges: Bridges) -> int64:
-    """The nearest point of another component, the bits of its squared distance above its rank; ties by rank.
-
-    Nothing farther than the shortest way of the point's component is looked at.
-    """
+    """Nearest point of another component within the shortest bridge, as squared distance bits above its rank."""
     p = bridges.tree.points[rank]
     own = bridges.forest.links[rank] >> 1
     limit = last_key(bridges.reaches[own])
@@ -213,7 +180,7 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     step = start_walk(rank // BUCKET)
     while int(step[0]) <= bridges.tree.root:
         bucket = int(step[2])
-        limit = min(limit, last_key(bridges.reaches[own]))  # others of the component may have found a shorter way
+        limit = min(limit, last_key(bridges.reaches[own]))  # other threads may have found a shorter bridge
         children = foreign_children(p, p, limit, own, bridges, 0, bucket)
         for leaf in range(FAN):
             if (children >> leaf) & 1 == 1:
@@ -227,13 +194,9 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     return nearest
 
 
-@kernel(most_registers=128)  # two blocks of an SM, not one
+@kernel(most_registers=128)  # for two blocks per SM
 def find_ways_kernel(bridges: Bridges):
-    """The shortest way out of its component from each point of a leaf; none where it cannot be the component's.
-
-    How far a point looks depends on what others have found, so what is left out may differ from run to run; a way as
-    short as the component's shortest is never left out.
-    """
+    """Shortest bridge from each point of a leaf; pruning never drops the component's shortest bridge."""
     i = tid()
     reached = leaf_reaches_foreign(i, bridges)
     for rank in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
@@ -243,41 +206,38 @@ def find_ways_kernel(bridges: Bridges):
             own = bridges.forest.links[rank] >> 1
             bits = key_bits(way)
             if bits < bridges.reaches[own]:
-                atomic_min(bridges.reaches, own, bits)  # settles the length of the component's shortest way
+                atomic_min(bridges.reaches, own, bits)  # resolves the race: length of the component's shortest bridge
         bridges.ways[rank] = way
 
 
 @kernel
 def settle_lows_kernel(bridges: Bridges):
-    """Of the component's shortest ways, the least lower end."""
+    """Select the least lower end of the component's shortest bridges."""
     i = tid()
     own = bridges.forest.links[i] >> 1
     if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
-        atomic_min(bridges.lows, own, min(i, key_index(bridges.ways[i])))  # settles ties of length
+        atomic_min(bridges.lows, own, min(i, key_index(bridges.ways[i])))  # resolves ties of length
 
 
 @kernel
 def settle_highs_kernel(bridges: Bridges):
-    """Of those with this lower end, the least higher end."""
+    """Of those with this lower end, select the least higher end."""
     i = tid()
     own = bridges.forest.links[i] >> 1
     if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
         far = key_index(bridges.ways[i])
         if min(i, far) == bridges.lows[own]:
-            atomic_min(bridges.highs, own, max(i, far))  # settles ties of length and lower end
+            atomic_min(bridges.highs, own, max(i, far))  # resolves ties of length and lower end
 
 
 @kernel
 def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3), going: array(dtype=int32)):
-    """Hang each component under the one that its way leads to; of two with the same way the lower stays a root.
-
-    Whichever thread notes a way, it writes 1.
-    """
+    """Hook each component to the target of its bridge; of a mutual pair the lower stays. All writers write 1."""
     i = tid()
     c = bridges.forest.roots[i]
     near = bridges.lows[c]
     far = bridges.highs[c]
-    if near < far:  # a way was found
+    if near < far:  # a bridge was found
         going[0] = 1
         if bridges.forest.links[near] >> 1 != c:
             near = bridges.highs[c]
@@ -288,13 +248,7 @@ def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3), going: arr
 
 
 def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None:
-    """Join the components of a forest over a tree's points, in order of rank, by their shortest bridges.
-
-    Args:
-        forest: A Forest; changed, until it has one component.
-        tree: The PointTree.
-        normals: Unit normals by rank, vec3.
-    """
+    """Join the components of a Forest (in place) by their shortest bridges; unit normals by tree rank."""
     if forest.roots.size < 2:
         return
     bridges = Bridges(tree, forest)
@@ -324,15 +278,15 @@ def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None
         raise RuntimeError(f"no bridge found between {forest.roots.size} components")
 
 
-RUN = 4096  # points a thread on the CPU in the search for the lowest: one atomic a run
-MAGNITUDE = 0x7FFF_FFFF  # the bits of a float32 but its sign
-HEIGHT_ENTRIES = 2**24  # of the heights held at a time, one beside each entry of the lists
-FENCE = 1.5  # times the width between the quartiles: what lies farther out is an outlier (Tukey)
+RUN = 4096  # points per CPU thread in the search for the lowest: one atomic each
+MAGNITUDE = 0x7FFF_FFFF  # bits of a float32 without the sign
+HEIGHT_ENTRIES = 2**24  # heights in memory, one per list entry
+FENCE = 1.5  # interquartile ranges beyond the quartile of an outlier (Tukey)
 
 
 @func
 def unit_vector(v: vec3) -> vec3:
-    """v / |v|; zero stays zero."""
+    """Unit vector; zero stays zero."""
     w = widen(v)
     size = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2])
     unit = v + vec3(0.0, 0.0, 0.0)
@@ -343,14 +297,12 @@ def unit_vector(v: vec3) -> vec3:
 
 @kernel
 def normalize_vectors_kernel(vectors: array(dtype=vec3), units: array(dtype=vec3)):
-    """Each vector at length 1; zero stays zero."""
     i = tid()
     units[i] = unit_vector(vectors[i])
 
 
 @kernel
 def flip_vectors_kernel(vectors: array(dtype=vec3), flipped: array(dtype=vec3)):
-    """The opposite vectors."""
     i = tid()
     flipped[i] = -vectors[i]
 
@@ -359,7 +311,6 @@ def flip_vectors_kernel(vectors: array(dtype=vec3), flipped: array(dtype=vec3)):
 def gather_units_kernel(
     normals: array(dtype=vec3), rows: array(dtype=int32), order: array(dtype=int32), units: array(dtype=vec3)
 ):
-    """Unit normals by rank on the curve."""
     i = tid()
     units[i] = unit_vector(normals[rows[order[i]]])
 
@@ -376,10 +327,8 @@ def drop_neighbors_kernel(
     heights: array(dtype=float32),
     lists: array(dtype=int32),
 ):
-    """Turn into no edge each neighbour that lies too steep over the tangent plane, or too far from it.
-
-    Too steep: the cosine between the way there and the normal exceeds `steepest`. Too far, where asked for: above the
-    upper quartile of the list by more than FENCE times the width between its quartiles.
+    """Remove edges that are too steep (|cosine| to the normal above `steepest`) or, optionally, outliers of height:
+    above the upper quartile by FENCE times the interquartile range.
     """
     i = tid()
     v = begin + first + i
@@ -415,26 +364,24 @@ def drop_neighbors_kernel(
 
 @kernel
 def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs: Runs, lowest: array(dtype=int64)):
-    """The least z above the row that has it."""
     i = tid()
     least = int64(NO_KEY)
     for j in elements_of(i, runs):
         z = points[rows[j]][2]
-        bits = 0  # of zero and minus zero neither is lower
+        bits = 0  # zero and minus zero are equal
         if z != 0.0:
             bits = float_bits(z)
         if bits < 0:
-            bits = bits ^ MAGNITUDE  # whole numbers in the order of the floats
+            bits = bits ^ MAGNITUDE  # integers in the order of the floats
         least = min(least, pack_bits(bits, rows[j]))
-    if least < lowest[0]:  # an old value only lets one more through
-        atomic_min(lowest, 0, least)  # settles the lowest of all runs
+    if least < lowest[0]:  # a stale value only adds an atomic
+        atomic_min(lowest, 0, least)  # resolves the race: the lowest of all
 
 
 @kernel
 def spread_words_kernel(
     links: array(dtype=int32), rows: array(dtype=int32), order: array(dtype=int32), words: array(dtype=int32)
 ):
-    """Signs by row of the cloud."""
     i = tid()
     words[rows[order[i]]] = links[i] & 1
 
@@ -447,7 +394,7 @@ def turn_normals_kernel(
     lowest: array(dtype=int64),
     oriented: array(dtype=vec3),
 ):
-    """Each normal by its sign, all together so that the lowest point's looks down; zero normals stay."""
+    """Apply the signs so that the normal of the lowest point looks down; zero normals stay."""
     i = tid()
     row = rows[i]
     low = int(lowest[0] & int64(MAGNITUDE))
@@ -461,14 +408,12 @@ def turn_normals_kernel(
 
 
 def normalize_vectors(vectors: Vectors) -> Vectors:
-    """Vectors at length 1; zero stays zero."""
     units = empty(vectors.size, vec3, vectors.device)
     launch(normalize_vectors_kernel, vectors.size, [vectors, units])
     return units
 
 
 def flip_vectors(vectors: Vectors) -> Vectors:
-    """The opposite vectors."""
     flipped = empty(vectors.size, vec3, vectors.device)
     launch(flip_vectors_kernel, vectors.size, [vectors, flipped])
     return flipped
@@ -477,7 +422,7 @@ def flip_vectors(vectors: Vectors) -> Vectors:
 def drop_neighbors(
     parts: Sequence[tuple[int, Integers]], k: int, tree: "PointTree", units: Vectors, steepest: float, outliers: bool
 ) -> None:
-    """Take edges out of a graph of neighbours, in place; see drop_neighbors_kernel."""
+    """Remove edges of a neighbor graph in place; see drop_neighbors_kernel."""
     rows = max(1, HEIGHT_ENTRIES // k)
     heights = empty(rows * k, float32, tree.device)
     for begin, lists in parts:
@@ -496,19 +441,8 @@ def orient_consistently(
     steepest: float = 1.0,
     outliers: bool = False,
 ) -> Vectors:
-    """Normals turned so that neighbours agree, the lowest point's (of lowest row) looking down.
-
-    Args:
-        points: Device array of vec3, shape [n].
-        normals: Device array of vec3, shape [n].
-        rows: The `usable_rows`, one at least; the normals of others stay.
-        tree: PointTree of the points of these rows.
-        k: Neighbours of a point in the graph, itself included.
-        steepest: Cosine between a normal and the way to a neighbour above which that is no edge.
-        outliers: Leave out neighbours whose height over the tangent plane is an outlier of the list.
-
-    Returns:
-        Device array of vec3, shape [n].
+    """Orient normals of the `usable_rows`; the normal of the lowest point looks down. Edges above the cosine `steepest`
+    to a normal and, with `outliers`, of outlying height are removed.
     """
     device = points.device
     oriented = empty(points.size, vec3, device)

@@ -1,11 +1,7 @@
-"""Smoothed positions: neighbours are searched, weighted and summed in one pass, with no list of them in memory.
+"""Smoothed positions: search, weights and sums in one pass, without neighbor lists.
 
-A point moves onto the plane through its neighbours (moving least squares: Alexa et al., "Computing and rendering point
-set surfaces", IEEE TVCG 2003, with the plane alone), or towards their weighted mean (bilateral: Jones et al.,
-"Non-iterative, feature-preserving mesh smoothing", SIGGRAPH 2003; Laplacian and Taubin: Taubin, "A signal processing
-approach to fair surface design", SIGGRAPH 1995, over nearest neighbours). Sums are of differences to the point itself,
-in float64, so coordinates of any size do no harm; a position is rounded once. 12 B read and 12 B written a point beside
-the search. Where neighbourhoods stay fixed their list takes 4 B a neighbour.
+Moving least squares with planes (Alexa et al., IEEE TVCG 2003), bilateral (Jones et al., SIGGRAPH 2003), Laplacian and
+Taubin smoothing (Taubin, SIGGRAPH 1995). Float64 sums of differences to the point itself.
 """
 
 from collections.abc import Sequence
@@ -24,23 +20,14 @@ from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
-MIN_NEIGHBORS = 3  # fewer points span no plane
-LARGEST_FALLOFF = 1.0e300  # [1 / m^2] keeps the product with a distance of zero a number
+MIN_NEIGHBORS = 3  # fewer points define no plane
+LARGEST_FALLOFF = 1.0e300  # [1 / m^2] finite product with a zero distance
 
 
 @struct
 class SmoothingPass:
-    """How a point moves, and where to.
-
-    Attributes:
-        spatial, ranged: Factors [1 / m^2] of squared distances, and of squared heights over the tangent plane, in the
-            exponent of a neighbour's weight.
-        to_plane: Onto the plane through the neighbours; else towards their mean.
-        own: Weight of the point itself, which does not count in the mean.
-        factor: Share of the way to the mean.
-        turn: Write the normals of the planes.
-        normals: Of the points; what `ranged` needs, and whose sides `fitted` takes.
-        moved, fitted: The results.
+    """`spatial`, `ranged` [1 / m^2] scale squared distances and heights in the exponent of a weight. `to_plane`:
+    project to the plane, else move by `factor` to the mean. `own`: weight of the point. `turn`: write plane normals.
     """
 
     spatial: float64
@@ -90,7 +77,7 @@ def add_weighted(total: moments, p: vec3, q: vec3, n: vec3d, rule: SmoothingPass
 
 @func
 def tangent_of(row: int, rule: SmoothingPass) -> vec3d:
-    """The direction that heights are measured along: the point's normal; zero for one of no length, or NaN."""
+    """Direction of heights: the point's unit normal, or zero if it is zero or NaN."""
     unit = vec3d(0.0, 0.0, 0.0)
     if rule.ranged > 0.0:
         wide = widen(rule.normals[row])
@@ -102,7 +89,7 @@ def tangent_of(row: int, rule: SmoothingPass) -> vec3d:
 
 @func
 def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: SmoothingPass):
-    """Write the place of a point from its neighbours' moments; n is what `tangent_of` gave."""
+    """Write the new position of a point from its neighbors' moments; n from `tangent_of`."""
     mean = vec3d(m[1], m[2], m[3])
     move = vec3d(0.0, 0.0, 0.0)
     if rule.to_plane == 1:
@@ -116,7 +103,7 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Smo
     else:
         pull = rule.factor
         if rule.ranged > 0.0:
-            pull = rule.factor * dot(n, n)  # no side to measure heights from, no move
+            pull = rule.factor * dot(n, n)  # without a normal the point stays
         rest = m[0] - rule.own
         if rest > 0.0:
             move = mean * (pull / rest)
@@ -132,7 +119,7 @@ def smooth_nearest_kernel(
     reach: float,
     rule: SmoothingPass,
 ):
-    """Smooth by the k nearest points within reach; keys hold places on the curve, so neighbours lie close by."""
+    """Smooth by the k nearest points within reach; keys hold tree positions."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
@@ -146,7 +133,6 @@ def smooth_nearest_kernel(
 
 @kernel(most_registers=128)
 def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
-    """Smooth by all points within reach, whose moments are summed as they are found."""
     i = tid()
     p = tree.points[i]
     row = tree.order[i]
@@ -168,7 +154,7 @@ def average_listed_kernel(
     points: array(dtype=vec3),
     moved: array(dtype=vec3),
 ):
-    """Move points `factor` of the way to the mean of the k listed ones without themselves, who add nothing."""
+    """Move points by `factor` to the mean of the k listed ones without themselves."""
     i = tid()
     p = points[first + i]
     here = widen(p)
@@ -180,18 +166,16 @@ def average_listed_kernel(
 
 @kernel
 def scatter_points_kernel(points: array(dtype=vec3), order: array(dtype=int32), scattered: array(dtype=vec3)):
-    """scattered[order[i]] = points[i]."""
     i = tid()
     scattered[order[i]] = points[i]
 
 
 def falloff_of(sigma: float) -> float:
-    """The factor [1 / m^2] of a squared distance in the exponent of a Gaussian with this deviation [m]."""
+    """Factor [1 / m^2] of a squared distance in the exponent of a Gaussian with deviation `sigma` [m]."""
     return min(0.5 / max(sigma * sigma, 1.0 / LARGEST_FALLOFF), LARGEST_FALLOFF)
 
 
 def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingPass) -> SmoothingPass:
-    """One pass; the rule, with its results."""
     points = tree.source
     if tree.count < points.size:
         copy(rule.moved, points, count=points.size)
@@ -208,17 +192,8 @@ def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingP
 def project_to_planes(
     tree: PointTree, max_nn: int | None, radius: float, normals: Vectors | None = None
 ) -> tuple[Points, Vectors]:
-    """Each point on the plane through its neighbours, which weigh exp(-d^2 / radius^2).
-
-    Args:
-        tree: The PointTree of n points.
-        max_nn: Neighbours a plane, the point itself included; None takes all within the radius.
-        radius: Upper limit of the distance [m], excluded; infinity for none, and equal weights.
-        normals: Normals whose sides the planes' normals take, or None.
-
-    Returns:
-        (moved, fitted): vec3 [n] each. Where fewer than three neighbours are found the point and its normal stay, as
-        do points that are not finite. `fitted` means nothing without normals.
+    """Project points to planes of neighbors, weighted by exp(-d^2 / radius^2): (moved, fitted). Points with fewer than
+    three neighbors and non-finite points stay. `fitted` is undefined without `normals`.
     """
     spatial = 0.0 if radius == INFINITY else 2.0 * falloff_of(radius)
     rule = _smooth(tree, max_nn, radius, SmoothingPass(tree.source, normals, spatial=spatial, to_plane=True))
@@ -228,16 +203,13 @@ def project_to_planes(
 def average_by_sides(
     tree: PointTree, normals: Vectors, max_nn: int | None, radius: float, sigma_s: float, sigma_r: float
 ) -> Points:
-    """Each point at the mean of its neighbours, weighted by distance and by height over its tangent plane.
-
-    Arguments as for `project_to_planes`; the deviations in metres. A point whose normal is zero or NaN stays.
-    """
+    """Bilateral mean of the neighbors, deviations [m] in distance and height; points without a normal stay."""
     rule = SmoothingPass(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
     return _smooth(tree, max_nn, radius, rule).moved
 
 
 def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Points:
-    """One pass a factor: each point that far towards the mean of its nearest others, found anew in each pass."""
+    """One pass per factor, with a new search of the nearest neighbors in each."""
     points = tree.source
     for turn, factor in enumerate(factors):
         now = tree if turn == 0 else PointTree(points)
@@ -246,15 +218,15 @@ def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: in
 
 
 def average_passes_fixed(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Vectors:
-    """As `average_passes`, with the neighbours of the first pass in all of them: 4 B a neighbour."""
+    """As `average_passes` with the neighbors of the first pass, 4 B per neighbor."""
     device, points = tree.device, tree.source
     moved = empty(points.size, vec3, device)
     copy(moved, points, count=points.size)
     k = min(neighbor_count + 1, tree.count)
     if k < 2:
         return moved
-    # There are k points, so no list is short but for the point itself. A point is in its own, unless more than k others
-    # lie at its place: then all in the list do, so do those in their lists, and none of them ever moves.
+    # There are k points, so a list is short only by the point itself. If more than k duplicates hide a point from its
+    # own list, the whole list is duplicates and none of them moves.
     lists = list(list_neighbors(tree, k, sort=False, own=True))
     here, there = empty(tree.count, vec3, device), empty(tree.count, vec3, device)
     copy(here, tree.points, count=tree.count)

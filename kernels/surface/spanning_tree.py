@@ -1,18 +1,8 @@
-"""Spanning trees that carry a sign along: which component a vertex belongs to, and whether it is turned against it.
+"""Minimum spanning forests that propagate signs: each vertex stores its component's root and its sign relative to it.
 
-Boruvka's algorithm: in each round every component picks the least edge that leaves it, and the components that these
-edges join become one. A round halves the number of components at least. Here no tree is stored: of an edge only its
-sign matters (turned or not), and a vertex keeps one word, its component's root and its sign relative to that root.
-Words of a chain of components compose, so the signs along the tree's paths are multiplied while paths are shortened.
-
-Edges are ordered by weight, then by the vertex that lists them, then by their place in its list. No two are equal, so
-there is one least spanning tree, no cycle can close, and the result does not depend on the number of threads.
-
-Cost a round: for each vertex that still lists an edge out of its component 8 B an entry of its list; 12 B a vertex;
-about log2(n) / 2 rounds. Memory 20 B a vertex beside the lists.
-
-Source: Boruvka 1926; as rounds of parallel hooking and shortening: Vineet, Harish, Patidar and Narayanan, "Fast
-minimum spanning tree for large graphs on the GPU", HPG 2009.
+Boruvka's algorithm as rounds of parallel hooking and shortening (Vineet, Harish, Patidar and Narayanan, "Fast minimum
+spanning tree for large graphs on the GPU", HPG 2009). The tree itself is not stored. Edges are ordered by weight,
+vertex, list position, so the tree is unique and independent of the number of threads. 20 B per vertex beside the lists.
 """
 
 from collections.abc import Callable, Sequence
@@ -40,23 +30,16 @@ from ..lang import (
 )
 from ..memory import copy, download, empty, fill, full, zeros
 
-ENTRY_BITS = 33  # of a key, for the entry of the lists; a weight of 0..1 takes the 30 above
+ENTRY_BITS = 33  # of a key, for the list entry; the weight 0..1 has the 30 bits above
 ENTRY_MASK = 0x1_FFFF_FFFF
-MOST_VERTICES = 2**30  # a word holds a root and a sign in 31 bits
-HOPS = 64  # links followed a pass: nearly all chains are shorter
-MOST_PASSES = 6  # HOPS^5 links are as many as there can be vertices
+MOST_VERTICES = 2**30  # a word has a root and a sign in 31 bits
+HOPS = 64  # links followed per pass: nearly all chains are shorter
+MOST_PASSES = 6  # HOPS^5 exceeds the maximum number of vertices
 
 
 @struct
 class Forest:
-    """Vertices in components that grow together; each vertex knows its root and its sign relative to it.
-
-    Attributes:
-        count: Vertices.
-        links: int32 [count]: twice the root, plus 1 where the vertex is turned against it.
-        roots: int32 [components].
-        hooks: int32 [count], of which those at roots count: what the next `merge` hangs each root under, as in links.
-    """
+    """Components of vertices. `links`, `hooks`: twice the root (or its next parent) plus 1 if flipped against it."""
 
     links: array(dtype=int32)
     roots: array(dtype=int32)
@@ -74,15 +57,10 @@ class Forest:
         self.reset_hooks()
 
     def reset_hooks(self) -> None:
-        """Take back all hooks."""
         launch(reset_hooks_kernel, self.roots.size, [self])
 
     def merge(self) -> None:
-        """Join components along their hooks; two syncs, and more for long chains.
-
-        Raises:
-            RuntimeError: The hooks close a cycle.
-        """
+        """Join components along their hooks (two syncs, rarely more). Raises RuntimeError if a cycle closes."""
         for _ in range(MOST_PASSES):
             counter = zeros(1, int32, self.device)
             launch(shorten_hooks_kernel, self.roots.size, [self, self._shorter, counter])
@@ -98,25 +76,16 @@ class Forest:
         self.reset_hooks()
 
     def merge_in_loop(self, status: Integers) -> None:
-        """As `merge`, as the end of a turn of a device's loop: over all vertices, and no sync.
-
-        Args:
-            status: int32 [3]: whether the loop goes on, how many links close a cycle, how many were longer than a pass.
-        """
-        for left in range(MOST_PASSES - 1, -1, -1):  # an even number, so that hooks are where they were
+        """`merge` in a device loop, without sync; `status`: loop flag, links in cycles, links longer than a pass."""
+        for left in range(MOST_PASSES - 1, -1, -1):  # an even number, so that hooks end in place
             launch(shorten_hooks_kernel, self.count, [self, self._shorter, status[2:3] if left else status[1:2]])
             self.hooks, self._shorter = self._shorter, self.hooks
         launch(relink_vertices_kernel, self.count, [self])
         launch(close_round_kernel, self.count, [self, status])
 
     def run_rounds(self, turn: Callable[[Integers], None]) -> None:
-        """Run turns that end with `merge_in_loop` on a GPU, until one joins nothing; two syncs in all.
-
-        Args:
-            turn: Given `status`; sets its first number to 0 at its begin, and to 1 where there is anything to join.
-
-        Raises:
-            RuntimeError: The hooks close a cycle.
+        """Run iterations ending with `merge_in_loop` until none joins (two syncs). Raises RuntimeError for a cycle.
+        `turn(status)` sets status[0] to 0, and to 1 if there is an edge to join.
         """
         status = full(3, 0, int32, self.device)
         fill(status[:1], 1)
@@ -132,13 +101,7 @@ class Forest:
 
 @struct
 class GraphPart:
-    """The edges of some vertices that follow each other.
-
-    Attributes:
-        begin: The first of the vertices.
-        k: Edges that each lists.
-        lists: int32 [vertices * k], where they lead; an entry that is its own vertex is no edge.
-    """
+    """Edges of consecutive vertices from `begin`, `k` each; an entry of `lists` equal to its vertex is no edge."""
 
     begin: int
     k: int
@@ -150,25 +113,24 @@ class GraphPart:
 
 @func
 def agreement(a: vec3, b: vec3) -> float64:
-    """The cosine between two unit normals."""
     return float64(a[0]) * float64(b[0]) + float64(a[1]) * float64(b[1]) + float64(a[2]) * float64(b[2])
 
 
 @func
 def normal_weight(a: vec3, b: vec3) -> float:
-    """1 - |cos|, in 0..1; the difference in float64, so that small angles are still told apart."""
+    """1 - |cos| in 0..1, subtracted in float64 to resolve small angles."""
     return max(float(1.0 - abs(agreement(a, b))), 0.0)
 
 
 @func
 def compose(word: int, onward: int) -> int:
-    """The word of a vertex whose root has a word itself: that root, both signs multiplied."""
+    """Word of a vertex whose root has a word itself: the new root with both signs multiplied."""
     return onward ^ (word & 1)
 
 
 @func
 def hook_word(near: int, far: int, forest: Forest, normals: array(dtype=vec3)) -> int:
-    """The word that hangs the component of vertex `near` under that of `far`, so that their normals agree."""
+    """Word that hooks the component of `near` to that of `far` with agreeing normals."""
     turned = 0
     if agreement(normals[near], normals[far]) < 0.0:
         turned = 1
@@ -177,14 +139,13 @@ def hook_word(near: int, far: int, forest: Forest, normals: array(dtype=vec3)) -
 
 @kernel
 def fill_roots_kernel(forest: Forest):
-    """Each vertex is its own component."""
     i = tid()
     forest.links[i] = 2 * i
 
 
 @kernel
 def clear_keys_kernel(forest: Forest, keys: array(dtype=int64), going: array(dtype=int32)):
-    """No edge yet for any component; `going` becomes 1 where one is offered."""
+    """Reset the best edges; `going` is set later if one is offered."""
     i = tid()
     if i == 0:
         going[0] = 0
@@ -201,10 +162,8 @@ def offer_edges_kernel(
     leaving: array(dtype=uint8),
     going: array(dtype=int32),
 ):
-    """Offer each listed edge that leaves its component to both components; mark the vertices that had one.
-
-    Those that had none before have none again, and are not looked at. Whichever thread notes an offer, it writes 1.
-    A key is read before it is lowered: a stale value costs one needless atomic, never a wrong result.
+    """Offer each listed edge that leaves its component to both, and flag its vertex. All writers of `going` write 1. A
+    stale key costs one needless atomic, never a wrong result.
     """
     i = tid()
     if leaving[i] == 0:
@@ -222,7 +181,7 @@ def offer_edges_kernel(
             key = (weight << int64(ENTRY_BITS)) | (int64(v) * int64(part.k) + int64(j))
             least = min(least, key)
             if key < keys[other]:
-                atomic_min(keys, other, key)  # settles which edge the component picks: the least
+                atomic_min(keys, other, key)  # resolves the race: the component's least edge
     found = 0
     if least < int64(NO_KEY):
         found = 1
@@ -234,17 +193,13 @@ def offer_edges_kernel(
 
 @kernel
 def reset_hooks_kernel(forest: Forest):
-    """Every component is under itself."""
     i = tid()
     forest.hooks[forest.roots[i]] = 2 * forest.roots[i]
 
 
 @kernel
 def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: Forest, keys: array(dtype=int64)):
-    """Hang each component under the one that its edge leads to, where the edge lies in this part of the lists.
-
-    Of two that picked the same edge the one of lower rank stays a root.
-    """
+    """Hook each component along its edge if the edge is in this part; of a mutual pair the lower stays a root."""
     i = tid()
     c = forest.roots[i]
     key = keys[c]
@@ -262,7 +217,7 @@ def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: 
 
 @kernel
 def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished: array(dtype=int32)):
-    """Follow each component's links up to HOPS times; count those that have not reached a root."""
+    """Follow links up to HOPS times; count those that have not reached a root."""
     i = tid()
     word = forest.hooks[forest.roots[i]]
     hop = 0
@@ -272,20 +227,19 @@ def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished
         above = forest.hooks[word >> 1]
         hop += 1
     if above >> 1 != word >> 1:
-        atomic_add(unfinished, 0, 1)  # a sum of integers
+        atomic_add(unfinished, 0, 1)  # integer sum: order-independent
     shorter[forest.roots[i]] = word
 
 
 @kernel
 def relink_vertices_kernel(forest: Forest):
-    """Point each vertex to the root of its component's new tree."""
     i = tid()
     forest.links[i] = compose(forest.links[i], forest.hooks[forest.links[i] >> 1])
 
 
 @kernel
 def close_round_kernel(forest: Forest, status: array(dtype=int32)):
-    """Every component is under itself; no further round where links closed a cycle."""
+    """Reset the hooks; stop if links closed a cycle."""
     i = tid()
     forest.hooks[i] = 2 * i
     if i == 0 and status[1] > 0:
@@ -294,7 +248,6 @@ def close_round_kernel(forest: Forest, status: array(dtype=int32)):
 
 @kernel
 def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
-    """1 where a root still is one."""
     i = tid()
     kept = 0
     if forest.links[forest.roots[i]] >> 1 == forest.roots[i]:
@@ -303,16 +256,8 @@ def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
 
 
 def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int, normals: Vectors | None) -> None:
-    """Join a forest along the least spanning trees of a graph of neighbours, whose weights are 1 - |n . n'|.
-
-    Args:
-        forest: A Forest, its components at their start; changed.
-        parts: (begin, lists) as of `list_neighbors`; an entry that is its own vertex is no edge.
-        k: Entries a vertex.
-        normals: Unit normals by vertex, vec3.
-
-    Raises:
-        ValueError: 2^33 entries or more.
+    """Join a forest (in place) along minimum spanning trees with weights 1 - |n . n'|. `parts` as of `list_neighbors`;
+    an entry equal to its vertex is no edge. Raises ValueError for 2^33 entries or more.
     """
     if forest.count * k > ENTRY_MASK:
         raise ValueError(f"{forest.count} points with {k} neighbours each are more than 2^33; lower k")
@@ -345,7 +290,6 @@ def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int
 def _span_on_device(
     forest: Forest, graph: Sequence[tuple[GraphPart, Integers]], normals: Vectors | None, keys: LongIntegers
 ) -> None:
-    """All rounds as one loop of a GPU."""
     leaving = [full(active.size, 1, uint8, forest.device) for _, active in graph]
 
     def turn(status: Integers) -> None:

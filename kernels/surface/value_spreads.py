@@ -1,8 +1,4 @@
-"""The mean and the spread of a number over the neighbours of each point.
-
-Sums are of differences to the point's own number, in float64 in the order in which the walk meets neighbours, which is
-that of the tree: the same bits from run to run. 20 B read a neighbour.
-"""
+"""Mean and standard deviation of a value over the neighbors of each point, in float64 and tree order."""
 
 from ..array_types import Device, Doubles
 from ..lang import NAN, array, float64, int32, isfinite, kernel, launch, sqrt, struct, tid, vector
@@ -11,18 +7,12 @@ from ..search.bucket_walk import points_in_reach
 from ..search.point_tree import BUCKET, PointTree
 from ..search.tree_search import reach_of
 
-value_sums = vector(3, float64)  # of differences: how many, their sum, that of their squares
+value_sums = vector(3, float64)  # of differences: count, sum, sum of squares
 
 
 @struct
 class Spreads:
-    """Of the neighbours that have a number, themselves among them.
-
-    Attributes:
-        means: float64 [n]; NaN where the point itself has none.
-        deviations: Standard deviations with n - 1, float64 [n]; NaN of fewer than two.
-        counts: int32 [n].
-    """
+    """Results: `means` (NaN if the point has no value), sample `deviations` (NaN for fewer than two), `counts`."""
 
     means: array(dtype=float64)
     deviations: array(dtype=float64)
@@ -35,7 +25,6 @@ class Spreads:
 
 @kernel
 def spread_values_kernel(tree: PointTree, values: array(dtype=float64), reach: float, spreads: Spreads):
-    """Mean, deviation and count of the numbers of each point's neighbours."""
     i = tid()
     at = tree.order[i]
     p = tree.points[i]
@@ -54,7 +43,7 @@ def spread_values_kernel(tree: PointTree, values: array(dtype=float64), reach: f
 
 
 def spread_values(tree: PointTree, values: Doubles, radius: float) -> Spreads:
-    """Mean and spread of numbers, float64 [n], over the neighbours within a radius [m], excluded, of each point."""
+    """Mean and deviation of float64 values over the neighbors within a radius [m] (exclusive) of each point."""
     spreads = Spreads(values.size, values.device)
     launch(spread_values_kernel, tree.count, [tree, values, reach_of(radius), spreads])
     return spreads

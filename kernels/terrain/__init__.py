@@ -1,1 +1,1 @@
-"""Heights on grids whose cells are fixed in space: bare earth, and rasters of what lies in or near a cell."""
+"""Terrain grids with fixed cells: ground, and rasters."""

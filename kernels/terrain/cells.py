@@ -1,8 +1,5 @@
-"""Grids of square cells that are counted from a corner fixed in space, and the points of each cell.
-
-Cell (x, y) of a window of the grid is number x * rows + y. A cell is found by one division in float64 whatever the
-window, so that two windows agree about every point. The points of a cell keep their own order. 28 B of memory a point
-and 4 B a cell.
+"""Grids of square cells with a fixed origin, and the points of each cell. Cell (x, y) of a window is number x * rows +
+y. One float64 division locates a point, so all windows agree. Points of a cell keep their order.
 """
 
 import numpy as np
@@ -13,20 +10,13 @@ from ..arrays.sort import SortKeys, put_key
 from ..lang import NAN, array, float32, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
 from ..memory import empty
 
-MOST_NUMBER = 2.0**48  # of a cell: a cell's side is then still 32 steps of float64
+MOST_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
 HIGHEST, LOWEST, COUNT, MEAN = 0, 1, 2, 3
 
 
 @struct
 class FixedCells:
-    """A window of a grid.
-
-    Attributes:
-        x0, y0: The corner that cells are counted from, about the points' origin.
-        cell: The side of a cell.
-        column0, row0: The window's lowest cell; whole numbers.
-        columns, rows: Cells of the window along x and y.
-    """
+    """Grid window: grid origin `x0`, `y0`; `cell` size; lowest cell `column0`, `row0`; `columns`, `rows`."""
 
     x0: float64
     y0: float64
@@ -43,35 +33,28 @@ class FixedCells:
 
     @property
     def size(self) -> int:
-        """How many cells."""
         return self.columns * self.rows
 
 
 def check_cell_numbers(first: np.ndarray, shape: np.ndarray) -> None:
-    """Refuse a corner so far away that cells cannot be counted from it.
-
-    Raises:
-        ValueError: More than 2^48 cells lie between.
-    """
+    """Raise ValueError if more than 2^48 cells are between the origin and the window."""
     if not (np.abs(np.concatenate([first, first + shape])) < MOST_NUMBER).all():
         raise ValueError("corner: is more than 2^48 cells away from the points; take one that is nearer")
 
 
 @func
 def column_of(x: float32, cells: FixedCells) -> int:
-    """The column of a place in the window."""
     return int(floor((float64(x) - cells.x0) / cells.cell) - cells.column0)
 
 
 @func
 def row_of_cell(y: float32, cells: FixedCells) -> int:
-    """The row of a place in the window."""
     return int(floor((float64(y) - cells.y0) / cells.cell) - cells.row0)
 
 
 @kernel
 def encode_cells_kernel(points: array(dtype=vec3), cells: FixedCells, skipped: int64, keys: SortKeys):
-    """The number of each point's cell; points that are not finite, or outside the window, take the key `skipped`."""
+    """Cell number of each point; `skipped` for points outside or not finite."""
     i = tid()
     p = points[i]
     key = skipped
@@ -85,14 +68,7 @@ def encode_cells_kernel(points: array(dtype=vec3), cells: FixedCells, skipped: i
 
 @struct
 class CellGroups:
-    """The points of each cell of a window.
-
-    Attributes:
-        cells: The FixedCells.
-        points: float32 vec3 [n].
-        order: int32 [n], points by cell; within a cell in their own order.
-        starts: int32 [cells + 1], where each cell's points begin in `order`.
-    """
+    """Points of each cell of a window: `points` vec3 (n); `order` int32 (n), stable; `starts` int32 (cells + 1)."""
 
     points: array(dtype=vec3)
     order: array(dtype=int32)
@@ -107,12 +83,7 @@ class CellGroups:
         find_key_starts(sorted_keys, self.starts)
 
     def measure(self, values: Doubles, kind: int) -> Doubles:
-        """One number a cell, float64 device array; NaN of a cell without points, whose count is 0.
-
-        Args:
-            values: A number a point.
-            kind: HIGHEST or LOWEST value, COUNT of points, or MEAN of the finite values, summed in the points' order.
-        """
+        """HIGHEST, LOWEST, COUNT or MEAN of finite values per cell, float64; NaN (count 0) if empty."""
         out = empty(self.cells.size, float64, self.points.device)
         launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
         return out
@@ -120,7 +91,6 @@ class CellGroups:
 
 @kernel
 def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind: int, out: array(dtype=float64)):
-    """The highest, the lowest, the number or the mean of the finite values of a cell's points."""
     i = tid()
     first = groups.starts[i]
     end = groups.starts[i + 1]
@@ -149,13 +119,12 @@ def measure_cells_kernel(groups: CellGroups, values: array(dtype=float64), kind:
 
 @kernel
 def take_heights_kernel(points: array(dtype=vec3), heights: array(dtype=float64)):
-    """z of each point."""
     i = tid()
     heights[i] = float64(points[i][2])
 
 
 def heights_of(points: Points) -> Doubles:
-    """The heights of points about their origin, float64 device array [n]."""
+    """Heights of points about their origin, float64 device array (n)."""
     heights = empty(points.size, float64, points.device)
     launch(take_heights_kernel, points.size, [points, heights])
     return heights

@@ -1,15 +1,8 @@
-"""Bare earth under a scan, where what a point is depends on nothing but the points within a finite reach.
+"""Ground filter (SMRF, as `segmentation/ground.py`) whose result depends only on points within a finite radius.
 
-The filter of `segmentation/ground.py` (SMRF) on cells that are counted from a fixed corner, changed where that one sees
-the whole cloud:
-
-- Gaps are filled from coarse cells of up to 2^levels cells, each with few springs, so a wider gap stays unknown.
-- Before the openings only small gaps are filled; what is unknown then is passed over: neither lowest nor highest.
-- Each window opens the surface itself, not what the window before left. Of windows that are sums of each other that is
-  the same; of octagons of whole cells it is, but for some cells at corners.
-- Beyond the outermost points the surface goes on as at a gap.
-
-With the filling's levels and springs, `fill_reach` cells is what a filled cell depends on, and `reach_of` the whole.
+On cells with a fixed origin, with these changes: gaps are filled from up to `levels` coarse levels with few relaxation
+passes, so wider gaps stay unknown; unknown cells are ignored by openings; each window opens the original surface (up to
+some corner cells the same); beyond the outermost points the surface continues as at a gap.
 """
 
 import math
@@ -49,13 +42,13 @@ from ..segmentation.ground import (
 )
 from .cells import FixedCells, column_of, row_of_cell
 
-SMALL_SPRINGS = (2, 2)  # passes at each level, from the finest, before the openings
-SPRINGS = (2, 2, 2)  # of the bare earth; coarser levels have none
+SMALL_SPRINGS = (2, 2)  # passes per level, from the finest, before the openings
+SPRINGS = (2, 2, 2)  # for the ground; coarser levels have none
 
 
 @kernel
 def keep_lowest_kernel(points: array(dtype=vec3), cells: FixedCells, heights: array(dtype=float32)):
-    """The lowest point of each cell; the minimum is the same in any order."""
+    """Lowest point of each cell (atomic minimum)."""
     i = tid()
     p = points[i]
     if isfinite(p):
@@ -66,7 +59,7 @@ def keep_lowest_kernel(points: array(dtype=vec3), cells: FixedCells, heights: ar
 def spread_cells_kernel(
     known: array(dtype=float32), coarse: array(dtype=float32), columns: int, rows: int, heights: array(dtype=float32)
 ):
-    """The known heights, and where there is none the bilinear mean of those of the coarse cells that are known."""
+    """Known heights; elsewhere the bilinear mean of known coarse cells."""
     i = tid()
     height = known[i]
     if not isfinite(height):
@@ -76,7 +69,7 @@ def spread_cells_kernel(
         total = 0.0
         weights = 0.0
         for a in range(2):
-            u = x // 2 + a * (2 * (x % 2) - 1)  # the coarse cell above, then the one that is next
+            u = x // 2 + a * (2 * (x % 2) - 1)  # the parent coarse cell, then its neighbor
             for b in range(2):
                 v = y // 2 + b * (2 * (y % 2) - 1)
                 if u >= 0 and v >= 0 and u < columns // 2 and v < coarse_rows:
@@ -85,7 +78,7 @@ def spread_cells_kernel(
                         weight = (0.75 - 0.5 * float(a)) * (0.75 - 0.5 * float(b))
                         total += weight * other
                         weights += weight
-        height = total / weights  # NaN of 0 / 0
+        height = total / weights  # NaN for 0 / 0
     heights[i] = height
 
 
@@ -93,7 +86,7 @@ def spread_cells_kernel(
 def relax_cells_kernel(
     known: array(dtype=float32), heights: array(dtype=float32), columns: int, rows: int, out: array(dtype=float32)
 ):
-    """Give filled cells the mean of those of their neighbours that have a height."""
+    """Set filled cells to the mean of their known neighbors."""
     i = tid()
     height = known[i]
     if not isfinite(height):
@@ -116,7 +109,7 @@ def relax_cells_kernel(
 
 @kernel
 def pass_over_kernel(heights: array(dtype=float32), value: float, out: array(dtype=float32)):
-    """The heights, and where there is none a value that no extreme takes."""
+    """Replace missing heights by a neutral value."""
     i = tid()
     height = heights[i]
     if not isfinite(height):
@@ -128,7 +121,7 @@ def pass_over_kernel(heights: array(dtype=float32), value: float, out: array(dty
 def grade_cells_kernel(
     heights: array(dtype=float32), columns: int, rows: int, cell: float, slopes: array(dtype=float32)
 ):
-    """The slope at each cell, by differences over the neighbours that have a height; 0 where there are none."""
+    """Slope of each cell from known neighbors; 0 without any."""
     i = tid()
     slopes[i] = sqrt(
         squared_grade(heights, i, rows, i // rows, columns, cell) + squared_grade(heights, i, 1, i % rows, rows, cell)
@@ -137,7 +130,6 @@ def grade_cells_kernel(
 
 @func
 def squared_grade(heights: array(dtype=float32), i: int, step: int, place: int, size: int, cell: float) -> float:
-    """The square of the rise over run along one axis."""
     below = i
     above = i
     if place > 0:
@@ -156,7 +148,7 @@ def squared_grade(heights: array(dtype=float32), i: int, step: int, place: int, 
 
 @func
 def height_at(heights: array(dtype=float32), a: int, b: int, s: float, t: float, columns: int, rows: int) -> float:
-    """The bilinear mean of those of four cells that are known; s and t from the centre of cell (a, b)."""
+    """Bilinear mean of the known of four cells; s and t from the center of cell (a, b)."""
     total = 0.0
     weights = 0.0
     for k in range(4):
@@ -181,12 +173,12 @@ def mask_near_kernel(
     scaling: float,
     mask: array(dtype=uint8),
 ):
-    """1 where a point lies close to the bare earth; how close depends on the slope there."""
+    """1 for points close to the ground, depending on slope."""
     i = tid()
     p = points[i]
     ground = 0
     if isfinite(p):
-        x = (float64(p[0]) - cells.x0) / cells.cell - 0.5  # from the grid's corner, so that all windows agree
+        x = (float64(p[0]) - cells.x0) / cells.cell - 0.5  # from the grid origin, so that all windows agree
         y = (float64(p[1]) - cells.y0) / cells.cell - 0.5
         s = float(x - floor(x))
         t = float(y - floor(y))
@@ -201,30 +193,23 @@ def mask_near_kernel(
 
 
 def levels_of(radius: int) -> int:
-    """Levels of coarse cells that fill what a window of this radius [cells] may remove."""
+    """Coarse levels that fill what a window of this radius [cells] may remove."""
     return max(len(SPRINGS), math.ceil(math.log2(1.5 * radius)))
 
 
 def fill_reach(levels: int, springs: tuple[int, ...]) -> int:
-    """Cells that a filled cell depends on to each side.
-
-    At level k it depends on coarse cells that reach 2 * 2^k beyond it, and each pass of springs on one of 2^k more.
-    """
+    """Cells per side that affect a filled cell: at level k coarse cells 2 * 2^k, each relaxation pass 2^k more."""
     return 2 * (2**levels - 1) + sum(count << level for level, count in enumerate(springs))
 
 
 def reach_in_cells(radius: int) -> int:
-    """Cells beyond a point's own that say whether it is ground, to each side.
-
-    Two small fillings, the closing of low outliers, the largest window's erosion and dilation, the filling of the bare
-    earth, its slope, and what is interpolated between.
-    """
+    """Cells per side that affect a point's classification, through all fillings, openings, slope and interpolation."""
     small = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS)
     return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_reach(levels_of(radius), SPRINGS) + 2
 
 
 def window_over(low: np.ndarray, high: np.ndarray, radius: int) -> tuple[np.ndarray, np.ndarray]:
-    """First cell and shape of a window around cells from `low` to `high`, beyond which nothing changes a result."""
+    """First cell and shape of the sufficient window around cells `low` to `high`."""
     small, levels = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS), levels_of(radius)
     rim = max(fill_reach(levels, SPRINGS) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
     first = np.floor((low - rim) / 2**levels) * 2**levels
@@ -232,16 +217,16 @@ def window_over(low: np.ndarray, high: np.ndarray, radius: int) -> tuple[np.ndar
 
 
 class NearGround:
-    """The bare earth on a window of a grid."""
+    """Ground surface on a window of a grid."""
 
     def __init__(self, points: Points, cells: FixedCells, radius: int) -> None:
-        """The lowest of the finite points of each cell; the window is one of `window_over`."""
+        """Start from the lowest finite point of each cell of a `window_over` window."""
         self.points, self.cells, self.radius, self.device = points, cells, radius, points.device
         self.lowest = full(cells.size, INFINITY, float32, self.device)
         launch(keep_lowest_kernel, points.size, [points, cells, self.lowest])
 
     def mask(self, slope: float, threshold: float, scaling: float) -> Mask:
-        """uint8 device array [n]: 1 where a point is ground; as `classify_ground` has the parameters."""
+        """uint8 (n): 1 for ground points; parameters as of `classify_ground`."""
         cells, unwanted = self.cells, zeros(self.cells.size, uint8, self.device)
         surface = self._filled(unwanted, len(SMALL_SPRINGS), SMALL_SPRINGS)
         closed = self._opened(surface, LOW_RADIUS, DILATION)
@@ -260,7 +245,7 @@ class NearGround:
         return mask
 
     def _filled(self, unwanted: Bytes, levels: int, springs: tuple[int, ...]) -> Scalars:
-        """The lowest heights where they are wanted, and around them what coarse cells and springs make of them."""
+        """Lowest heights where not unwanted, elsewhere filled."""
         columns, rows = self.cells.columns, self.cells.rows
         known = [(empty(self.cells.size, float32, self.device), columns, rows)]
         launch(clear_cells_kernel, self.cells.size, [unwanted, self.lowest, known[0][0]])
@@ -282,7 +267,7 @@ class NearGround:
         return filled
 
     def _opened(self, heights: Scalars, radius: int, first: float) -> Scalars:
-        """The heights opened (EROSION first) or closed (DILATION first) by octagons that pass unknown cells over."""
+        """Opening (EROSION first) or closing (DILATION first) by octagons, ignoring unknown cells."""
         diagonal = int(DIAGONAL * radius + 0.5)
         segments = [(1, 0, radius - 2 * diagonal), (0, 1, radius - 2 * diagonal), (1, 1, diagonal), (1, -1, diagonal)]
         for side in (first, -first):

@@ -1,11 +1,6 @@
-"""Heights between points by inverse distance: sum(z / d^2) / sum(1 / d^2) over points near a place in plan.
-
-Of the points within a reach, those count that lie in the smallest square of cells around the place's own cell which
-holds a number of them. So it depends on no tie and on no order of a search: which points count is decided by whole
-squares, and they are added square by square, cell by cell, in their own order. Shepard, "A two-dimensional
-interpolation function for irregularly-spaced data", ACM 1968.
-
-One thread a place; it reads 8 B a cell and 16 B a point of the squares, and divides once a point.
+"""Inverse distance weighting, sum(z / d^2) / sum(1 / d^2) (Shepard, "A two-dimensional interpolation function for
+irregularly-spaced data", ACM 1968). Uses the points within reach in the smallest square of cells that holds enough of
+them, so results do not depend on ties or search order.
 """
 
 from ..array_types import Doubles, Points
@@ -27,17 +22,17 @@ def height_near(
     window: FixedCells,
     groups: CellGroups,
 ) -> float64:
-    """The height at a place in a cell of the window; NaN where no point is within reach."""
+    """Height at a position; NaN if no point is within reach."""
     total = float64(0.0)
     weights = float64(0.0)
-    here = float64(0.0)  # of points at the place itself
+    here = float64(0.0)  # of coincident points
     there = float64(0.0)
     count = int(0)
     for m in range(most + 1):
         if m <= least or count < neighbors:
             for a in range(2 * m + 1):
                 u = column + a - m
-                steps = 2  # a side square's inner columns have a cell at either end
+                steps = 2  # inner columns of a square's border have a cell at either end
                 stride = 2 * m
                 if a == 0 or a == 2 * m:
                     steps = 2 * m + 1
@@ -79,7 +74,6 @@ def interpolate_centres_kernel(
     groups: CellGroups,
     heights: array(dtype=float64),
 ):
-    """The height at the centre of each cell."""
     i = tid()
     column = i // cells.rows
     row = i % cells.rows
@@ -100,7 +94,7 @@ def interpolate_places_kernel(
     groups: CellGroups,
     heights: array(dtype=float64),
 ):
-    """How far each point lies above the height in plan under it; NaN where one of them is not known."""
+    """Height of each point above the interpolated surface; NaN if unknown."""
     i = tid()
     p = points[i]
     height = float64(NAN)
@@ -116,7 +110,7 @@ def interpolate_places_kernel(
 
 
 def interpolate_centres(groups: CellGroups, cells: FixedCells, neighbors: int, reach: float, rings: int) -> Doubles:
-    """Heights at the centres of cells, float64 device array; `cells` are of the grid that the groups are of."""
+    """Heights at cell centers, float64 device array; `cells` are of the groups' grid."""
     heights = empty(cells.size, float64, groups.points.device)
     arguments = [cells, rings, neighbors, reach * reach, groups.cells, groups, heights]
     launch(interpolate_centres_kernel, cells.size, arguments)
@@ -124,7 +118,7 @@ def interpolate_centres(groups: CellGroups, cells: FixedCells, neighbors: int, r
 
 
 def heights_above(points: Points, groups: CellGroups, neighbors: int, reach: float, rings: int) -> Doubles:
-    """How far points lie above the heights of the groups' points, float64 device array [n]."""
+    """Heights of points above the groups' surface, float64 device array (n)."""
     heights = empty(points.size, float64, points.device)
     arguments = [points, rings, neighbors, reach * reach, groups.cells, groups, heights]
     launch(interpolate_places_kernel, points.size, arguments)

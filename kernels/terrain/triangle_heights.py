@@ -1,12 +1,5 @@
-"""Heights on triangles at the centres of cells.
-
-One thread a triangle goes over the cells of its box and claims those whose centre it holds, its edges included; the
-lowest number has a cell that several hold, which is the same in any order. Then one thread a cell weighs the corners.
-Which side of an edge a centre lies on is computed from the edge's lower vertex whichever triangle asks, so no centre
-falls between two.
-
-Rows of a raster of numbers by cell: the northernmost row first, as files hold them. One thread a value of the raster;
-sums are float64 and rounded once.
+"""Heights of triangles at cell centers, and raster rows (north first). The lowest triangle containing a center wins
+(atomic minimum); edges are evaluated from their lower vertex, so no center falls between two.
 """
 
 import numpy as np
@@ -21,7 +14,6 @@ VALUES = 256
 
 @kernel
 def keep_listed_kernel(values: array(dtype=int32), table: array(dtype=uint8), mask: array(dtype=uint8)):
-    """Clear the mask where a value is not in the table."""
     i = tid()
     value = values[i]
     if value < 0 or value >= VALUES:
@@ -31,7 +23,7 @@ def keep_listed_kernel(values: array(dtype=int32), table: array(dtype=uint8), ma
 
 
 def keep_listed(values: Integers, table: np.ndarray, mask: Mask) -> None:
-    """Clear a mask where `table`, bool [256], does not have a value."""
+    """Clear a mask where `table`, bool (256), excludes a value."""
     launch(keep_listed_kernel, values.size, [values, upload(table, uint8, values.device), mask])
 
 
@@ -45,7 +37,7 @@ def lay_rows_kernel(
     cells: FixedCells,
     out: array(dtype=float32),
 ):
-    """A cell's value over the divisor, less what is below or above the base."""
+    """(value / divisor) minus `below`, or plus `base`."""
     i = tid()
     row = i // cells.columns
     cell = (i - row * cells.columns) * cells.rows + (cells.rows - 1 - row)
@@ -60,15 +52,7 @@ def lay_rows_kernel(
 def lay_rows(
     values: Doubles, cells: FixedCells, *, below: Doubles | None = None, divisor: float = 1.0, base: float = 0.0
 ) -> Scalars:
-    """The values of a raster, float32 device array [rows * columns].
-
-    Args:
-        values: A number a cell.
-        cells: The window.
-        below: What is taken from each; None adds the base.
-        divisor: Of the values.
-        base: Height of the points' origin.
-    """
+    """Raster, float32 (rows * columns): `values` / `divisor`, minus `below`, or plus `base` if that is None."""
     out = empty(cells.size, float32, values.device)
     other = values if below is None else below
     launch(lay_rows_kernel, cells.size, [values, other, int(below is not None), divisor, base, cells, out])
@@ -80,7 +64,7 @@ NOBODY = 2**31 - 1
 
 @func
 def side_of(points: array(dtype=vec3), a: int, b: int, x: float64, y: float64) -> float64:
-    """Twice the area of the triangle of two vertices and a place; positive where it turns to the left."""
+    """Twice the signed area of two vertices and a position; positive to the left."""
     low = min(a, b)
     high = max(a, b)
     p = points[low]
@@ -101,7 +85,7 @@ def claim_cells_kernel(
     cells: FixedCells,
     owners: array(dtype=int32),
 ):
-    """The lowest number of a triangle that holds each cell's centre; the minimum is the same in any order."""
+    """Lowest triangle at each cell center (atomic minimum)."""
     i = tid()
     t = triangles[i]
     p = points[t[0]]
@@ -142,7 +126,6 @@ def weigh_corners_kernel(
     owners: array(dtype=int32),
     heights: array(dtype=float64),
 ):
-    """The height of each cell's triangle at the cell's centre; NaN where no triangle holds it."""
     i = tid()
     height = float64(NAN)
     if owners[i] != NOBODY:
@@ -158,14 +141,7 @@ def weigh_corners_kernel(
 
 
 def triangle_heights(points: Points, triangles: Triangles, cells: FixedCells, longest: float) -> Doubles:
-    """The heights of triangles at the centres of cells, float64 device array; NaN where none is.
-
-    Args:
-        points: Their vertices, about the cells' origin.
-        triangles: Rows of three; those without an area hold nothing that matters.
-        cells: The window.
-        longest: Triangles with a longer edge in plan are left out.
-    """
+    """Heights of triangles at cell centers, float64, NaN for none; edges above `longest` in plan are skipped."""
     owners: Indices = full(cells.size, NOBODY, int32, points.device)
     launch(claim_cells_kernel, triangles.size, [points, triangles, longest, cells, owners])
     heights = empty(cells.size, float64, points.device)

@@ -1,1 +1,1 @@
-"""Colours for surfaces from pictures."""
+"""Surface colors from images."""

@@ -1,12 +1,6 @@
-"""Colours of vertices drawn into a texture: each triangle at the place that its texture coordinates say.
-
-One thread a triangle and row of texels: a texel takes the triangle with the lowest number of those that have its centre
-within or on their edges, settled by an atomic minimum, which does not depend on the order of threads. Then one thread a
-texel mixes the corners' colours in float64. Texels without a triangle beside coloured ones take the mean of these, row
-by row, as often as the gutter is wide, so that no background bleeds in where a picture is interpolated. The same bits
-on every device. 8 B a row of each triangle, 28 B a texel.
-
-Source: Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988.
+"""Vertex colors rasterized into a texture (Pineda, "A Parallel Algorithm for Polygon Rasterization", SIGGRAPH 1988). A
+texel takes the lowest triangle that contains its center (atomic minimum) and mixes corner colors in float64. The gutter
+is filled with neighbor means against bleeding.
 """
 
 from ..algebra.transform import narrow, widen
@@ -34,18 +28,12 @@ from ..lang import (
 from ..memory import empty, full
 
 NO_TRIANGLE = 2147483647
-AROUND = 9  # texels of a square of three
+AROUND = 9  # texels of a 3 x 3 square
 
 
 @struct
 class Atlas:
-    """Triangles in a picture.
-
-    Attributes:
-        uvs: Coordinates of corners, (0, 0) the lower left corner of the picture; [3 t].
-        width: Of the picture in texels.
-        height: Of the picture in texels.
-    """
+    """Triangle corner coordinates `uvs` (3 t), (0, 0) lower left, in an image of `width` x `height` texels."""
 
     uvs: array(dtype=vec2)
     width: int
@@ -57,7 +45,7 @@ class Atlas:
 
 @func
 def texel_place(uv: vec2, width: int, height: int) -> vec3d:
-    """Texture coordinates in texels, from the upper left corner of the picture."""
+    """Texture coordinates in texels from the upper left corner."""
     x = float64(uv[0]) * float64(width)
     y = (1.0 - float64(uv[1])) * float64(height)
     return vec3d(x, y, 0.0)
@@ -65,7 +53,6 @@ def texel_place(uv: vec2, width: int, height: int) -> vec3d:
 
 @func
 def texel_corners(atlas: Atlas, t: int) -> tuple[vec3d, vec3d, vec3d]:
-    """The corners of a triangle in texels."""
     a = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
     b = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
     c = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
@@ -74,27 +61,26 @@ def texel_corners(atlas: Atlas, t: int) -> tuple[vec3d, vec3d, vec3d]:
 
 @func
 def first_texel(x: float64, count: int) -> int:
-    """The first texel whose centre is not below x; `count` where there is none."""
+    """First texel whose center is not below x; `count` if none."""
     place = ceil(x - 0.5)
     return int(min(max(place, 0.0), float64(count)))
 
 
 @func
 def last_texel(x: float64, count: int) -> int:
-    """The last texel whose centre is not above x; -1 where there is none."""
     place = floor(x - 0.5)
     return int(min(max(place, -1.0), float64(count - 1)))
 
 
 @func
 def side_of(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
-    """Twice the area of a, b and (x, y), with its sign."""
+    """Twice the signed area of a, b and (x, y)."""
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
 
 
 @kernel
 def count_rows_kernel(atlas: Atlas, counts: array(dtype=int32)):
-    """The rows of texels that each triangle may cover; none where it has no area in the picture."""
+    """Rows of texels that each triangle may cover; none without area."""
     i = tid()
     a, b, c = texel_corners(atlas, i)
     count = 0
@@ -108,7 +94,7 @@ def count_rows_kernel(atlas: Atlas, counts: array(dtype=int32)):
 
 @kernel
 def claim_texels_kernel(atlas: Atlas, rows: array(dtype=int32), owners: array(dtype=int32)):
-    """The lowest triangle at each texel; a minimum, so that the order does not matter."""
+    """Lowest triangle at each texel (atomic minimum)."""
     i = tid()
     owner = find_owner(rows, i)
     a, b, c = texel_corners(atlas, owner)
@@ -135,7 +121,6 @@ def mix_texels_kernel(
     texels: array(dtype=vec3),
     marks: array(dtype=uint8),
 ):
-    """The colour at each texel's centre, and whether it has one."""
     i = tid()
     owner = owners[i]
     marks[i] = 0
@@ -162,7 +147,7 @@ def spread_texels_kernel(
     wider: array(dtype=vec3),
     wider_marks: array(dtype=uint8),
 ):
-    """Texels without a colour take the mean of those of their eight neighbours that have one."""
+    """Fill uncolored texels with the mean of their colored neighbors."""
     i = tid()
     wider[i] = texels[i]
     wider_marks[i] = marks[i]
@@ -184,7 +169,6 @@ def spread_texels_kernel(
 
 @kernel
 def round_texels_kernel(texels: array(dtype=vec3), picture: array(dtype=uint8)):
-    """Colours in 0..1 as bytes, three a texel."""
     i = tid()
     for k in range(3):
         level = min(max(texels[i][k], 0.0), 1.0)
@@ -192,18 +176,7 @@ def round_texels_kernel(texels: array(dtype=vec3), picture: array(dtype=uint8)):
 
 
 def draw_vertex_colors(triangles: Triangles, colors: Vectors, uvs: Array1[vec2], size: int, gutter: int) -> Bytes:
-    """A square picture of the colours of vertices, uint8 device array [3 size^2]; one sync.
-
-    Args:
-        triangles: vec3i [t].
-        colors: vec3 [m], in 0..1.
-        uvs: vec2 [3 t], in 0..1.
-        size: Width and height in texels.
-        gutter: How many texels beside triangles get a colour as well.
-
-    Raises:
-        ValueError: More than 2^31 - 1 rows of texels over all triangles.
-    """
+    """Square image of vertex colors, uint8 (3 size^2), one sync. Raises ValueError for 2^31 texel rows."""
     device, count = triangles.device, size * size
     atlas = Atlas(uvs, size, size)
     counts = empty(triangles.size, int32, device)

@@ -1,9 +1,5 @@
-"""The texels of an atlas of charts: what each chart's picture shows there, shifted so that charts agree at seams.
-
-A texel belongs to the triangle that has its centre; two rings about each chart belong to a neighbour's, whose plane
-goes on there, so that bilinear values at a chart's edge are of the picture and not of the background. Where a texel
-lies on the surface it is looked up in the triangle's picture, in the mean of up to 4 x 4 places where texels are larger
-than pixels, and takes the shifts of the corners (seam_levels.py) by its place between them.
+"""Texels of a chart atlas, sampled from each chart's image and shifted to agree at seams. A texel belongs to the
+triangle with its center; two rings around charts extend a neighbor's plane for bilinear sampling.
 """
 
 import numpy as np
@@ -46,23 +42,15 @@ from .exposures import Exposures
 from .posed_pictures import PosedPictures
 from .seam_levels import Seams, picture_color
 
-RINGS = 2  # of texels about a chart that its triangles go on in
-OUTSIDE = 1.5  # a triangle's plane goes on so far beyond its corners, in shares of them
-MOST_SAMPLES = 4  # a side of a texel
+RINGS = 2  # of texels around a chart, extrapolated from its triangles
+OUTSIDE = 1.5  # maximum extrapolation beyond the corners, in barycentric units
+MOST_SAMPLES = 4  # per texel side
 NOWHERE = 1 << 20  # texels from any seam
 
 
 @struct
 class ChartTexels:
-    """The texels of a texture and whose they are.
-
-    Attributes:
-        atlas: Triangles in the texture.
-        owners: The triangle of each texel, int32 [size^2], NO_TRIANGLE for none.
-        rings: 0 for texels that lie in their triangles, int32 [size^2].
-        colors: 0..255, vec3d [size^2].
-        steps: Texels from a seam, int32 [size^2], NOWHERE for none.
-    """
+    """Texels and their triangles: `owners` or NO_TRIANGLE; `rings`, 0 inside; `steps` from a seam or NOWHERE."""
 
     atlas: Atlas
     owners: array(dtype=int32)
@@ -71,7 +59,6 @@ class ChartTexels:
     steps: array(dtype=int32)
 
     def __init__(self, uvs: Array1[vec2], size: int) -> None:
-        """One sync."""
         device, count, triangles = uvs.device, size * size, uvs.size // 3
         self.atlas, self.size = Atlas(uvs, size, size), size
         rows_of_each, owners = empty(triangles, int32, device), full(count, NO_TRIANGLE, int32, device)
@@ -90,7 +77,7 @@ class ChartTexels:
 
 @func
 def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
-    """One of three corners, counted round."""
+    """One of three corners, cyclic."""
     corner = a
     if side % 3 == 1:
         corner = b
@@ -101,7 +88,7 @@ def side_of_corner(a: vec3d, b: vec3d, c: vec3d, side: int) -> vec3d:
 
 @kernel
 def claim_edges_kernel(atlas: Atlas, spare: array(dtype=int32)):
-    """The lowest triangle whose edges pass each texel, for triangles too small or thin to have any texel's centre."""
+    """Lowest triangle whose edges pass a texel, for triangles without a texel center."""
     i = tid()
     a, b, c = texel_corners(atlas, i)
     if side_of(a, b, c[0], c[1]) != 0.0:
@@ -118,7 +105,7 @@ def claim_edges_kernel(atlas: Atlas, spare: array(dtype=int32)):
 
 @kernel
 def take_spare_kernel(spare: array(dtype=int32), owners: array(dtype=int32), rings: array(dtype=int32)):
-    """Texels of no triangle belong to one whose edges pass them."""
+    """Assign free texels to triangles whose edges pass them."""
     i = tid()
     if owners[i] == NO_TRIANGLE and spare[i] != NO_TRIANGLE:
         owners[i] = spare[i]
@@ -129,7 +116,7 @@ def take_spare_kernel(spare: array(dtype=int32), owners: array(dtype=int32), rin
 def widen_owners_kernel(
     size: int, owners: array(dtype=int32), ring: int, wider: array(dtype=int32), rings: array(dtype=int32)
 ):
-    """Texels beside owned ones belong to the lowest triangle of these."""
+    """Extend ownership by one ring, to the lowest neighboring triangle."""
     i = tid()
     owner = owners[i]
     if owner == NO_TRIANGLE:
@@ -143,7 +130,7 @@ def widen_owners_kernel(
 
 @func
 def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
-    """The shares of a triangle's corners at a place of the texture, not far outside."""
+    """Barycentric weights at a texture position, clamped near the triangle."""
     a, b, c = texel_corners(atlas, t)
     whole = side_of(a, b, c[0], c[1])
     limit = float64(OUTSIDE)
@@ -157,14 +144,12 @@ def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
 
 @func
 def point_at(shares: vec3d, t: vec3i, vertices: array(dtype=vec3)) -> vec3d:
-    """A place on the surface."""
     a, b, c = widened_corners(vertices, t)
     return a * shares[0] + b * shares[1] + c * shares[2]
 
 
 @func
 def shift_at(shares: vec3d, t: int, seams: Seams, shifts: array(dtype=vec3d)) -> vec3d:
-    """The shift of a triangle's picture at a place."""
     first = shifts[seams.nodes[3 * t]] * shares[0]
     return first + shifts[seams.nodes[3 * t + 1]] * shares[1] + shifts[seams.nodes[3 * t + 2]] * shares[2]
 
@@ -181,7 +166,7 @@ def paint_texels_kernel(
     vertex_colors: array(dtype=vec3),
     plain: vec3d,
 ):
-    """The colour of each texel: of its picture, or of the vertices, or plain."""
+    """Color of each texel: from its image, the vertices, or plain."""
     i = tid()
     owner = texels.owners[i]
     color = plain
@@ -207,7 +192,6 @@ def paint_texels_kernel(
 
 @kernel
 def finish_texels_kernel(texels: ChartTexels, picture: array(dtype=vec3), marks: array(dtype=uint8)):
-    """Colours in 0..1, and 1 where a texel is a triangle's."""
     i = tid()
     picture[i] = narrow(texels.colors[i] / 255.0)
     marks[i] = uint8(1 if texels.owners[i] != NO_TRIANGLE else 0)
@@ -224,16 +208,7 @@ def paint_texels(
     vertex_colors: Vectors | None,
     plain: np.ndarray,
 ) -> None:
-    """The colours of all texels.
-
-    Args:
-        texels: ChartTexels.
-        vertices, seams, pictures, exposures: Of the mesh.
-        shifts: Of the seams' unknowns, vec3d.
-        scale: Texels a pixel.
-        vertex_colors: vec3 [m], 0..1, for triangles without a picture; None for plain ones.
-        plain: Their colour, 0..1.
-    """
+    """Compute all texels; `scale` texels per pixel; `vertex_colors` or `plain` for triangles without image."""
     device, count = vertices.device, texels.size * texels.size
     colors = empty(0, vec3, device) if vertex_colors is None else vertex_colors
     background = vec3d(*(255.0 * float(level) for level in plain))
@@ -245,7 +220,7 @@ def paint_texels(
 
 
 def finish_texels(texels: ChartTexels, gutter: int) -> Bytes:
-    """The texture, uint8 [3 size^2]; texels about charts repeat them as far as the gutter goes."""
+    """The texture, uint8 (3 size^2), with colors repeated into the gutter."""
     device, count, size = texels.owners.device, texels.size * texels.size, texels.size
     picture, marks = empty(count, vec3, device), empty(count, uint8, device)
     launch(finish_texels_kernel, count, [texels, picture, marks])

@@ -1,8 +1,5 @@
-"""Charts of a mesh: triangles that hang together by edges and take the same picture, cut out of it as it shows them.
-
-A chart's box is the whole pixels about its corners, settled by atomic minima and maxima of whole numbers. Where the
-boxes go is the host's matter; then each corner has the place in its box that it has in its picture. Triangles without a
-picture share one spot of plain colour, or have a cell each where the mesh has colours to draw. 40 B a triangle.
+"""Charts: edge-connected triangles with the same image, cut out of it. Bounding boxes are integer atomics; the host
+packs them. Triangles without image share a plain spot, or have a cell each for vertex colors.
 """
 
 from typing import NamedTuple
@@ -41,13 +38,7 @@ FAR = 1 << 30
 
 
 class Cells(NamedTuple):
-    """Where triangles without a picture go: a grid of cells at the foot of the texture.
-
-    Attributes:
-        top: Its first row of texels.
-        columns: Cells in a row.
-        side: Texels a cell, with its border; 0 where all share one.
-    """
+    """Grid of cells for triangles without image: first row `top`, `columns`, `side` texels with border (0: shared)."""
 
     top: int
     columns: int
@@ -56,13 +47,7 @@ class Cells(NamedTuple):
 
 @struct
 class Charts:
-    """The charts of a mesh.
-
-    Attributes:
-        labels: The chart of each triangle, int64 [t]; t for triangles without a picture.
-        lows, highs: First and last column and row of each chart in its picture, int32 [2 c].
-        views: The picture of each, int32 [c].
-    """
+    """Charts: `labels` per triangle (t for none); `lows`, `highs` (2 c): pixel boxes; `views` (c): images."""
 
     labels: array(dtype=int64)
     lows: array(dtype=int32)
@@ -76,7 +61,7 @@ class Charts:
         self.views = zeros(count, int32, device)
 
     def boxes(self) -> np.ndarray:
-        """First column and row, and how many, of each chart: int64 [c, 4]; two syncs."""
+        """First column and row, and size, of each chart: int64 (c, 4); two syncs."""
         low = download(self.lows).reshape(-1, 2).astype(np.int64)  # sync
         high = download(self.highs).reshape(-1, 2).astype(np.int64)  # sync
         return np.concatenate([low, high - low + 1], 1)
@@ -86,7 +71,7 @@ class Charts:
 def unite_alike_kernel(
     twins: array(dtype=int32), views: array(dtype=int32), parents: array(dtype=int32), chosen: array(dtype=uint8)
 ):
-    """Make one set of triangles that meet and take the same picture; and mark those that take one."""
+    """Unite adjacent triangles with the same image, and flag triangles with one."""
     i = tid()
     face = i // 3
     twin = twins[i]
@@ -105,7 +90,7 @@ def bound_charts_kernel(
     pictures: PosedPictures,
     charts: Charts,
 ):
-    """The box of each chart in its picture: extremes of whole numbers; all its triangles name the same picture."""
+    """Pixel box of each chart (integer extremes)."""
     i = tid()
     view = views[i]
     if view >= 0:
@@ -121,7 +106,6 @@ def bound_charts_kernel(
 
 @kernel
 def mark_blind_kernel(views: array(dtype=int32), marks: array(dtype=int32)):
-    """1 for the triangles that no picture shows."""
     i = tid()
     marks[i] = 1 if views[i] < 0 else 0
 
@@ -139,7 +123,6 @@ def place_corners_kernel(
     cells: vec4i,
     uvs: array(dtype=vec2),
 ):
-    """Texture coordinates of a triangle's corners; cells are top row, columns, texels a cell, and texels a side."""
     i = tid()
     view = views[i]
     size = float64(cells[3])
@@ -165,7 +148,7 @@ def place_corners_kernel(
 
 
 def find_twins(triangles: Triangles, vertex_count: int) -> Indices:
-    """The half-edge beyond each, int32 [3 t]; -1 at a border, and where more than two triangles meet."""
+    """Opposite half-edge of each, int32 (3 t); -1 at boundaries and non-manifold edges."""
     device, count = triangles.device, 3 * triangles.size
     keys, order = sorted_edges(triangles, vertex_count)
     twins, findings = empty(count, int32, device), zeros(4, int32, device)
@@ -176,7 +159,7 @@ def find_twins(triangles: Triangles, vertex_count: int) -> Indices:
 def cut_charts(
     vertices: Points, triangles: Triangles, twins: Indices, views: Indices, pictures: PosedPictures
 ) -> Charts:
-    """The charts of triangles that take pictures `views`, int32 [t], -1 for none; one sync."""
+    """Charts of triangles with images `views`, int32 (t), -1 for none; one sync."""
     device, count = triangles.device, triangles.size
     parents, chosen = positions(count, device), empty(count, uint8, device)
     launch(unite_alike_kernel, 3 * count, [twins, views, parents, chosen])
@@ -201,15 +184,7 @@ def place_corners(
     cells: Cells,
     size: int,
 ) -> Array1[vec2]:
-    """Texture coordinates of all corners, vec2 [3 t].
-
-    Args:
-        vertices, triangles, views, pictures, charts: As of `cut_charts`.
-        places: The texel of each chart's first pixel, int [c, 2].
-        scale: Texels a pixel.
-        cells: For triangles without a picture.
-        size: Texels a side.
-    """
+    """Texture coordinates of all corners, vec2 (3 t). `places` (c, 2): texel of each chart's first pixel."""
     device, count = triangles.device, triangles.size
     marks, uvs = empty(count, int32, device), empty(3 * count, vec2, device)
     launch(mark_blind_kernel, count, [views, marks])

@@ -1,10 +1,6 @@
-"""Pictures in which a triangle has another colour than in most: somebody who walked by, a highlight.
-
-One thread a triangle. It begins at the colour that is nearest to all others, with those within three median distances
-of it, and then, ten times at most, takes the Gaussian of those that are in, and in those that it holds likely
-(Waechter, Moehrle and Goesele 2014, section 3.3; there the first Gaussian is that of all colours, which holds no
-single one of less than a dozen unlikely). Where fewer than four are in, all stay. Colours count as known to two grey
-levels. n^2 distances a triangle of n pictures, 13 B a pair.
+"""Outlier images of triangles (passers-by, highlights). Starts at the medoid color and its neighbors within three
+median distances, then refits a Gaussian to the inliers up to ten times (Waechter, Moehrle and Goesele 2014, section
+3.3). With fewer than four inliers all are kept. Color noise is at least two gray levels.
 """
 
 from ..array_types import Mask
@@ -12,11 +8,11 @@ from ..lang import array, float64, func, kernel, launch, length, tid, uint8, vec
 from ..memory import empty
 from .face_views import FaceViews
 
-FEWEST = 4  # pictures among which one can be told to be wrong
-UNLIKELY = 10.23  # squared distance in deviations: exp(-x / 2) is 6e-3, the paper's
-KNOWN = 6.0e-5  # variance that is always added: two grey levels, in 0..1
-NEAR = 3.0  # median distances from the middle within which the first are
-LEAST = 0.02  # [0..1] and this at least, five grey levels
+FEWEST = 4  # minimum images for outlier detection
+UNLIKELY = 10.23  # squared Mahalanobis distance: exp(-x / 2) is 6e-3, as in the paper
+KNOWN = 6.0e-5  # variance always added: two gray levels, in 0..1
+NEAR = 3.0  # median distances from the medoid of the initial inliers
+LEAST = 0.02  # [0..1] and at least this, five gray levels
 TURNS = 10
 
 moments = vector(10, float64)  # count, sums, and sums of products: xx, xy, xz, yy, yz, zz
@@ -24,13 +20,12 @@ moments = vector(10, float64)  # count, sums, and sums of products: xx, xy, xz, 
 
 @func
 def wide(c: vec3) -> vec3d:
-    """A colour in 64 bits."""
     return vec3d(float64(c[0]), float64(c[1]), float64(c[2]))
 
 
 @func
 def find_middle(first: int, last: int, colors: array(dtype=vec3)) -> int:
-    """The colour of a run that is nearest to all of them together."""
+    """Medoid color of a run."""
     middle = first
     least = float64(-1.0)
     for i in range(first, last):
@@ -45,7 +40,7 @@ def find_middle(first: int, last: int, colors: array(dtype=vec3)) -> int:
 
 @func
 def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3)) -> float64:
-    """The median distance of a run's colours from one of them: of an even number the lower one."""
+    """Lower median distance of a run's colors from one of them."""
     found = float64(0.0)
     for i in range(first, last):
         distance = length(wide(colors[i]) - wide(colors[middle]))
@@ -61,7 +56,6 @@ def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3
 
 @func
 def moments_of(first: int, last: int, colors: array(dtype=vec3), keep: array(dtype=uint8)) -> moments:
-    """Sums over the colours of a run that are in."""
     sums = moments(0.0)
     for k in range(first, last):
         if keep[k] != 0:
@@ -74,7 +68,7 @@ def moments_of(first: int, last: int, colors: array(dtype=vec3), keep: array(dty
 
 @func
 def squared_deviations(c: vec3, sums: moments) -> float64:
-    """The squared distance of a colour from a Gaussian's middle, in its deviations."""
+    """Squared Mahalanobis distance of a color."""
     n = sums[0]
     x = float64(c[0]) - sums[1] / n
     y = float64(c[1]) - sums[2] / n
@@ -98,7 +92,7 @@ def squared_deviations(c: vec3, sums: moments) -> float64:
 
 @kernel
 def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
-    """1 for the pictures in which a triangle has the colour that it has in most."""
+    """Flag the images in which a triangle has an inlier color."""
     i = tid()
     first = views.starts[i]
     last = views.starts[i + 1]
@@ -136,7 +130,7 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
 
 
 def keep_likely(views: FaceViews) -> Mask:
-    """The pairs whose colour is likely, uint8 [k]."""
+    """Mask, uint8 (k), of pairs with inlier colors."""
     keep = empty(views.count, uint8, views.device)
     launch(keep_likely_kernel, views.starts.size - 1, [views, keep])
     return keep

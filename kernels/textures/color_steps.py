@@ -1,13 +1,6 @@
-"""Poses of pictures such that all show a vertex in the same brightness: residuals, sums, and the step of each picture.
-
-The residual of a pair of picture and vertex is the picture's brightness there less the vertex's own, which is the mean
-over its pictures. Means and poses take turns: with the means held, each picture is a Gauss-Newton problem of its own.
-A turn reads 64 B of brightness twice a pair and takes some 600 operations.
-
-A step is taken back where it makes the mean square larger, and tried again shorter (Levenberg-Marquardt, one damping
-for all pictures), so the result is never worse than the start.
-
-Source: Zhou and Koltun 2014, eqs. 2 to 9. Differences: the brightness of a vertex is bilinear, as its residual is.
+"""Image poses with consistent vertex brightness (Zhou and Koltun 2014, eqs. 2 to 9): alternates vertex means and a
+Gauss-Newton step per image, with Levenberg-Marquardt damping. Steps that increase the mean square are reverted.
+Brightness is bilinear, and derivatives match.
 """
 
 import numpy as np
@@ -37,24 +30,17 @@ from .vertex_views import Sightings
 
 SQUARES, COUNT = 27, 28  # behind 21 of the matrix and 6 of the right side
 pose_sums = vector(29, float64)
-# 1 where the pair counts, residual, its slopes by the pose's 6 unknowns, the picture's slopes, column, row
+# 1 if the pair counts, residual, derivatives by the pose's 6 unknowns, image gradient, column, row
 pair_row = vector(12, float64)
-FIRST_DAMPING = 1.0e-6  # of the diagonal: next to none, unless a step fails
-LEAST_DAMPING, MOST_DAMPING = 1.0e-9, 1.0e4  # beyond the last a step is too short to matter
-SHRINK, GROW = 0.1, 10.0  # of the damping after a good and a bad step
-SETTLED = 1.0e-6  # share of the mean square that a turn must win, or the search ends
+FIRST_DAMPING = 1.0e-6  # of the diagonal: negligible unless a step fails
+LEAST_DAMPING, MOST_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
+SHRINK, GROW = 0.1, 10.0  # factors of the damping after good and bad steps
+SETTLED = 1.0e-6  # minimum relative decrease of the mean square
 
 
 @struct
 class SearchState:
-    """Where the search stands: its first number is what `loop_while` looks at.
-
-    Attributes:
-        running: int32 [1].
-        turns: int32 [2], turns so far, and turns at most.
-        error: float64 [4]: mean square at the start, the best so far, damping, the latest.
-        outcome: int32 [1], 1 where the latest turn was the best, else 0.
-    """
+    """`turns`: so far and maximum; `error`: initial, best, damping, latest; `outcome`: 1 if the latest was best."""
 
     running: array(dtype=int32)
     turns: array(dtype=int32)
@@ -76,7 +62,7 @@ def average_brightness_kernel(
     warps: Warps,
     proxies: array(dtype=float64),
 ):
-    """The mean brightness of a vertex over the pictures that show it; 0 where none does."""
+    """Mean brightness of a vertex over its images; 0 without any."""
     i = tid()
     total = float64(0.0)
     count = float64(0.0)
@@ -91,7 +77,7 @@ def average_brightness_kernel(
 
 @func
 def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
-    """The row of a picture and a vertex; zero where the vertex lies outside the picture or in its margin."""
+    """Row of an image and a vertex; zero if the vertex is outside or in the margin."""
     row = pair_row(0.0)
     place = project_vertex(p, image, pictures)
     if place[2] > 0.0:
@@ -126,7 +112,7 @@ def sum_pair_rows(
     pictures: PosedPictures,
     warps: Warps,
 ) -> pose_sums:
-    """The normal equations of a picture's pose, its squares and its pairs."""
+    """Normal equations of an image's pose, squared residuals and pair count."""
     i = tid()
     vertex = sightings.vertices[i]
     row = measure_pair(vertices[vertex], sightings.images[i], proxies[vertex], pictures, warps)
@@ -145,10 +131,7 @@ def sum_pair_rows(
 
 @kernel
 def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), state: SearchState):
-    """Whether the latest poses are the best so far, how far to damp the next step, and whether to go on.
-
-    `ties` are squares that count beside the pairs': those of a warp's anchors. One thread.
-    """
+    """Accept or reject the latest poses, and set the damping; `ties` are squares of warp anchors. One thread."""
     i = tid()
     squares = float64(0.0)
     count = float64(0.0)
@@ -185,7 +168,6 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
 
 @func
 def damped_step(total: pose_sums, damping: float64) -> vec6d:
-    """The motion that the sums ask for."""
     h = triangle(0.0)
     b = vec6d(0.0)
     n = int(6)
@@ -207,7 +189,7 @@ def keep_best_kernel(
     best_sums: array(dtype=pose_sums),
     best_poses: array(dtype=mat44d),
 ):
-    """Keep the poses and sums of a turn that was the best, else go back to those that were. One thread a picture."""
+    """Keep the best poses and sums, else restore them. One thread per image."""
     i = tid()
     if state.outcome[0] == 1:
         best_sums[i] = sums[i]
@@ -218,26 +200,14 @@ def keep_best_kernel(
 
 @kernel
 def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), poses: array(dtype=mat44d)):
-    """Move each picture from its best pose, while the search goes on. One thread a picture."""
+    """Step each image from its best pose. One thread per image."""
     i = tid()
     if state.running[0] == 1 and best_sums[i][COUNT] > 0.0:
         poses[i] = multiply44(small_motion(damped_step(best_sums[i], state.error[2])), poses[i])
 
 
 class ColorSearch:
-    """The arrays of a search for poses, and what is done in each turn.
-
-    Args:
-        vertices: Device array of vec3, about the origin of the poses.
-        sightings: Sightings.
-        pictures: PosedPictures, whose poses are changed.
-        warps: Warps.
-        most_turns: Steps at most.
-
-    Attributes:
-        sums, best_sums: Those of the latest and of the best poses.
-        state: The SearchState.
-    """
+    """Arrays and iterations of a pose search over `pictures`, whose poses change; vertices about their origin."""
 
     def __init__(
         self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, most_turns: int
@@ -254,20 +224,19 @@ class ColorSearch:
         self.state = SearchState(most_turns, device)
 
     def measure(self) -> None:
-        """Means, sums and the decision on the present poses."""
+        """Evaluate means, sums and acceptance at the current poses."""
         shared = [self.pictures, self.warps]
         launch(average_brightness_kernel, self.vertices.size, [self.vertices, self.sightings, *shared, self.proxies])
         given = [self.vertices, self.sightings, self.proxies, *shared]
         reduce_segments(sum_pair_rows, self.blocks, self.live, given, self.partials, self.sums)
 
     def judge(self) -> None:
-        """The decision, and the best poses kept or restored."""
+        """Accept or reject, and keep or restore the best poses."""
         launch(judge_turn_kernel, 1, [self.sums, self.ties, self.state])
         kept = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
         launch(keep_best_kernel, self.pictures.count, kept)
 
     def turn_rigid(self) -> None:
-        """One turn of the rigid search."""
         self.measure()
         self.judge()
         launch(step_poses_kernel, self.pictures.count, [self.state, self.best_sums, self.pictures.poses])

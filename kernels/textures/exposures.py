@@ -1,15 +1,9 @@
-"""Pictures brought to one exposure: for each, and each channel, a factor and how it grows towards the corners.
+"""Exposure compensation: gain and vignetting per image and channel.
 
-Of each two pictures that show a triangle, the logarithms of its colour, plus gain + bend r^2, should be the same (r is
-the distance from the middle of the picture, 1 at the corners: lenses are darker there). In logarithms no noise draws
-the factors down. Colours that are nearly black or clipped say nothing. Gains are drawn to 1 a little, which keeps the
-mean and pictures that share nothing with others, bends to their mean, since it is mostly one lens. The sums that this
-least-squares problem is made of are over pairs of pictures at each triangle, and of whole numbers, logarithms among
-them, so that atomics may add them in any order. The problem itself, two unknowns a picture, is solved on the host: some
-(2 n)^3 operations a channel.
-
-Source: Brown and Lowe, "Automatic Panoramic Image Stitching using Invariant Features", IJCV 2007, section 6, for gains;
-here of logarithms, with bends, and from triangles.
+Least squares on log colors plus gain + bend r^2 (r = 1 at the corners) over image pairs at shared triangles (Brown and
+Lowe, "Automatic Panoramic Image Stitching using Invariant Features", IJCV 2007, section 6, for gains). Nearly black or
+clipped colors are skipped. Gains are regularized to 1, bends to their mean. Sums are integers, so atomics are
+order-independent; the system is solved on the host.
 """
 
 import math
@@ -40,23 +34,19 @@ from ..rays.triangle_voxels import widened_corners
 from .face_views import FaceViews
 from .posed_pictures import PosedPictures, project_vertex
 
-LEVELS = 1024  # of a colour as a whole number
-FINE = 4096  # of a logarithm as a whole number
+LEVELS = 1024  # integer levels of a color
+FINE = 4096  # integer scale of a logarithm
 NUMBERS = 9
-DARKEST, BRIGHTEST = 0.05, 0.97  # colours beyond say nothing of the exposure
-DRAWN = 1.0e-3  # to a gain of 1 and no bend: of what a picture shares with others, in the mean
-ALIKE = 0.1  # of bends to their mean, likewise
-STRONGEST = 0.7  # of bends: a factor of two in the corners
-MOST_VIEWS = 32  # of a triangle, the first of its pictures: what more would add is known then
+DARKEST, BRIGHTEST = 0.05, 0.97  # usable color range
+DRAWN = 1.0e-3  # regularization to gain 1 and no bend, relative to the mean overlap
+ALIKE = 0.1  # regularization of bends to their mean, likewise
+STRONGEST = 0.7  # maximum bend: a factor of two in the corners
+MOST_VIEWS = 32  # of a triangle, its first images: sufficient
 
 
 @struct
 class Exposures:
-    """What colours of pictures are multiplied by: gain times exp(bend r^2), of which four terms are taken.
-
-    Attributes:
-        gains, bends: vec3d [n], by channel.
-    """
+    """Color factors gain * exp(bend r^2), by four series terms: `gains`, `bends` vec3d (n)."""
 
     gains: array(dtype=vec3d)
     bends: array(dtype=vec3d)
@@ -67,7 +57,7 @@ class Exposures:
 
 @func
 def squared_reach(u: float64, v: float64, image: int, pictures: PosedPictures) -> float64:
-    """The squared distance from the middle of a picture, 1 at its corners."""
+    """Squared distance from an image's center, 1 at the corners."""
     size = pictures.sizes[image]
     width = 0.5 * float64(size[0])
     height = 0.5 * float64(size[1])
@@ -78,13 +68,11 @@ def squared_reach(u: float64, v: float64, image: int, pictures: PosedPictures) -
 
 @func
 def as_whole(share: float64) -> int64:
-    """A share of one as a whole number of levels."""
     return int64(floor(share * float64(int64(LEVELS)) + 0.5))
 
 
 @func
 def exposed(color: vec3d, u: float64, v: float64, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
-    """A colour of a picture at the exposure of all."""
     reach = squared_reach(u, v, image, pictures)
     gain = exposures.gains[image]
     shown = vec3d(0.0, 0.0, 0.0)
@@ -104,7 +92,7 @@ def measure_reaches_kernel(
     pictures: PosedPictures,
     reaches: array(dtype=int32),
 ):
-    """How far from the middle each of its pictures shows a triangle: the square, as a whole number."""
+    """Squared radius at which each image shows a triangle, as an integer."""
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     center = narrow((a + b + c) / 3.0)
@@ -116,7 +104,7 @@ def measure_reaches_kernel(
 
 @func
 def logarithm(share: float64, table: array(dtype=int32)) -> int64:
-    """The logarithm of a colour as a whole number; 0 where it says nothing, which no other is."""
+    """Log color as an integer; 0 if invalid."""
     level = min(max(int(as_whole(share)), 0), LEVELS)
     return int64(table[level])
 
@@ -125,11 +113,7 @@ def logarithm(share: float64, table: array(dtype=int32)) -> int64:
 def sum_differences_kernel(
     views: FaceViews, reaches: array(dtype=int32), table: array(dtype=int32), count: int, sums: array(dtype=int64)
 ):
-    """Add what each two pictures' colours say at each triangle: sums of whole numbers, in any order.
-
-    Nine numbers a channel and two pictures, of which the lower one comes first: how many triangles; r^2 in either, its
-    squares and product; the difference d of logarithms, and d r^2 for either.
-    """
+    """Add nine integer statistics per channel of each image pair: count, r^2 moments, log difference d, and d r^2."""
     i = tid()
     first = views.starts[i]
     last = min(views.starts[i + 1], first + MOST_VIEWS)
@@ -154,13 +138,12 @@ def sum_differences_kernel(
 
 
 def plain_exposures(pictures: PosedPictures) -> Exposures:
-    """Pictures as they are."""
     ones, device = np.ones((pictures.count, 3)), pictures.device
     return Exposures(upload(ones, vec3d, device), zeros(pictures.count, vec3d, device))
 
 
 def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pictures: PosedPictures) -> Exposures:
-    """Factors that make pictures agree about the triangles that they share; one sync."""
+    """Exposures that make images agree on shared triangles; one sync."""
     device, n = vertices.device, pictures.count
     levels = np.arange(LEVELS + 1)
     tells = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
@@ -176,7 +159,7 @@ def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pic
 
 
 def _solve(sums: np.ndarray) -> np.ndarray:
-    """Logarithms of gains, and bends, [2, n] of one channel, of sums [n, n, 9]."""
+    """Log gains and bends (2, n) of one channel from sums (n, n, 9)."""
     n, rows = len(sums), np.arange(len(sums))
     A, b = np.zeros((2, n, 2, n)), np.zeros((2, n))
     for (x, y), own, other in (((0, 0), 0, 0), ((0, 1), 1, 3), ((1, 0), 1, 3), ((1, 1), 2, 4)):

@@ -1,13 +1,9 @@
-"""Which pictures show which triangles, how well, and in what colour: what a picture is chosen by for each triangle.
+"""Visibility, quality and mean color of triangles in images (Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
+2014, section 3).
 
-A picture shows a triangle where it has all its corners and its centre, the mesh hides none of them (a ray each), and
-the triangle is seen from before, no flatter than 75 degrees. How well is the integral of the slope of brightness over
-the triangle there (Gal et al. 2010, which Waechter et al. take): area times mean slope, with half a grey level a pixel
-added, so that of plain triangles the larger is the better one; a tenth of it where a corner lies beside an edge of the
-mesh, as its own depth tells, since there a small error of the pose shows something else. One thread a pair walks over
-the triangle's pixels, at most some 4096 of them, on a coarser grid where it has more.
-
-Source: Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV 2014, section 3.
+Visible: all corners and the center are inside, unoccluded by rays, and seen at most 75 degrees from the normal. Quality
+is the integral of the gradient magnitude (Gal et al. 2010) plus half a gray level per pixel, times 0.1 beside depth
+edges. At most about 4096 pixels per triangle.
 """
 
 from collections.abc import Callable, Iterator
@@ -45,24 +41,16 @@ from .posed_pictures import PosedPictures, camera_place, color_at, is_inside, pi
 from .surface_texels import BESIDE, mark_steps_kernel
 from .vertex_views import Sightings, list_sightings, see_in_frame
 
-FLATTEST = 0.258819  # cosine of the angle of view: 75 degrees, as the paper has it
-MARGIN = 1.0  # [px] at a picture's border that shows nothing, so that bilinear values have neighbours
-MOST_SAMPLES = 4096.0  # pixels of a triangle that are looked at, in the mean of its box
-DOUBTED = 0.1  # of its worth has a picture that shows a triangle beside an edge of the mesh
-PLAIN = 0.002  # [1 / px] of brightness, half a grey level: what a triangle without any slope counts
+FLATTEST = 0.258819  # cosine of the view angle: 75 degrees, as in the paper
+MARGIN = 1.0  # [px] ignored image border, for bilinear neighbors
+MOST_SAMPLES = 4096.0  # pixels sampled per triangle, relative to its box
+DOUBTED = 0.1  # quality factor beside depth edges
+PLAIN = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform triangle
 
 
 @struct
 class FaceViews:
-    """The pictures that may colour each triangle.
-
-    Attributes:
-        starts: int32 [t + 1], where each triangle's pictures begin.
-        views: The pictures, ascending for each triangle, int32 [k].
-        qualities: How well each shows it, float64 [k].
-        colors: Its mean colour there, 0..1, vec3 [k].
-        count: Pairs k.
-    """
+    """Candidate images per triangle: `starts` (t + 1); ascending `views`, `qualities`, mean `colors` 0..1 (k)."""
 
     starts: array(dtype=int32)
     views: array(dtype=int32)
@@ -76,7 +64,6 @@ class FaceViews:
 
 @kernel
 def place_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), centers: array(dtype=vec3)):
-    """The centre of each triangle."""
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     centers[i] = narrow((a + b + c) / 3.0)
@@ -84,7 +71,7 @@ def place_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec
 
 @func
 def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
-    """The cosine of the angle between a triangle's normal and the way from its centre to an eye; 0 without area."""
+    """Cosine between a triangle's normal and the direction to the eye; 0 without area."""
     a, b, c = widened_corners(vertices, t)
     n = cross(b - a, c - a)
     way = eye - (a + b + c) / 3.0
@@ -97,7 +84,6 @@ def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
 
 @func
 def inside_margin(p: vec3, image: int, pictures: PosedPictures) -> int:
-    """1 where a picture has a point, its outermost pixels excluded."""
     place = project_vertex(p, image, pictures)
     inside = 0
     if place[2] > 0.0:
@@ -114,7 +100,7 @@ def mask_faces_kernel(
     seen: array(dtype=uint8),
     mask: array(dtype=uint8),
 ):
-    """1 for the triangles that a picture shows whole and from before; seen are vertices, then centres."""
+    """1 for triangles entirely visible from the front; `seen` has vertices, then centers."""
     i = tid()
     t = triangles[i]
     found = 0
@@ -130,7 +116,7 @@ def mask_faces_kernel(
 
 @func
 def slope_at(u: int, v: int, image: int, pictures: PosedPictures) -> float64:
-    """The length of the slope of brightness at a pixel [1 / px], by central differences."""
+    """Gradient magnitude at a pixel [1 / px], by central differences."""
     size = pictures.sizes[image]
     left = size[2] + v * size[0] + max(u - 1, 0)
     right = size[2] + v * size[0] + min(u + 1, size[0] - 1)
@@ -143,7 +129,6 @@ def slope_at(u: int, v: int, image: int, pictures: PosedPictures) -> float64:
 
 @func
 def pixel_color(u: int, v: int, image: int, pictures: PosedPictures) -> vec3d:
-    """The colour of a pixel, 0..255."""
     size = pictures.sizes[image]
     at = size[2] + v * size[0] + u
     red = float64(int(pictures.pixels[at, 0]))
@@ -153,13 +138,12 @@ def pixel_color(u: int, v: int, image: int, pictures: PosedPictures) -> vec3d:
 
 @func
 def flat(place: pixel) -> vec3d:
-    """A pixel's place without its depth."""
     return vec3d(place[0], place[1], 0.0)
 
 
 @func
 def beside_step(u: float64, v: float64, image: int, pictures: PosedPictures, steps: array(dtype=uint8)) -> int:
-    """1 where the mesh's depth steps within two pixels of a place in a picture."""
+    """1 if the depth is discontinuous within two pixels."""
     size = pictures.sizes[image]
     column = int(floor(u + 0.5))
     row = int(floor(v + 0.5))
@@ -182,7 +166,7 @@ def measure_views_kernel(
     qualities: array(dtype=float64),
     colors: array(dtype=vec3),
 ):
-    """The picture of each pair, in the order of triangles, how well it shows its triangle, and in what colour."""
+    """Image, quality and mean color of each pair, in triangle order."""
     i = tid()
     pair = sightings.order[i]
     image = sightings.images[pair]
@@ -234,7 +218,6 @@ def measure_views_kernel(
 
 @kernel
 def count_kept_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), counts: array(dtype=int32)):
-    """How many of its pictures each triangle keeps."""
     i = tid()
     count = 0
     for k in range(starts[i], starts[i + 1]):
@@ -245,7 +228,6 @@ def count_kept_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), coun
 
 @kernel
 def copy_kept_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceViews):
-    """The pictures that each triangle keeps, in their order."""
     i = tid()
     place = after.starts[i]
     for k in range(before.starts[i], before.starts[i + 1]):
@@ -257,14 +239,7 @@ def copy_kept_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceVie
 
 
 class FaceLooks:
-    """Looks at a mesh's triangles in one picture after the other.
-
-    Args:
-        vertices, triangles: Device arrays of vec3 [m] and vec3i [t].
-        pictures: PosedPictures.
-        trees: Of the mesh, as `plant_trees` gives them.
-        farthest: Points farther away are not shown [m].
-    """
+    """Visibility of a mesh's triangles image by image; points beyond `farthest` [m] are not visible."""
 
     def __init__(
         self, vertices: Points, triangles: Triangles, pictures: PosedPictures, trees: SceneTrees, farthest: float
@@ -277,7 +252,6 @@ class FaceLooks:
         self.steps = empty(pictures.pixels.shape[0], uint8, vertices.device)
 
     def mask(self, image: int) -> Mask:
-        """The triangles that a picture shows, uint8 [t]."""
         points, pictures = self.points, self.pictures
         seen = see_in_frame(points, image, pictures, self.farthest)
         drop_hidden(points, image, pictures, self.trees, seen)
@@ -290,7 +264,7 @@ class FaceLooks:
         return mask
 
     def views(self, say: Callable[[int], None]) -> FaceViews:
-        """The pictures of all triangles; says how many pictures were looked at. A few syncs."""
+        """Images of all triangles; reports progress to `say`. A few syncs."""
         sightings = list_sightings(self._masks(say))  # sync
         device, count = self.vertices.device, sightings.count
         views, qualities = empty(count, int32, device), empty(count, float64, device)
@@ -306,7 +280,7 @@ class FaceLooks:
 
 
 def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
-    """The pairs of a mask uint8 [k]; one sync."""
+    """Select pairs by a mask uint8 (k); one sync."""
     faces, device = views.starts.size - 1, views.device
     counts = empty(faces, int32, device)
     launch(count_kept_kernel, faces, [views.starts, keep, counts])

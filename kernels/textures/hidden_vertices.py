@@ -1,8 +1,4 @@
-"""What the mesh itself hides from a picture's camera, by rays: of points, or as a depth picture of the mesh.
-
-A ray to a point ends a thousandth of its length before it, so the point's own triangles are not met, and what is hidden
-by less than that counts as seen. 24 B written and read a ray beside the walk through the tree (rays/).
-"""
+"""Occlusion of points by the mesh, by rays that end 0.1 % before the point, and depth images of the mesh."""
 
 import numpy as np
 
@@ -14,12 +10,12 @@ from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_tree import TriangleTree
 from .posed_pictures import PosedPictures, camera_place
 
-SHORT = 0.999  # share of the way to the point that must be free
+SHORT = 0.999  # fraction of the ray that must be free
 
 
 @kernel
 def aim_pixels_kernel(image: int, pictures: PosedPictures, rays: array(dtype=float32)):
-    """The ray through each pixel's centre; its parameter is the depth."""
+    """Ray through each pixel's center; its parameter is the depth."""
     i = tid()
     eye = camera_place(image, pictures)
     T = pictures.poses[image]
@@ -35,7 +31,6 @@ def aim_pixels_kernel(image: int, pictures: PosedPictures, rays: array(dtype=flo
 
 @kernel
 def drop_infinite_kernel(depth: array(dtype=float32)):
-    """0 in place of infinity."""
     i = tid()
     if not isfinite(depth[i]):
         depth[i] = 0.0
@@ -49,7 +44,7 @@ def aim_rays_kernel(
     seen: array(dtype=uint8),
     rays: array(dtype=float32),
 ):
-    """The ray from a picture's camera to each vertex; one of no length, which meets nothing, where it is not asked."""
+    """Ray from the camera to each vertex; zero-length where not needed."""
     i = tid()
     eye = camera_place(image, pictures)
     way = vec3(0.0, 0.0, 0.0)
@@ -64,19 +59,18 @@ def aim_rays_kernel(
 
 @kernel
 def keep_free_kernel(occluded: array(dtype=uint8), seen: array(dtype=uint8)):
-    """Drop what is occluded."""
     i = tid()
     if occluded[i] != 0:
         seen[i] = 0
 
 
 def plant_trees(vertices: Points, triangles: Triangles) -> SceneTrees:
-    """What rays are cast against: SceneTrees of one mesh in its own coordinates."""
+    """SceneTrees of one mesh in its own coordinates."""
     return SceneTrees([TriangleTree(vertices, triangles)], [0], np.eye(4)[None])
 
 
 def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scalars:
-    """The mesh's depth in a picture, float32 [pixels]; 0 where it is not."""
+    """Depth of the mesh in an image, float32 (pixels); 0 if empty."""
     width, height, _ = pictures.layout[image].tolist()
     rays = empty(6 * width * height, float32, pictures.device)
     launch(aim_pixels_kernel, width * height, [image, pictures, rays])
@@ -86,7 +80,7 @@ def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scal
 
 
 def drop_hidden(vertices: Points, image: int, pictures: PosedPictures, trees: SceneTrees, seen: Mask) -> Mask:
-    """Clear the mask `seen` (uint8 [m]) where the mesh hides the vertex from a picture's camera; the mask itself."""
+    """Clear `seen` (uint8 (m), in place, returned) for vertices that the mesh hides from a camera."""
     rays = empty(6 * vertices.size, float32, vertices.device)
     launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, seen, rays])
     launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, SHORT), seen])

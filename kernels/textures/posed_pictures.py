@@ -1,12 +1,8 @@
-"""Pictures with poses as device arrays, and what they show at a point: where it lies, its brightness and the slope.
+"""Posed images on the device: projection, brightness and gradient.
 
-Brightness is the luma of ITU-R BT.601 in 0..1, smoothed once by (1, 2, 1) / 4 along both axes. Slopes are Sobel's over
-8, so that they are those of the brightness [1 / px]. (Open3D leaves the 8 out: its Gauss-Newton steps are an eighth of
-what they should be.) Between pixels both are bilinear: 16 reads of 4 B, some 100 operations.
-
-A picture may have a warp, a grid of shifts over it that are bilinear between its anchors (Zhou and Koltun 2014,
-"Color map optimization for 3D reconstruction with consumer depth cameras", section 4.3): the point that the camera
-projects to (u, v) is found at (u, v) + shift(u, v). A picture without one has a grid of no rows.
+Brightness is BT.601 luma in 0..1, smoothed by (1, 2, 1) / 4. Gradients are Sobel / 8 [1 / px] (Open3D omits the 8, so
+its Gauss-Newton steps are too short). Both are bilinear. An optional warp shifts (u, v) bilinearly between grid anchors
+(Zhou and Koltun 2014, "Color map optimization for 3D reconstruction with consumer depth cameras", section 4.3).
 """
 
 import numpy as np
@@ -35,23 +31,16 @@ from ..lang import (
 )
 from ..memory import empty, upload, zeros
 
-LARGEST_PIXEL = 1.0e9  # farther out a column has no meaning, and no int32
+LARGEST_PIXEL = 1.0e9  # limit of image coordinates, which fits into int32
 pixel = vector(3, float64)  # column, row and depth [m]
-shade = vector(3, float64)  # brightness, and its slopes along a row and a column [1 / px]
+shade = vector(3, float64)  # brightness, and its gradient along row and column [1 / px]
 warp_place = vector(6, float64)  # shift along u and v, then its derivatives: du/du, dv/du, du/dv, dv/dv
 
 
 @struct
 class PosedPictures:
-    """Pictures one after the other, with their cameras and poses.
-
-    Args:
-        sizes: Width, height and first pixel of each, int [n, 3].
-        lenses: fx, fy, cx, cy of each [px], float64 [n, 4].
-        poses: T_camera_world of each about the mesh's origin, float64 [n, 4, 4].
-        pixels: 8-bit colours of all, uint8 device array [pixels, 3].
-        brightness: Smoothed brightness of all, float32 device array [pixels].
-        margin: Pixels at the border that are not looked at.
+    """Concatenated images. `sizes`: width, height, first pixel; `lenses`: fx, fy, cx, cy [px]; `poses` T_camera_world
+    about the mesh origin; `margin` [px], ignored border.
     """
 
     sizes: array(dtype=vec3i)
@@ -79,18 +68,7 @@ class PosedPictures:
 
 @struct
 class Warps:
-    """Grids of anchors over pictures, and the shift of the picture at each.
-
-    Args:
-        sizes: Width and height of each picture [px], int [n, >= 2].
-        rows: Anchors along a column of each picture; 0 for no warps. Along a row there are as many as cover it.
-
-    Attributes:
-        grids: Columns, rows and first anchor of each picture; anchors go down the columns.
-        steps: Distance of anchors [px].
-        shifts: [px] at each anchor, along u and v.
-        count: Anchors in all.
-    """
+    """Warp grids of images: `grids`: columns, rows, first anchor, column-major; `steps`, `shifts` in u, v [px]."""
 
     grids: array(dtype=vec3i)
     steps: array(dtype=float64)
@@ -111,7 +89,7 @@ class Warps:
 def smooth_brightness_kernel(
     pixels: array(dtype=uint8, ndim=2), first: int, width: int, height: int, brightness: array(dtype=float32)
 ):
-    """The smoothed brightness of one picture's pixels; beyond the border the last pixel goes on."""
+    """Smoothed brightness of one image; the border is replicated."""
     i = tid()
     u = i % width
     v = i // width
@@ -126,12 +104,12 @@ def smooth_brightness_kernel(
             luma = RED * float(pixels[at, 0]) + GREEN * float(pixels[at, 1]) + BLUE * float(pixels[at, 2])
             line += luma * float(2 - abs(b - 1))
         total += line * float(2 - abs(a - 1))
-    brightness[first + i] = total / 4080.0  # 16 weights, and 255 for 1
+    brightness[first + i] = total / 4080.0  # 16 weights times 255
 
 
 @func
 def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
-    """Column, row and depth of a point; depth -1 where it is not before the camera, or NaN."""
+    """Column, row and depth of a point; depth -1 behind the camera, or NaN."""
     T = pictures.poses[image]
     lens = pictures.lenses[image]
     x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
@@ -148,7 +126,6 @@ def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
 
 @func
 def camera_place(image: int, pictures: PosedPictures) -> vec3d:
-    """Where a picture's camera stands [m], about the mesh's origin."""
     T = pictures.poses[image]
     return vec3d(
         -(T[0, 0] * T[0, 3] + T[1, 0] * T[1, 3] + T[2, 0] * T[2, 3]),
@@ -159,7 +136,6 @@ def camera_place(image: int, pictures: PosedPictures) -> vec3d:
 
 @func
 def is_inside(u: float64, v: float64, image: int, margin: float64, pictures: PosedPictures) -> int:
-    """1 where a place lies in the picture, its margin excluded."""
     size = pictures.sizes[image]
     inside = 0
     if u >= margin and v >= margin and u < float64(size[0]) - margin and v < float64(size[1]) - margin:
@@ -169,7 +145,7 @@ def is_inside(u: float64, v: float64, image: int, margin: float64, pictures: Pos
 
 @func
 def nearest_pixel(u: float64, v: float64, image: int, pictures: PosedPictures) -> int:
-    """The pixel whose centre is nearest to a place inside a picture, in the array of all pixels."""
+    """Index of the nearest pixel, in the array of all pixels."""
     size = pictures.sizes[image]
     column = min(int(floor(u + 0.5)), size[0] - 1)
     row = min(int(floor(v + 0.5)), size[1] - 1)
@@ -178,10 +154,7 @@ def nearest_pixel(u: float64, v: float64, image: int, pictures: PosedPictures) -
 
 @func
 def count_of_tap(k: int, t: float64) -> shade:
-    """What the k-th of four pixels in a line counts at a share t between the middle two.
-
-    In a bilinear mean, in a central difference, and in a mean smoothed by (1, 2, 1) / 4.
-    """
+    """Weights of the k-th of four pixels at fraction t: bilinear, central difference, and smoothed by (1, 2, 1) / 4."""
     quarter = float64(0.25)
     half = float64(0.5)
     mean = float64(0.0)
@@ -203,7 +176,7 @@ def count_of_tap(k: int, t: float64) -> shade:
 
 @func
 def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> shade:
-    """Brightness and its slopes at a place inside a picture."""
+    """Brightness and its gradient inside an image."""
     size = pictures.sizes[image]
     left = int(floor(u))
     top = int(floor(v))
@@ -225,7 +198,7 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
 
 @func
 def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
-    """The shift at a place of a picture and its derivatives; zero where the picture has no warp."""
+    """Warp shift and its derivatives; zero without a warp."""
     grid = warps.grids[image]
     result = warp_place(0.0)
     if grid[1] > 0:
@@ -249,7 +222,7 @@ def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
 
 @func
 def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> pixel:
-    """Where a picture shows a point, its warp included; depth -1 where it does not."""
+    """Warped image position of a point; depth -1 if it is not visible."""
     place = project_vertex(p, image, pictures)
     if place[2] > 0.0:
         warp = warp_at(place[0], place[1], image, warps)
@@ -266,7 +239,6 @@ def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> p
 
 @func
 def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec3d:
-    """The colour at a place inside a picture, 0..255, bilinear."""
     size = pictures.sizes[image]
     left = int(floor(u))
     top = int(floor(v))
@@ -288,7 +260,6 @@ def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec
 
 @kernel
 def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out: array(dtype=uint8, ndim=2)):
-    """The picture that a camera without the warp would have taken; bilinear, black where the warp leaves it."""
     i = tid()
     size = pictures.sizes[image]
     place = vec2d(float64(i % size[0]), float64(i // size[0]))
@@ -304,7 +275,7 @@ def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out:
 
 
 def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
-    """The smoothed brightness of pictures one after the other, float32 [pixels]; sizes as in PosedPictures."""
+    """Smoothed brightness of concatenated images, float32 (pixels)."""
     brightness = empty(pixels.shape[0], float32, pixels.device)
     for width, height, first in np.asarray(sizes).tolist():
         launch(smooth_brightness_kernel, width * height, [pixels, first, width, height, brightness])
@@ -312,7 +283,7 @@ def smooth_brightness(pixels: Array2[uint8], sizes: np.ndarray) -> Scalars:
 
 
 def unwarp_pixels(image: int, pictures: PosedPictures, warps: Warps) -> Array2[uint8]:
-    """A picture as it would be without its warp, uint8 [pixels, 3]."""
+    """Unwarped image, uint8 (pixels, 3)."""
     width, height = pictures.layout[image][:2]
     out = empty((int(width) * int(height), 3), uint8, pictures.device)
     launch(unwarp_pixels_kernel, out.shape[0], [int(image), pictures, warps, out])

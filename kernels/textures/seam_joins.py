@@ -1,13 +1,6 @@
-"""Texels beside seams changed so that both sides have the same colours as they are drawn: bilinear, all along.
-
-The two sides of a seam lie on grids of their own, so the same colours at the same places do not draw the same: where a
-picture changes within a texel they differ by what each grid leaves out. So each seam edge is looked at in two places a
-texel, each the difference of four texels at either side by their bilinear weights, and texels change by x such that
-
-    sum over places (step + difference of x)^2 + HOLD sum over texels x^2
-
-is least (Iwanicki, "Lighting technology of The Last of Us", SIGGRAPH 2013, for light maps). Only texels that are drawn
-at a seam are unknowns. Conjugate gradients, sums in fixed orders; some 200 B a place, 200 B a texel of these and turn.
+"""Texel corrections so that bilinear colors agree along seams (Iwanicki, "Lighting technology of The Last of Us",
+SIGGRAPH 2013). Two samples per texel along seam edges; minimizes sum (step + difference of x)^2 + HOLD sum x^2 over the
+texels drawn at seams, by conjugate gradients with fixed-order sums.
 """
 
 from ..array_types import Array1, Bytes
@@ -42,33 +35,20 @@ from .atlas_colors import Atlas, texel_place
 from .chart_texels import ChartTexels
 from .seam_levels import Seams, is_seam, name_nodes_kernel
 
-A_TEXEL = 2.0  # places looked at, of the longer side
-MOST_PLACES = 1024  # of an edge
-SIDES = 8  # texels that a place is drawn from: four at either side
-HOLD = 0.01  # to no change: it leaves a hundredth of a step
+A_TEXEL = 2.0  # samples per texel along the longer side
+MOST_PLACES = 1024  # per edge
+SIDES = 8  # texels of a sample: four per side
+HOLD = 0.01  # weight of no change: leaves 1 % of a step
 SOLVED = 1.0e-8
 MOST_TURNS = 300
-MOST = 0.95  # of steps: what `drawn_steps` gives beside the mean
+MOST = 0.95  # quantile reported by `drawn_steps`
 
-step_sums = vector(2, float64)  # how many places, the sum of steps
+step_sums = vector(2, float64)  # sample count, sum of steps
 
 
 @struct
 class SeamPlaces:
-    """Where seams are looked at, and the texels that are drawn there.
-
-    Args:
-        texels: ChartTexels, whose seams have a twin each.
-        seams: Seams.
-
-    Attributes:
-        firsts: The first place of each half-edge, int32 [3 t + 1]; seams count at their lower half-edge.
-        keys: The texel, int64 [8 p]: four at one side, four at the other.
-        weights: Theirs in the difference of both sides, float64 [8 p].
-        starts, entries: The entries of each unknown, int32 [n + 1] and [8 p].
-        nodes: The unknown of each entry, int32 [8 p].
-        count, place_count: Unknowns n, and places p.
-    """
+    """Seam samples: `firsts` per half-edge; `keys`, `weights` (8 p): four texels per side; `nodes`: unknowns."""
 
     firsts: array(dtype=int32)
     keys: array(dtype=int64)
@@ -78,7 +58,6 @@ class SeamPlaces:
     nodes: array(dtype=int32)
 
     def __init__(self, texels: ChartTexels, seams: Seams) -> None:
-        """Two syncs."""
         device, corners = texels.owners.device, seams.twins.size
         counts = empty(corners, int32, device)
         launch(count_places_kernel, corners, [texels.atlas, seams, counts])
@@ -96,7 +75,7 @@ class SeamPlaces:
 
 @func
 def side_places(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, vec3d]:
-    """The ends of an edge in texels as a half-edge of it has them, in the order of another."""
+    """Texel coordinates of an edge's ends from a half-edge, in another's order."""
     v = corner_vertex(seams.triangles, other)
     begin = corner_at(seams.triangles, h, v)
     end = next_corner(h)
@@ -110,7 +89,7 @@ def side_places(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, 
 
 @kernel
 def count_places_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
-    """How many places each half-edge is looked at; none but on seams, and there at the lower one of two."""
+    """Samples of each half-edge; only on seams, at the lower half-edge."""
     i = tid()
     count = 0
     seam = is_seam(i, seams)
@@ -124,7 +103,6 @@ def count_places_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
 
 @kernel
 def place_samples_kernel(atlas: Atlas, seams: Seams, places: SeamPlaces):
-    """The texels of a place at both sides, and their weights."""
     i = tid()
     h = find_owner(places.firsts, i)
     share = (float64(i - places.firsts[h]) + 0.5) / float64(places.firsts[h + 1] - places.firsts[h])
@@ -158,7 +136,6 @@ def place_samples_kernel(atlas: Atlas, seams: Seams, places: SeamPlaces):
 
 @kernel
 def see_steps_kernel(places: SeamPlaces, colors: array(dtype=vec3d), steps: array(dtype=vec3d)):
-    """The difference of both sides at each place."""
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
     for k in range(SIDES):
@@ -168,7 +145,6 @@ def see_steps_kernel(places: SeamPlaces, colors: array(dtype=vec3d), steps: arra
 
 @kernel
 def begin_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), diagonal: array(dtype=float64), state: Gradients):
-    """The diagonal of the matrix, and the right side."""
     i = tid()
     weight = float64(HOLD)
     right = vec3d(0.0, 0.0, 0.0)
@@ -183,7 +159,6 @@ def begin_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), diagonal: 
 
 @kernel
 def turn_steps_kernel(places: SeamPlaces, state: Gradients, steps: array(dtype=vec3d)):
-    """The difference of the search direction at each place."""
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
     for k in range(SIDES):
@@ -193,7 +168,6 @@ def turn_steps_kernel(places: SeamPlaces, state: Gradients, steps: array(dtype=v
 
 @kernel
 def map_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), state: Gradients):
-    """The product of the matrix and the search direction."""
     i = tid()
     total = state.search[i] * float64(HOLD)
     for j in range(places.starts[i], places.starts[i + 1]):
@@ -204,14 +178,13 @@ def map_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), state: Gradi
 
 @kernel
 def change_joined_kernel(places: SeamPlaces, solution: array(dtype=vec3d), colors: array(dtype=vec3d)):
-    """Change the texels that are drawn at seams."""
     i = tid()
     texel = int(places.keys[places.entries[places.starts[i]]])
     colors[texel] = colors[texel] + solution[i]
 
 
 def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
-    """Change colours, 0..255, so that both sides of seams are drawn alike; no sync beside the solve."""
+    """Correct colors, 0..255, in place; no sync besides the solve."""
     device, count = colors.device, places.count
     if not count:
         return
@@ -233,7 +206,7 @@ def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
 
 @kernel
 def drawn_steps_kernel(places: SeamPlaces, picture: array(dtype=uint8), sizes: array(dtype=float64)):
-    """The step at each place as the finished texture is drawn, 0..255, in the mean of three channels."""
+    """Step at each sample of the finished texture, 0..255, mean of three channels."""
     i = tid()
     total = float64(0.0)
     for channel in range(3):
@@ -247,16 +220,12 @@ def drawn_steps_kernel(places: SeamPlaces, picture: array(dtype=uint8), sizes: a
 
 @reduction
 def sum_steps(sizes: array(dtype=float64)) -> step_sums:
-    """How many there are, and their sum."""
     i = tid()
     return step_sums(1.0, sizes[i])
 
 
 def drawn_steps(places: SeamPlaces, picture: Bytes) -> tuple[float, float] | None:
-    """The mean step of a finished texture across seams, and that which 95 % are below, 0..255; None without seams.
-
-    Three channels in the mean, float64; a few syncs.
-    """
+    """(mean, 95th percentile) of the finished texture's steps across seams, 0..255, or None. A few syncs."""
     if not places.place_count:
         return None
     sizes = empty(places.place_count, float64, picture.device)

@@ -1,16 +1,8 @@
-"""Colours made to agree where charts of different pictures meet: a shift for each vertex and picture.
+"""Seam leveling: a color shift per vertex and image (Waechter, Moehrle and Goesele 2014, eq. 3).
 
-Unknowns are pairs of a vertex and a picture that a triangle at it takes. Along each seam edge the colours of both
-pictures are compared at up to 32 places; the difference at either end is their mean, by weights that fall to zero at
-the other. The shifts g minimise
-
-    sum over ends of seam edges (d + g_a - g_b)^2 + (1 / lambda) sum over edges within charts (g_v - g_w)^2
-
-and a pull to zero that is far weaker, so that the mean stays, or holds shifts near their seams where pictures are at
-one exposure already (Waechter, Moehrle and Goesele 2014, eq. 3; there the
-differences are taken for each vertex, here for each edge, so that at a vertex of three pictures only colours along the
-same edge are compared). The three channels are one system, solved by conjugate gradients with the diagonal as
-preconditioner, in float64; sums run in fixed orders. A turn costs some 60 B a corner.
+Minimizes sum over ends of seam edges (d + g_a - g_b)^2 + (1 / lambda) sum over chart edges (g_v - g_w)^2 with a weak
+pull to zero. Differences d are weighted means of up to 32 samples along the edge, per edge instead of per vertex.
+Conjugate gradients with diagonal preconditioner in float64, fixed-order sums.
 """
 
 from ..algebra.transform import widen
@@ -43,33 +35,20 @@ from ..meshes.mesh_topology import corner_vertex, next_corner
 from .exposures import Exposures, exposed
 from .posed_pictures import PosedPictures, color_at, project_vertex
 
-SAMPLES = 32  # of an edge at most: one a pixel
-STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart counts for two triangles
-PULL = 1.0e-5  # towards no shift,
-PULL_LEVEL = 0.1  # and of pictures at one exposure: what still differs there, by poses, goes no farther than ten edges
-SOLVED = 1.0e-12  # of the squared residual that the solve begins with
+SAMPLES = 32  # maximum samples per edge: one per pixel
+STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge within a chart belongs to two triangles
+PULL = 1.0e-5  # weight of zero shift,
+PULL_LEVEL = 0.1  # and for exposure-corrected images: remaining differences come from poses and stay within ten edges
+SOLVED = 1.0e-12  # of the initial squared residual
 MOST_TURNS = 3000
 
-step_sums = vector(3, float64)  # how many samples, the sum of steps, of their squares
+step_sums = vector(3, float64)  # sample count, sums of steps and of their squares
 
 
 @struct
 class Seams:
-    """Where the pictures of a mesh's triangles meet.
-
-    Args:
-        triangles: vec3i [t], by vertices that are one where they lie at one place.
-        twins: The half-edge beyond each, int32 [3 t]; -1 for none.
-        views: The picture of each triangle, int32 [t]; -1 for none.
-        picture_count: How many there are.
-        vertex_count: Of the mesh.
-
-    Attributes:
-        nodes: The unknown at each corner, int32 [3 t].
-        starts, corners: The corners of each unknown, int32 [n + 1] and [3 t].
-        begins, ends: The difference of colours at either end of each half-edge on a seam, this picture's less the
-            other's, 0..255; vec3d [3 t].
-        count: Unknowns n.
+    """Seams between images (merged vertices; `twins`, `views` or -1). `nodes`: unknown per corner; `starts`, `corners`
+    per unknown; `begins`, `ends`: color difference at the edge ends, 0..255.
     """
 
     triangles: array(dtype=vec3i)
@@ -84,7 +63,6 @@ class Seams:
     def __init__(
         self, triangles: Triangles, twins: Indices, views: Indices, picture_count: int, vertex_count: int
     ) -> None:
-        """One sync."""
         device, corners = triangles.device, 3 * triangles.size
         self.triangles, self.twins, self.views = triangles, twins, views
         keys, bits = empty(corners, int64, device), max(1, picture_count.bit_length())
@@ -100,14 +78,13 @@ class Seams:
 def list_node_keys_kernel(
     triangles: array(dtype=vec3i), views: array(dtype=int32), bits: int, keys: array(dtype=int64)
 ):
-    """The vertex of each corner above its picture; 0 stands for none."""
+    """Vertex of each corner above its image; 0 for none."""
     i = tid()
     keys[i] = (int64(corner_vertex(triangles, i)) << int64(bits)) | int64(views[i // 3] + 1)
 
 
 @kernel
 def name_nodes_kernel(starts: array(dtype=int32), corners: array(dtype=int32), nodes: array(dtype=int32)):
-    """The unknown at each corner."""
     i = tid()
     for j in range(starts[i], starts[i + 1]):
         nodes[corners[j]] = i
@@ -115,7 +92,7 @@ def name_nodes_kernel(starts: array(dtype=int32), corners: array(dtype=int32), n
 
 @func
 def is_seam(h: int, seams: Seams) -> int:
-    """1 where the triangles at both sides of a half-edge take different pictures."""
+    """1 if the triangles of a half-edge use different images."""
     found = 0
     twin = seams.twins[h]
     if twin >= 0:
@@ -128,7 +105,7 @@ def is_seam(h: int, seams: Seams) -> int:
 
 @func
 def picture_color(p: vec3d, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
-    """The colour of a place in a picture at the exposure of all, 0..255; beyond the border that of the last pixel."""
+    """Exposure-corrected color of an image, 0..255, with replicated border."""
     place = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, pictures)
     size = pictures.sizes[image]
     u = min(max(place[0], 0.0), float64(size[0] - 1))
@@ -138,7 +115,6 @@ def picture_color(p: vec3d, image: int, pictures: PosedPictures, exposures: Expo
 
 @func
 def samples_of(a: vec3, b: vec3, image: int, pictures: PosedPictures) -> int:
-    """How many places of an edge are looked at: one a pixel of a picture."""
     p = project_vertex(a, image, pictures)
     q = project_vertex(b, image, pictures)
     x = q[0] - p[0]
@@ -148,7 +124,7 @@ def samples_of(a: vec3, b: vec3, image: int, pictures: PosedPictures) -> int:
 
 @kernel
 def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures):
-    """The difference of the colours at both sides, at either end of each seam edge."""
+    """Color difference of both sides at the ends of each seam edge."""
     i = tid()
     at_begin = vec3d(0.0, 0.0, 0.0)
     at_end = vec3d(0.0, 0.0, 0.0)
@@ -174,13 +150,12 @@ def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: Po
 
 @func
 def node_beyond(h: int, v: int, seams: Seams) -> int:
-    """The unknown at a vertex of a half-edge, on the other side of it."""
+    """Unknown at a half-edge's vertex, on the other side."""
     return seams.nodes[corner_at(seams.triangles, seams.twins[h], v)]
 
 
 @kernel
 def begin_levels_kernel(seams: Seams, pull: float64, weights: array(dtype=float64), state: Gradients):
-    """The diagonal of the matrix, and the right side, which is the residual of no shift."""
     i = tid()
     weight = pull
     right = vec3d(0.0, 0.0, 0.0)
@@ -201,7 +176,6 @@ def begin_levels_kernel(seams: Seams, pull: float64, weights: array(dtype=float6
 
 @kernel
 def map_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradients):
-    """The product of the matrix and the search direction."""
     i = tid()
     total = weights[i] * state.search[i]
     for j in range(seams.starts[i], seams.starts[i + 1]):
@@ -222,7 +196,7 @@ def map_levels_kernel(seams: Seams, weights: array(dtype=float64), state: Gradie
 def sum_steps(
     vertices: array(dtype=vec3), seams: Seams, pictures: PosedPictures, exposures: Exposures, shifts: array(dtype=vec3d)
 ) -> step_sums:
-    """The steps across seam edges with shifts, in the mean of three channels: count, sum, sum of squares."""
+    """Statistics of shifted steps across seam edges, mean of three channels: count, sum, sum of squares."""
     i = tid()
     sums = step_sums(0.0)
     seam = is_seam(i, seams)
@@ -245,18 +219,7 @@ def sum_steps(
 
 
 class SeamLevels:
-    """The shifts of one mesh's colours.
-
-    Args:
-        vertices: vec3 [m].
-        seams: Seams.
-        pictures: PosedPictures.
-        exposures: Theirs.
-
-    Attributes:
-        shifts: vec3d [n], 0..255; zero until `solve`.
-        turns: How many the solve took.
-    """
+    """Color shifts of a mesh: `shifts` vec3d (n), 0..255, zero until `solve`; `turns` of the solve."""
 
     def __init__(self, vertices: Points, seams: Seams, pictures: PosedPictures, exposures: Exposures) -> None:
         self.vertices, self.seams, self.pictures, self.exposures = vertices, seams, pictures, exposures
@@ -265,7 +228,7 @@ class SeamLevels:
         launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures, exposures])
 
     def solve(self, *, level: bool = False) -> None:
-        """Find the shifts, `level` where pictures were brought to one exposure; one sync."""
+        """Solve for the shifts; `level` if images were exposure-corrected. One sync."""
         count, device = self.seams.count, self.vertices.device
         state = Gradients(self.shifts, SOLVED, MOST_TURNS, zeros(1, vec2d, device))
         weights = empty(count, float64, device)
@@ -281,7 +244,7 @@ class SeamLevels:
         self.turns = int(download(state.turns)[0])  # sync
 
     def mean_step(self) -> float | None:
-        """The mean step across seams with these shifts, 0..255, in float64; None where there are none. One sync."""
+        """Mean step across seams, 0..255; None without seams. One sync."""
         given = [self.vertices, self.seams, self.pictures, self.exposures, self.shifts]
         count, total, _ = download(reduce(sum_steps, 3 * self.seams.triangles.size, given))[0].tolist()  # sync
         return total / count if count else None

@@ -1,10 +1,6 @@
-"""Colours beside seams changed until both sides meet, in strips of 20 texels.
-
-What shifts of vertices leave at seams, since colours change along an edge, goes here: at a seam both sides
-take the mean of both, bent so that where three and more pictures meet all take the mean of all. From there the change
-fades, harmonically (the Laplace equation is Poisson's for an unchanged gradient: Perez et al. 2003), to nothing at the
-strip's other border. It is solved by conjugate gradients, 80 B a texel of the strips and turn. How both sides are drawn
-is the matter of seam_joins.py. Source: Waechter, Moehrle and Goesele 2014, section 4.2.
+"""Seam blending in strips of 20 texels (Waechter, Moehrle and Goesele 2014, section 4.2): both sides take their mean at
+the seam, adjusted to the mean of all images at shared vertices. The change fades harmonically to zero (Laplace
+equation; Perez et al. 2003), by conjugate gradients.
 """
 
 from ..algebra.transform import widen
@@ -20,16 +16,16 @@ from .exposures import Exposures
 from .posed_pictures import PosedPictures
 from .seam_levels import Seams, is_seam, node_beyond, picture_color
 
-ON_SEAM = 1.5  # [texels] from a seam within which a chart's texel lies on it
-REACH = 4.0  # [texels] and one of its rings
-STRIP = 20  # texels from a seam over which a change fades, the paper's
+ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
+REACH = 4.0  # [texels] the same for ring texels
+STRIP = 20  # texels over which a change fades, as in the paper
 SOLVED = 1.0e-8
 MOST_TURNS = 400
 
 
 @func
 def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
-    """The share of the way from a to b at which a place lies nearest."""
+    """Parameter of the nearest point on segment a b."""
     way = b - a
     squared = dot(way, way)
     share = float64(0.0)
@@ -40,7 +36,7 @@ def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
 
 @func
 def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: float64) -> vec3d:
-    """The half-edge of a triangle on a seam that is nearest to a place, how far it is, and the share on its way."""
+    """Nearest seam half-edge of a triangle, its distance, and the parameter."""
     a, b, c = texel_corners(texels.atlas, owner)
     found = vec3d(-1.0, 1.0e9, 0.0)
     for side in range(3):
@@ -63,10 +59,7 @@ def mean_at_vertices_kernel(
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
 ):
-    """The mean colour of a vertex over all pictures that a triangle at it takes, shifts included.
-
-    One thread an unknown; those of a vertex lie side by side, and the first of them writes.
-    """
+    """Mean color of a vertex over its images, with shifts. One thread per unknown; the first of a vertex writes."""
     i = tid()
     v = corner_vertex(seams.triangles, seams.corners[seams.starts[i]])
     first = 1
@@ -102,7 +95,7 @@ def both_sides(
     exposures: Exposures,
     shifts: array(dtype=vec3d),
 ) -> vec3d:
-    """The mean colour of both sides of a seam edge at a place, with the shifts that they have at a share of it."""
+    """Mean color of both sides of a seam edge, with interpolated shifts."""
     t = seams.triangles[h // 3]
     total = picture_color(place, seams.views[h // 3], pictures, exposures)
     total += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
@@ -123,7 +116,7 @@ def seam_color(
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
 ) -> vec3d:
-    """What both sides of a seam edge take: their mean, bent so that at either end it is that of all pictures there."""
+    """Target color of a seam edge: the mean of both sides, adjusted to the vertex means at both ends."""
     t = seams.triangles[h // 3]
     a = t[h % 3]
     b = t[next_corner(h) % 3]
@@ -144,10 +137,7 @@ def aim_at_seams_kernel(
     means: array(dtype=vec3d),
     changes: array(dtype=vec3d),
 ):
-    """What texels on a seam change by: to the colour that both sides take at the same place.
-
-    The nearest seam edge is that of the texel's triangle or of one within two texels.
-    """
+    """Change of texels on a seam to the target color; searches the texel's triangle and those within two texels."""
     i = tid()
     changes[i] = vec3d(0.0, 0.0, 0.0)
     if texels.owners[i] == NO_TRIANGLE:
@@ -180,7 +170,7 @@ def aim_at_seams_kernel(
 
 @func
 def neighbor_texel(i: int, k: int, size: int) -> int:
-    """The texel left, right, above or below; -1 beyond the border."""
+    """Texel to the left, right, above or below; -1 beyond the border."""
     x = i % size
     y = i // size
     found = -1
@@ -197,7 +187,7 @@ def neighbor_texel(i: int, k: int, size: int) -> int:
 
 @kernel
 def spread_steps_kernel(texels: ChartTexels, seams: Seams, step: int, free: array(dtype=uint8)):
-    """Texels beside those of the step before take this one; at any time only those write that have none."""
+    """Extend the distance by one ring."""
     i = tid()
     owner = texels.owners[i]
     if owner != NO_TRIANGLE and texels.steps[i] == NOWHERE:
@@ -222,7 +212,7 @@ def begin_strips_kernel(
     weights: array(dtype=float64),
     state: Gradients,
 ):
-    """The diagonal, and the right side: what neighbours on a seam change by."""
+    """Diagonal, and the right side from neighbors on a seam."""
     i = tid()
     texel = free[i]
     weight = float64(0.0)
@@ -248,7 +238,6 @@ def map_strips_kernel(
     weights: array(dtype=float64),
     state: Gradients,
 ):
-    """The product of the Laplacian and the search direction."""
     i = tid()
     total = weights[i] * state.search[i]
     for k in range(4):
@@ -261,14 +250,12 @@ def map_strips_kernel(
 
 @kernel
 def change_free_kernel(free: array(dtype=int32), solution: array(dtype=vec3d), changes: array(dtype=vec3d)):
-    """What the texels of strips change by."""
     i = tid()
     changes[free[i]] = solution[i]
 
 
 @kernel
 def add_changes_kernel(texels: ChartTexels, changes: array(dtype=vec3d)):
-    """Change the colours."""
     i = tid()
     texels.colors[i] = texels.colors[i] + changes[i]
 
@@ -281,7 +268,7 @@ def blend_strips(
     exposures: Exposures,
     shifts: Array1[vec3d],
 ) -> None:
-    """Change the colours of texels near seams until both sides agree there; a few syncs."""
+    """Blend the colors of texels near seams; a few syncs."""
     device, count = vertices.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
     means: Positions = zeros(vertices.size, vec3d, device)

@@ -1,11 +1,5 @@
-"""The texels of a mesh's texture, where each lies on the surface, and their colours from posed pictures.
-
-Which texel belongs to which triangle, and the gutter about them, are those of atlas_colors.py.
-
-A texel's colour is the mean over the pictures that show it, by weights (cos / z)^4, the angle of view and the depth: of
-two pictures the one with twice as many pixels there counts four times. Weights fall to zero at a picture's border, so
-that it leaves no seam. Beside the edges of the mesh, as its own depth tells, a picture counts for nothing. Sums are
-made picture by picture, in their order: 76 B a texel, some 150 operations and a ray a picture, and a ray a pixel.
+"""Texture from posed images: each texel is the weighted mean over images that show it, with weights (cos / z)^4 that
+fade at image borders and vanish beside depth edges. Ownership and gutter as in atlas_colors.py; summed in image order.
 """
 
 from ..algebra.transform import narrow, widen
@@ -47,15 +41,14 @@ from .hidden_vertices import drop_hidden, render_depth
 from .posed_pictures import PosedPictures, camera_place, color_at, nearest_pixel, project_vertex
 from .vertex_views import see_in_frame
 
-STEEPEST = 0.1  # cosine of the angle of view below which a picture shows next to nothing
-FEATHER = 0.05  # share of a picture's shorter side over which weights fall to zero
-STEP = 0.05  # share of the depth by which neighbouring pixels differ at the edge of what stands before something else
-BESIDE = 2  # pixels from such an edge that are not looked at: poses are not that exact
+STEEPEST = 0.1  # minimum cosine of the view angle
+FEATHER = 0.05  # fraction of the shorter image side over which weights fall to zero
+STEP = 0.05  # relative depth step of an occlusion edge
+BESIDE = 2  # pixels ignored beside such an edge, because of pose errors
 
 
 @kernel
 def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
-    """1 where a texel belongs to a triangle."""
     i = tid()
     owned = 0
     if owners[i] != NO_TRIANGLE:
@@ -73,7 +66,7 @@ def place_texels_kernel(
     points: array(dtype=vec3),
     normals: array(dtype=vec3),
 ):
-    """Where each texel's centre lies on the surface, and the unit normal of its triangle; 0 of one without area."""
+    """Surface point of each texel's center, and the triangle's unit normal (0 without area)."""
     i = tid()
     texel = texels[i]
     t = owners[texel]
@@ -95,7 +88,6 @@ def place_texels_kernel(
 
 @kernel
 def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, marks: array(dtype=uint8)):
-    """1 where the depth steps to a neighbour's."""
     i = tid()
     u = i % width
     v = i // width
@@ -113,7 +105,7 @@ def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, mark
 def drop_beside_steps_kernel(
     points: array(dtype=vec3), image: int, pictures: PosedPictures, marks: array(dtype=uint8), seen: array(dtype=uint8)
 ):
-    """Drop texels beside a step of the depth, where a small error of the pose shows something else."""
+    """Drop texels beside depth edges, where small pose errors matter."""
     i = tid()
     if seen[i] != 0:
         place = project_vertex(points[i], image, pictures)
@@ -138,7 +130,7 @@ def blend_picture_kernel(
     seen: array(dtype=uint8),
     sums: array(dtype=vec4d),
 ):
-    """Add a picture's colour, and its weight, to each texel that it shows from before."""
+    """Add an image's color and weight to each visible texel."""
     i = tid()
     if seen[i] != 0:
         p = points[i]
@@ -162,7 +154,6 @@ def blend_picture_kernel(
 def write_texels_kernel(
     texels: array(dtype=int32), sums: array(dtype=vec4d), picture: array(dtype=vec3), marks: array(dtype=uint8)
 ):
-    """The colours of the texels that pictures show, 0..1; the others stay as they are."""
     i = tid()
     texel = texels[i]
     s = sums[i]
@@ -174,23 +165,12 @@ def write_texels_kernel(
 
 @kernel
 def mark_shown_kernel(sums: array(dtype=vec4d), shown: array(dtype=int32)):
-    """1 for the texels that a picture shows."""
     i = tid()
     shown[i] = 1 if sums[i][3] > 0.0 else 0
 
 
 class SurfaceTexels:
-    """The texels of a square texture that belong to triangles.
-
-    Args:
-        vertices, triangles, uvs: Of the mesh, device arrays of vec3, vec3i and vec2 [3 t].
-        size: Texels a side.
-
-    Attributes:
-        owners: The triangle of each texel, int32 [size^2], NO_TRIANGLE for none.
-        texels: Those that have one, int32 [n], ascending.
-        points, normals: Where they lie on the surface, vec3 [n].
-    """
+    """Texels that belong to triangles: `owners` or NO_TRIANGLE; ascending `texels`; surface `points`, `normals`."""
 
     def __init__(self, vertices: Points, triangles: Triangles, uvs: Array1[vec2], size: int) -> None:
         device, count = vertices.device, size * size
@@ -207,7 +187,7 @@ class SurfaceTexels:
         launch(place_texels_kernel, self.texels.size, given)
 
     def blend(self, pictures: PosedPictures, trees: SceneTrees) -> Array1[vec4d]:
-        """Weighted sums of colours, 0..255, and of weights, over the pictures that show each texel: vec4d [n]."""
+        """Weighted sums of colors, 0..255, and of weights over the visible images: vec4d (n)."""
         sums = zeros(self.texels.size, vec4d, self.points.device)
         for image in range(pictures.count):
             seen = see_in_frame(self.points, image, pictures, float("inf"))
@@ -221,19 +201,13 @@ class SurfaceTexels:
         return sums
 
     def share_shown(self, sums: Array1[vec4d]) -> float:
-        """The share of the texels that a picture shows; one sync."""
+        """Fraction of texels visible in an image; one sync."""
         shown = empty(sums.size, int32, sums.device)
         launch(mark_shown_kernel, sums.size, [sums, shown])
         return sum_counts(shown) / sums.size  # sync
 
     def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:
-        """The texture, uint8 [3 size^2].
-
-        Args:
-            sums: As of `blend`.
-            colors: Of the vertices, vec3 [m], for texels that no picture shows; None for black.
-            gutter: Rings about what is filled.
-        """
+        """Texture, uint8 (3 size^2). Vertex `colors` fill invisible texels (None: black); `gutter` rings."""
         device, size, count = self.points.device, self.size, self.size * self.size
         picture, marks = zeros(count, vec3, device), zeros(count, uint8, device)
         if colors is not None:

@@ -1,11 +1,5 @@
-"""Which pictures show which vertices, and the colours that vertices get from them.
-
-A depth picture shows a vertex where its depth is that of the vertex, and no jump of depth is near: there a small error
-of the pose takes the colour of what lies behind. One thread a vertex and picture; 16 B read, 1 B written, some 60
-operations, and (2 reach + 1)^2 reads where the depth agrees. What is seen is kept as pairs, 8 B each, by picture and,
-through an order, by vertex. Sums over pairs go in that order, so they have the same bits each time.
-
-Source: Zhou and Koltun 2014, section 3.
+"""Visibility of vertices in depth images, and mean vertex colors (Zhou and Koltun 2014, section 3). A vertex is visible
+if the depths agree and no depth edge is near. Sums have a fixed order.
 """
 
 from collections.abc import Iterable, Sequence
@@ -38,19 +32,12 @@ from ..lang import (
 from ..memory import cast, download, empty, upload, zeros
 from .posed_pictures import PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, project_vertex
 
-MOST_MARKS = 1 << 26  # of pictures whose vertices are listed at once: 5 B each
+MOST_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
 
 
 @struct
 class DepthRule:
-    """When a depth picture shows a vertex.
-
-    Attributes:
-        farthest: Largest depth of a pixel that counts [m].
-        tolerance: The vertex's depth differs by less than this [m].
-        jump: Slope of the depth [m], Sobel's sum, above which a pixel lies at a boundary.
-        reach: Pixels around the vertex's own within which none may lie at one.
-    """
+    """Visibility by depth: `farthest` depth, `tolerance`, edge threshold `jump` [m], edge distance `reach` [px]."""
 
     farthest: float
     tolerance: float
@@ -63,17 +50,7 @@ class DepthRule:
 
 @struct
 class Sightings:
-    """The pairs of a picture and a vertex that it shows, by picture, then by vertex.
-
-    Args:
-        rows: The vertices that each picture shows, ascending int32 device arrays, one a picture.
-        vertex_count: Of the mesh.
-
-    Attributes:
-        vertices, images: Of each pair, int32 [pairs].
-        order: The pairs by vertex, int32 [pairs]; those of vertex i are starts[i] to starts[i + 1].
-        counts: Pairs of each picture, on the host.
-    """
+    """Visible (image, vertex) pairs by image, then vertex; `order` by vertex with `starts`; host `counts` per image."""
 
     vertices: array(dtype=int32)
     images: array(dtype=int32)
@@ -97,27 +74,24 @@ class Sightings:
 
 @kernel
 def name_images_kernel(firsts: array(dtype=int32), images: array(dtype=int32)):
-    """The picture of each pair."""
     i = tid()
     images[i] = find_owner(firsts, i)
 
 
 @kernel
 def count_views_kernel(vertices: array(dtype=int32), counts: array(dtype=int32)):
-    """How many pictures show each vertex; the atomic adds ones, so its order does not show."""
     i = tid()
-    atomic_add(counts, vertices[i], 1)
+    atomic_add(counts, vertices[i], 1)  # integer sum: order-independent
 
 
 @func
 def depth_at(u: int, v: int, width: int, height: int, depth: array(dtype=float32)) -> float:
-    """The depth of a pixel; beyond the border the last one goes on."""
     return depth[min(max(v, 0), height - 1) * width + min(max(u, 0), width - 1)]
 
 
 @kernel
 def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump: float, marks: array(dtype=uint8)):
-    """1 where Sobel's slope of the depth is above a limit; a pixel without depth has depth 0 here, so its rim too."""
+    """1 where the Sobel gradient of the depth exceeds a limit; missing depth counts as 0, which marks its boundary."""
     i = tid()
     u = i % width
     v = i // width
@@ -147,7 +121,6 @@ def match_depth_kernel(
     rule: DepthRule,
     seen: array(dtype=uint8),
 ):
-    """1 where the picture's depth is the vertex's, and no boundary is near."""
     i = tid()
     place = project_vertex(vertices[i], image, pictures)
     found = 0
@@ -169,7 +142,7 @@ def match_depth_kernel(
 def match_frame_kernel(
     vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, seen: array(dtype=uint8)
 ):
-    """1 where the vertex lies in the picture, up to a depth; whether something hides it is asked elsewhere."""
+    """1 if the vertex is in the image up to a depth; occlusion is tested elsewhere."""
     i = tid()
     place = project_vertex(vertices[i], image, pictures)
     found = 0
@@ -187,7 +160,7 @@ def average_colors_kernel(
     colors: array(dtype=vec3),
     seen: array(dtype=uint8),
 ):
-    """The mean colour of a vertex over the pictures that show it, each by its nearest pixel; black where none does."""
+    """Mean nearest-pixel color of a vertex over its images; black if there are none."""
     i = tid()
     red = float64(0.0)
     green = float64(0.0)
@@ -220,7 +193,7 @@ def fill_colors_kernel(
     count: int,
     colors: array(dtype=vec3),
 ):
-    """The mean colour of the nearest vertices that have one. Rows without a colour write, rows with one are read."""
+    """Mean color of the nearest colored vertices. Uncolored rows are written, colored ones read."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
     found = 0.0
@@ -234,15 +207,7 @@ def fill_colors_kernel(
 
 
 def see_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: Scalars, rule: DepthRule) -> Mask:
-    """The vertices that a depth picture shows, as a mask: uint8 [m].
-
-    Args:
-        vertices: Device array of vec3 [m].
-        image: Which of the pictures.
-        pictures: PosedPictures.
-        depth: float32 [pixels] [m], 0 where there is none.
-        rule: A DepthRule.
-    """
+    """Vertices visible in a depth image, uint8 (m); `depth` float32 (pixels) [m], 0 for none."""
     width, height, _ = pictures.layout[image].tolist()
     marks, seen = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
     launch(mark_jumps_kernel, depth.size, [depth, width, height, rule.jump, marks])
@@ -251,7 +216,7 @@ def see_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: S
 
 
 def see_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest: float) -> Mask:
-    """The vertices that project into a picture, hidden ones among them, as a mask: uint8 [m]."""
+    """Vertices that project into an image, including occluded ones, uint8 (m)."""
     seen = empty(vertices.size, uint8, vertices.device)
     launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), seen])
     return seen
@@ -259,7 +224,6 @@ def see_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest
 
 @kernel
 def count_shown_kernel(ranks: array(dtype=int32), vertex_count: int, counts: array(dtype=int32)):
-    """How many vertices the pictures up to and with each one show."""
     i = tid()
     counts[i] = ranks[(i + 1) * vertex_count - 1]
 
@@ -268,17 +232,13 @@ def count_shown_kernel(ranks: array(dtype=int32), vertex_count: int, counts: arr
 def list_shown_kernel(
     mask: array(dtype=uint8), ranks: array(dtype=int32), vertex_count: int, vertices: array(dtype=int32)
 ):
-    """The vertices that pictures show, by picture; ranks count from one."""
     i = tid()
     if mask[i] != 0:
         vertices[ranks[i] - 1] = i % vertex_count
 
 
 def list_sightings(masks: Iterable[Mask]) -> Sightings:
-    """Sightings of masks uint8 [m], one a picture; an iterable, so that few need exist at once.
-
-    On CUDA one sync for as many masks as make MOST_MARKS.
-    """
+    """Sightings of masks uint8 (m), one per image, as an iterable to limit memory. CUDA: a sync per MOST_MARKS."""
     rows: list[Indices] = []
     held: list[Mask] = []
     count = 0
@@ -308,12 +268,12 @@ def _rows_of(masks: Sequence[Mask]) -> list[Indices]:
 def average_colors(
     vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps
 ) -> tuple[Vectors, Mask]:
-    """Mean colours of vertices, vec3 [m] in 0..1, and whether any picture showed them, uint8 [m]."""
+    """Mean colors of vertices, vec3 (m) in 0..1, and visibility in any image, uint8 (m)."""
     colors, seen = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
     launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, seen])
     return colors, seen
 
 
 def fill_colors(colors: Vectors, rows: Indices, neighbors: Array2[int32], known: Integers) -> None:
-    """Give vertices `rows` the mean colour of neighbours: int32 [rows, k], places in `known`, which names vertices."""
+    """Set vertices `rows` to the mean color of neighbors: int32 (rows, k), indices into `known` vertices."""
     launch(fill_colors_kernel, rows.size, [rows, neighbors, known, neighbors.shape[1], colors])

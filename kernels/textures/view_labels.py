@@ -1,18 +1,8 @@
-"""One picture for each triangle: what it costs there, and a price wherever two that meet take different ones (Potts).
+"""Image selection per triangle: Potts model with data costs and a price per edge between different images.
 
-Energy: the sum of the costs of all triangles and of the price of each edge between two different pictures. All of it is
-whole numbers, so that it has the same bits everywhere, and is compared exactly.
-
-Min-sum belief propagation, all messages at once: each triangle tells each neighbour what each of the neighbour's
-pictures would cost beyond its best, the price at most. A message is the mean of the new one and the last (odd turns
-round up, even ones down, so that what is settled stays). On trees this ends at the least energy; on others it is close.
-Then triangles change to their cheapest picture as long as that lowers the energy: in each turn those that win more than
-their neighbours, so that no two that meet change at once and each change lowers the energy.
-
-One thread a half-edge and turn: 4 B read and written a message, three messages a pair of triangle and picture.
-
-Source: Waechter, Moehrle and Goesele 2014, section 3.2; Felzenszwalb and Huttenlocher, "Efficient Belief Propagation
-for Early Vision", IJCV 2006, for Potts messages.
+Integer energy, bitwise reproducible. Damped parallel min-sum belief propagation (odd iterations round up, even ones
+down), then parallel greedy moves in which no neighbors change together. Waechter, Moehrle and Goesele 2014, section
+3.2; Felzenszwalb and Huttenlocher, "Efficient Belief Propagation for Early Vision", IJCV 2006.
 """
 
 from ..array_types import Indices, Integers
@@ -22,24 +12,16 @@ from ..lang import array, atomic_add, float64, floor, func, int32, kernel, launc
 from ..memory import empty, full, zeros
 from .face_views import FaceViews
 
-UNIT = 1 << 16  # of cost: what a triangle costs that is not shown at all
-BEST = 0.995  # quantile of how well pictures show triangles, from which on one costs nothing
+UNIT = 1 << 16  # cost of an invisible triangle
+BEST = 0.995  # quality quantile from which on the cost is zero
 FAR = 1 << 30
-TURNS = 120  # of messages: how many triangles far one is heard
+TURNS = 120  # message iterations: the range of a message in triangles
 MOST_CHANGES = 4096
 
 
 @struct
 class LabelGraph:
-    """Triangles with the pictures that each may take, and those that meet.
-
-    Args:
-        starts: int32 [t + 1], where each triangle's pictures begin.
-        views: Pictures, ascending for each triangle, int32 [k].
-        costs: What each costs, int32 [k], 0 to UNIT.
-        twins: The half-edge beyond each, int32 [3 t]; -1 for none.
-        price: Of an edge between two pictures, at least 0.
-    """
+    """Candidate `views` per triangle, ascending, with `costs` (0 to UNIT); `twins` or -1; `price` of an edge."""
 
     starts: array(dtype=int32)
     views: array(dtype=int32)
@@ -54,7 +36,7 @@ class LabelGraph:
 
 @kernel
 def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: array(dtype=int32)):
-    """What a picture costs: nothing from the best on, a unit where it shows nothing."""
+    """Cost of an image: 0 at the best quality, UNIT at zero."""
     i = tid()
     share = float64(1.0)
     if best > 0.0:
@@ -64,7 +46,7 @@ def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: arr
 
 @kernel
 def believe_kernel(graph: LabelGraph, messages: array(dtype=int32), beliefs: array(dtype=int32)):
-    """What a picture costs a triangle by all that it is told."""
+    """Belief of each candidate: cost plus messages."""
     i = tid()
     beliefs[i] = graph.costs[i] + messages[3 * i] + messages[3 * i + 1] + messages[3 * i + 2]
 
@@ -73,7 +55,7 @@ def believe_kernel(graph: LabelGraph, messages: array(dtype=int32), beliefs: arr
 def tell_kernel(
     graph: LabelGraph, beliefs: array(dtype=int32), messages: array(dtype=int32), parity: int, told: array(dtype=int32)
 ):
-    """What a triangle is told through one of its edges, for each of its pictures."""
+    """Messages to a triangle through one of its edges."""
     i = tid()
     first = graph.starts[i // 3]
     last = graph.starts[i // 3 + 1]
@@ -102,7 +84,7 @@ def tell_kernel(
 
 @kernel
 def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: array(dtype=int32)):
-    """The pair of each triangle with the least belief, the first of equals; -1 for a triangle that has none."""
+    """Candidate with the least belief, the first of equals; -1 if there is none."""
     i = tid()
     label = -1
     least = int(FAR)
@@ -115,7 +97,6 @@ def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: arr
 
 @func
 def view_beyond(graph: LabelGraph, labels: array(dtype=int32), h: int) -> int:
-    """The picture of the triangle beyond a half-edge; -1 where there is none."""
     view = -1
     if graph.twins[h] >= 0:
         label = labels[graph.twins[h] // 3]
@@ -126,7 +107,6 @@ def view_beyond(graph: LabelGraph, labels: array(dtype=int32), h: int) -> int:
 
 @func
 def price_at(graph: LabelGraph, view: int, a: int, b: int, c: int) -> int:
-    """What a picture's edges to the three beyond cost."""
     count = 0
     if a >= 0 and a != view:
         count += 1
@@ -141,7 +121,7 @@ def price_at(graph: LabelGraph, view: int, a: int, b: int, c: int) -> int:
 def weigh_changes_kernel(
     graph: LabelGraph, labels: array(dtype=int32), gains: array(dtype=int32), better: array(dtype=int32)
 ):
-    """What a triangle wins by its cheapest picture, as its neighbours are."""
+    """Gain of a triangle's cheapest image, with fixed neighbors."""
     i = tid()
     gains[i] = 0
     better[i] = labels[i]
@@ -165,7 +145,7 @@ def change_kernel(
     labels: array(dtype=int32),
     changes: array(dtype=int32),
 ):
-    """Triangles that win more than all beyond their edges change, of equals the lower one; a sum of ones."""
+    """Change triangles that gain more than all neighbors (ties: the lower)."""
     i = tid()
     if gains[i] > 0:
         most = 1
@@ -177,12 +157,11 @@ def change_kernel(
                     most = 0
         if most == 1:
             labels[i] = better[i]
-            atomic_add(changes, 0, 1)
+            atomic_add(changes, 0, 1)  # integer sum: order-independent
 
 
 @kernel
 def end_changes_kernel(changes: array(dtype=int32), running: array(dtype=int32)):
-    """Go on where any has changed, up to a number of turns."""
     i = tid()
     changes[1] = changes[1] + 1
     running[i] = 0
@@ -193,7 +172,7 @@ def end_changes_kernel(changes: array(dtype=int32), running: array(dtype=int32))
 
 @kernel
 def count_energy_kernel(graph: LabelGraph, labels: array(dtype=int32), energies: array(dtype=int32)):
-    """A triangle's cost, and the price of its edges to triangles of higher numbers."""
+    """Cost of a triangle and price of its edges to higher triangles."""
     i = tid()
     energy = 0
     if labels[i] >= 0:
@@ -207,7 +186,6 @@ def count_energy_kernel(graph: LabelGraph, labels: array(dtype=int32), energies:
 
 @kernel
 def name_views_kernel(views: array(dtype=int32), labels: array(dtype=int32), named: array(dtype=int32)):
-    """The picture of each triangle; -1 for none."""
     i = tid()
     view = -1
     if labels[i] >= 0:
@@ -216,7 +194,7 @@ def name_views_kernel(views: array(dtype=int32), labels: array(dtype=int32), nam
 
 
 def cost_views(views: FaceViews) -> Integers:
-    """What each pair costs, int32 [k]; one sync."""
+    """Costs of all pairs, int32 (k); one sync."""
     costs = empty(views.count, int32, views.device)
     best = quantiles_of(views.qualities, [BEST])[0] if views.count else 0.0  # sync
     launch(cost_views_kernel, views.count, [views.qualities, best, costs])
@@ -224,14 +202,13 @@ def cost_views(views: FaceViews) -> Integers:
 
 
 def energy_of(graph: LabelGraph, labels: Indices) -> int:
-    """The energy of a choice; one sync."""
+    """Energy of a labeling; one sync."""
     energies = empty(graph.count, int32, graph.device)
     launch(count_energy_kernel, graph.count, [graph, labels, energies])
     return int(sum_counts(energies))  # sync
 
 
 def improve(graph: LabelGraph, labels: Indices) -> None:
-    """Change the pictures of triangles, one by one, as long as that lowers the energy."""
     count, device = graph.count, graph.device
     gains, better = empty(count, int32, device), empty(count, int32, device)
     changes, running = zeros(2, int32, device), full(1, 1, int32, device)
@@ -245,7 +222,7 @@ def improve(graph: LabelGraph, labels: Indices) -> None:
 
 
 def choose_labels(graph: LabelGraph, turns: int = TURNS) -> Indices:
-    """A pair for each triangle, int32 [t], -1 where it has none: of low energy, and no single change lowers it."""
+    """Low-energy candidate per triangle, int32 (t), -1 if it has none; no single change improves it."""
     pairs, device = graph.views.size, graph.device
     messages, told, beliefs = (
         zeros(3 * pairs, int32, device),
@@ -264,7 +241,6 @@ def choose_labels(graph: LabelGraph, turns: int = TURNS) -> Indices:
 
 
 def name_views(graph: LabelGraph, labels: Indices) -> Indices:
-    """The picture of each triangle, int32 [t]; -1 for none."""
     named = empty(graph.count, int32, graph.device)
     launch(name_views_kernel, graph.count, [graph.views, labels, named])
     return named

@@ -1,13 +1,8 @@
-"""Steps of pictures' poses and warps together: the non-rigid part of Zhou and Koltun 2014 (section 4.3).
+"""Joint steps of image poses and warps (Zhou and Koltun 2014, section 4.3).
 
-The unknowns of a picture are its pose and the shifts of its anchors. A pair's residual depends on the four anchors
-about the place where the vertex is seen, so the matrix of the anchors, taken down the columns, is a band of
-2 (rows + 2) entries beside the diagonal, and the pose is a border of six columns. Pairs are sorted by the cell that
-they lie in, and each entry is gathered from the pairs of the cells that its two anchors share, so sums have a fixed
-order. Then one thread a picture factors the band (Cholesky, Golub and Van Loan, section 4.3.5), takes the pose out by
-its Schur complement and solves backwards: for 16 x 21 anchors some 0.6 million operations, a millisecond on a core.
-
-Memory: 44 B a pair for its row, 40 B to sort it; 8 (2 rows + 10) B an unknown.
+A residual depends on the pose and four anchors, so in column order the matrix is banded with 2 (rows + 2) entries and a
+border of six columns. Pairs are sorted by cell and sums have a fixed order. One thread per image: banded Cholesky
+(Golub and Van Loan, section 4.3.5) and a Schur complement for the pose.
 """
 
 import numpy as np
@@ -41,28 +36,16 @@ from .color_steps import ColorSearch, SearchState, measure_pair, pose_sums
 from .posed_pictures import PosedPictures, Warps
 from .vertex_views import Sightings
 
-ROW = 11  # slopes along u and v, place in the cell (p, q), residual, slopes by the pose
-TARGETS = 6  # of each anchor: itself, four of its neighbours, and the border
-TIE = 0.125  # of the anchors' squares: Open3D's slopes are 8 times too large, so its anchors count an eighth
+ROW = 11  # derivatives along u and v, position in the cell (p, q), residual, pose derivatives
+TARGETS = 6  # per anchor: itself, four neighbors, and the border
+TIE = 0.125  # of the anchors' squares: Open3D's gradients are 8 times too large, so its anchors count 1/8
 border_sums = vector(14, float64)
 
 
 @struct
 class WarpSystem:
-    """The normal equations of all pictures' anchors and poses.
-
-    Args:
-        warps: The Warps.
-        pair_count: Pairs of a picture and a vertex.
-        shares: Of the mesh's vertices that each picture shows, float64 [n]; anchors are tied by `weight` times it.
-        weight: Of an anchor's shift.
-
-    Attributes:
-        cells: The first pair of each cell among the sorted ones, int32 [anchors + 1].
-        rows: Of the sorted pairs, float32 [pairs, ROW].
-        band: float64 [2 anchors, width], the entries left of the diagonal and it; entry (r, c) at c - r + width - 1.
-        border: float64 [2 anchors, 8]: by the pose's unknowns, and the right side; the last is room.
-        ties: Squared weight of each picture's anchors.
+    """Normal equations of all anchors and poses. `shares`: visible fraction of vertices, scales the `weight`; `cells`:
+    first sorted pair; `band` entry (r, c) at c - r + width - 1; `border`: pose columns, right side, scratch.
     """
 
     cells: array(dtype=int32)
@@ -91,7 +74,7 @@ def number_cells_kernel(
     cell_count: int,
     keys: array(dtype=int64),
 ):
-    """The cell that each pair lies in, by the number of its first anchor; the last number where it does not count."""
+    """Cell of each pair, as its first anchor; the last number if it does not count."""
     i = tid()
     image = sightings.images[i]
     row = measure_pair(vertices[sightings.vertices[i]], image, 0.0, pictures, warps)
@@ -115,7 +98,6 @@ def fill_rows_kernel(
     order: array(dtype=int32),
     system: WarpSystem,
 ):
-    """The rows of the sorted pairs."""
     i = tid()
     pair = order[i]
     image = sightings.images[pair]
@@ -137,7 +119,6 @@ def fill_rows_kernel(
 
 @func
 def anchor_weight(pair: int, right: int, down: int, system: WarpSystem) -> float64:
-    """What an anchor of a pair's cell counts: the left or right, the upper or lower one."""
     p = float64(system.rows[pair, 2])
     q = float64(system.rows[pair, 3])
     w = float64(1.0)
@@ -163,7 +144,7 @@ def write_entries(
     state: SearchState,
     system: WarpSystem,
 ):
-    """Write what was summed for an anchor and a neighbour, `beside` of it, or the pose."""
+    """Write the sums of an anchor with a neighbor at offset `beside`, or with the pose."""
     grid = warps.grids[image]
     column = anchor // grid[1]
     row = anchor % grid[1]
@@ -198,11 +179,7 @@ def write_entries(
 
 @kernel
 def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: WarpSystem):
-    """The entries of one anchor of a picture: with itself, with a neighbour behind it, or with the pose.
-
-    Neighbours are those below, right above, right, and right below. Threads of one anchor write entries of their own:
-    the kernel before has cleared the band.
-    """
+    """Sums of one anchor with itself, a later neighbor, or the pose. Threads write distinct entries."""
     i = tid()
     grid = warps.grids[image]
     anchor = i // TARGETS
@@ -219,7 +196,7 @@ def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: 
     total = border_sums(0.0)
     for a in range(2):
         for b in range(2):
-            # the cell whose corner (a, b) the anchor is, where the neighbour is a corner too
+            # the cell of which both the anchor (corner (a, b)) and the neighbor are corners
             x = column - a
             y = row - b
             inside = x >= 0 and y >= 0 and x < grid[0] - 1 and y < grid[1] - 1
@@ -248,7 +225,6 @@ def gather_anchors_kernel(image: int, warps: Warps, state: SearchState, system: 
 
 @kernel
 def clear_band_kernel(band: array(dtype=float64, ndim=2)):
-    """Zeros."""
     i = tid()
     for k in range(band.shape[1]):
         band[i, k] = 0.0
@@ -256,7 +232,7 @@ def clear_band_kernel(band: array(dtype=float64, ndim=2)):
 
 @func
 def factor_band(first: int, count: int, system: WarpSystem):
-    """The Cholesky factor of one picture's band, in its place; a pivot that is not positive drops its unknown."""
+    """Cholesky factor of an image's band in place; a non-positive pivot drops its unknown."""
     last = system.width - 1
     for r in range(count):
         row = first + r
@@ -271,12 +247,12 @@ def factor_band(first: int, count: int, system: WarpSystem):
                 pivot = float64(0.0)
                 if value > 0.0:
                     pivot = 1.0 / sqrt(value)
-                system.band[row, last] = pivot  # the reciprocal, which is what is used
+                system.band[row, last] = pivot  # the reciprocal, which is used
 
 
 @func
 def forward_band(first: int, count: int, system: WarpSystem):
-    """The border's columns and the right side divided by the factor."""
+    """Forward substitution of the border's columns and right side."""
     last = system.width - 1
     columns = int(7)
     for r in range(count):
@@ -290,7 +266,7 @@ def forward_band(first: int, count: int, system: WarpSystem):
 
 @func
 def backward_band(first: int, count: int, motion: vec6d, system: WarpSystem):
-    """The shifts' steps, in the border's last column, once the pose's motion is known."""
+    """Backward substitution: shift steps, in the border's last column."""
     last = system.width - 1
     n = int(6)
     for back in range(count):
@@ -306,7 +282,6 @@ def backward_band(first: int, count: int, motion: vec6d, system: WarpSystem):
 
 @func
 def solve_pose(first: int, count: int, total: pose_sums, damping: float64, system: WarpSystem) -> vec6d:
-    """The pose's motion, the anchors taken out of its equations."""
     h = triangle(0.0)
     b = vec6d(0.0)
     n = int(6)
@@ -329,7 +304,7 @@ def solve_pose(first: int, count: int, total: pose_sums, damping: float64, syste
 def step_warps_kernel(
     state: SearchState, best_sums: array(dtype=pose_sums), pictures: PosedPictures, warps: Warps, system: WarpSystem
 ):
-    """Move the pose and the anchors of each picture. One thread a picture."""
+    """Step the pose and anchors of each image. One thread per image."""
     i = tid()
     grid = warps.grids[i]
     if state.running[0] == 1 and system.ties[i] > 0.0:
@@ -348,7 +323,6 @@ def step_warps_kernel(
 
 @kernel
 def sum_ties_kernel(warps: Warps, system: WarpSystem, ties: array(dtype=float64)):
-    """The squares of a picture's shifts as they count. One thread a picture."""
     i = tid()
     grid = warps.grids[i]
     total = float64(0.0)
@@ -359,7 +333,7 @@ def sum_ties_kernel(warps: Warps, system: WarpSystem, ties: array(dtype=float64)
 
 
 class WarpSearch(ColorSearch):
-    """The search for poses and warps: as ColorSearch, with a band of anchors a picture."""
+    """Search for poses and warps: ColorSearch with an anchor band per image."""
 
     def __init__(
         self,
@@ -376,7 +350,7 @@ class WarpSearch(ColorSearch):
         self.keys = empty(sightings.count, int64, vertices.device)
 
     def turn(self) -> bool:
-        """One turn; False where it was the last (one sync)."""
+        """One iteration; False after the last (one sync)."""
         warps, system = self.warps, self.system
         self.measure()
         launch(sum_ties_kernel, self.pictures.count, [warps, system, self.ties])
@@ -386,7 +360,7 @@ class WarpSearch(ColorSearch):
         copy(*shifts, count=warps.count)
         if running:
             if not better:
-                self.measure()  # the rows are of the best poses, and so are the means
+                self.measure()  # rows and means are of the best poses
             self._gather()
             given = [self.state, self.best_sums, self.pictures, warps, system]
             launch(step_warps_kernel, self.pictures.count, given)
