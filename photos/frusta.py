@@ -1,9 +1,6 @@
-"""What cameras with known poses can see together, by their frusta alone.
+"""Common view of cameras with known poses by their frusta.
 
-Nobody knows how deep a picture is of which no point is known; but it is of use only where others see the same from
-aside. So places are tried along rays through each picture, at depths in equal ratios from a part of the step between
-cameras to where their parallax is lost, and kept where another camera has them in its picture under an angle that
-says something.
+Sample points along image rays at geometric depth steps, kept where another camera sees them with parallax.
 """
 
 from __future__ import annotations
@@ -15,11 +12,11 @@ from numpy.typing import NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
 
-GRID = 5  # rays along each side of a picture
-DEPTHS = 20  # places along a ray
-NEAREST = 0.5  # of the distance to the nearest camera elsewhere
-LEAST_ANGLE = 1.5  # [degrees] under which a place must be seen for its depth to be known
-MOST_ANGLE = 60.0  # [degrees] above which pictures show hardly the same side
+GRID = 5  # rays per side
+DEPTHS = 20  # sample points per ray
+NEAREST = 0.5  # relative to the distance of the nearest other camera
+LEAST_ANGLE = 1.5  # [degrees] minimum parallax
+MOST_ANGLE = 60.0  # [degrees] above it, images hardly show the same side
 
 Array = NDArray[np.float64]
 
@@ -27,17 +24,7 @@ Array = NDArray[np.float64]
 def places_before(
     index: int, cameras: Sequence[PinholeCameraIntrinsic], poses: Array
 ) -> tuple[Array, NDArray[np.bool_], Array]:
-    """Places before a camera that others see too.
-
-    Args:
-        index: Number of the camera.
-        cameras: Size and projection of each.
-        poses: T_camera_world of each, [n, 4, 4].
-
-    Returns:
-        Places in the world [m, 3]; which camera has which in its picture, from aside enough, [m, n]; and under which
-        angle with the camera itself [m, n] [degrees]. Nothing where all cameras stand at one place.
-    """
+    """Sample points [m, 3] of a camera, the mask [m, n] of cameras that see them, and the parallax [m, n] [degrees]."""
     R, t = poses[:, :3, :3], poses[:, :3, 3]
     centers = -np.einsum("nji,nj->ni", R, t)
     apart = np.linalg.norm(centers - centers[index], axis=1)
@@ -64,10 +51,7 @@ def places_before(
 
 
 def shares_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> Array:
-    """How much of what each camera may see together with others each other one sees, [n, n], 0 to 1.
-
-    A place counts by how many cameras see it: where most of them meet is what they were pointed at.
-    """
+    """Fraction of each camera's sample points, weighted by visibility, that each other camera sees, [n, n]."""
     shares = np.zeros((len(poses), len(poses)))
     for i in range(len(poses)):
         _, seen, _ = places_before(i, cameras, poses)
@@ -78,7 +62,7 @@ def shares_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> A
 
 
 def _rays(camera: PinholeCameraIntrinsic) -> Array:
-    """Rays through the middles of equal parts of a picture, z = 1, [GRID * GRID, 3]."""
+    """Rays at z = 1 through a regular grid of the image, [GRID * GRID, 3]."""
     steps = (np.arange(GRID) + 0.5) / GRID
     x = (steps * camera.width - 0.5 - camera.cx) / camera.fx
     y = (steps * camera.height - 0.5 - camera.cy) / camera.fy

@@ -1,7 +1,5 @@
 """Registration of clouds: the ICP family, global registration, LiDAR odometry and pose graphs.
 
-Each public name is loaded when it is first used, as in `pointloom` itself.
-
 Example:
     >>> import numpy as np, pointloom as loom
     >>> points = np.random.default_rng(0).random((2000, 3)) * [1, 1, 0.1]

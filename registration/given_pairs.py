@@ -1,4 +1,4 @@
-"""What registration by correspondences is given: two clouds, their features or pairs of rows; checked in one place."""
+"""Checks of the inputs of correspondence-based registration."""
 
 from __future__ import annotations
 
@@ -23,12 +23,6 @@ from .result import Pairs
 
 
 def check_clouds(source: PointCloud, target: PointCloud) -> None:
-    """Refuse what is no cloud, and clouds on two devices; warn of clouds in two units.
-
-    Raises:
-        TypeError: Not a PointCloud.
-        DeviceError: They are on different devices.
-    """
     check_cloud("source", source)
     check_cloud("target", target)
     check_same_device("source, target", source.device, target.device)
@@ -36,13 +30,7 @@ def check_clouds(source: PointCloud, target: PointCloud) -> None:
 
 
 def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
-    """Correspondences as int32 [m, 2].
-
-    Raises:
-        ValueError: Another shape.
-        TypeError: Not whole numbers.
-        IndexError: An index beyond its cloud; indices from the end do not count.
-    """
+    """Correspondences as int32 [m, 2]; negative indices are rejected."""
     pairs = check_rows("corres", corres, 2)
     if pairs.dtype.kind not in "iu" and pairs.size:
         raise TypeError(f"corres: expected whole numbers (source index, target index), got {pairs.dtype}")
@@ -56,7 +44,6 @@ def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
 
 
 def pairs_on_device(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
-    """Correspondences as an int32 device array [m, 2], checked as `check_pairs` does it."""
     if is_on_gpu(corres):
         return take_pairs(corres, source.device, (len(source), len(target)))
     return upload(check_pairs(corres, source, target), int32, source.device)
@@ -70,19 +57,7 @@ def match_clouds(
     mutual_filter: bool,
     mutual_consistency_ratio: float,
 ) -> wp.array:
-    """Correspondences of two clouds by their features, an int32 device array [m, 2].
-
-    Args:
-        source: The source cloud.
-        target: The target cloud.
-        source_feature: One row a point.
-        target_feature: Likewise.
-        mutual_filter: Keep the pairs that are each other's nearest alone.
-        mutual_consistency_ratio: The share of mutual pairs below which the mutual filter is dropped.
-
-    Raises:
-        ValueError: Features that are not one row a point.
-    """
+    """Feature correspondences, int32 device array [m, 2]; arguments as of `correspondences_from_features`."""
     widths = []
     for name, feature, cloud in (("source", source_feature, source), ("target", target_feature, target)):
         given = feature if hasattr(feature, "shape") else check_numeric(f"{name}_feature", feature)
@@ -107,5 +82,4 @@ def match_clouds(
 def world_middles(
     source: PointCloud, target: PointCloud, middles: Sequence[NDArray[np.float32]]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Places given relative to the clouds' origins, in world coordinates."""
     return source.origin + middles[0].astype(np.float64), target.origin + middles[1].astype(np.float64)

@@ -1,4 +1,4 @@
-"""Correspondences of two clouds by their features: nearest rows in feature space, mutually nearest, unambiguous."""
+"""Feature matching of two clouds: nearest neighbors, mutual filter, ratio test."""
 
 from __future__ import annotations
 
@@ -26,35 +26,28 @@ def correspondences_from_features(
     ratio: float | None = None,
     device: Any = None,
 ) -> Pairs:
-    """Pair each source point with the target point whose feature is nearest.
+    """Pair each source point with the target point of the nearest feature.
 
     Args:
-        source_features: A row a point, shape [n, d], as `compute_fpfh_feature` gives them. Open3D's are columns:
-            transpose them.
+        source_features: One row per point, shape [n, d], as from `compute_fpfh_feature` (transpose Open3D's columns).
         target_features: Likewise, shape [m, d].
-        mutual_filter: Keep a pair only where the source row is also the nearest one of the target row. Where fewer
-            than `mutual_consistency_ratio` n pairs would be left, the filter is dropped.
-        mutual_consistency_ratio: The share of source points, rounded down to whole points, that has to be left.
-        ratio: Of the pairs that are left, keep those whose distance is below `ratio` times the distance to the second
-            nearest target row, above 0 and at most 1 (0.8 in Lowe's work); None keeps all.
-        device: Where to compute; None for the GPU that the features lie on, else the CPU.
+        mutual_filter: Keep only mutual nearest neighbors, unless fewer than `mutual_consistency_ratio` n pairs remain.
+        mutual_consistency_ratio: That fraction of source points, rounded down.
+        ratio: Keep pairs closer than `ratio` times the second nearest distance, in (0, 1] (Lowe: 0.8); None: all.
+        device: Compute device; None: the GPU of the features, else the CPU.
 
     Returns:
-        int32 [k, 2], (source index, target index), by source index, an array of the source features' library. Of target
-        rows equally near the first is taken.
-        Rows that hold NaN, infinity or a number beyond 1e15 have no pair, and are nobody's.
+        int32 [k, 2], (source index, target index), by source index, in the array library of the source features. Ties
+        go to the first target row; rows with NaN, infinity or values beyond 1e15 have no pair.
 
     Raises:
-        ValueError: Features of another shape, or of two lengths; a ratio out of range.
-        TypeError: Features that are not real numbers.
-        DeviceError: Features on two devices.
+        ValueError: Wrong shapes, different feature lengths, or a ratio out of range.
+        TypeError, DeviceError: Features that are not real numbers, or on two devices.
 
     Notes:
-        The nearest row by the squared distance of float32 rows, found exactly: the pruning leaves out no row that may
-        be nearest. 4 d + 200 B of memory a row. Same bits from run to run. Rules as in Open3D, which computes in
-        float64 and leaves open which of equally near rows it takes. The ratio: Lowe, "Distinctive image features from
-        scale-invariant keypoints", IJCV 60(2), 2004, section 7.1. On the device:
-        `pointloom.kernels.features.feature_matching.pair_features`.
+        Exact nearest rows in float32. 4 d + 200 B per row. Bitwise reproducible. Same rules as Open3D, which uses
+        float64 and does not define ties. Lowe, "Distinctive image features from scale-invariant keypoints", IJCV 60(2),
+        2004, section 7.1.
 
     Example:
         >>> import pointloom as loom
@@ -77,7 +70,6 @@ def correspondences_from_features(
 
 
 def features_on_device(source_features: Any, target_features: Any, device: Any = None) -> list[wp.array]:
-    """Features of two clouds, checked, as float32 [n, d] on one device: where they are, or on `device`."""
     sides = [_check_features("source_features", source_features), _check_features("target_features", target_features)]
     _check_lengths(*(tuple(side.shape) for side in sides))
     place = _common_device(sides, device)
@@ -89,7 +81,6 @@ def _upload(features: np.ndarray, device: Any) -> wp.array:
 
 
 def _check_features(name: str, features: Any) -> Any:
-    """Features as they are on a GPU, or as a NumPy array, of shape [n, d]."""
     if is_on_gpu(features):
         given = take_numbers(name, features)
         values: Any = given if given.dtype == float32 else cast(given, float32)
@@ -98,14 +89,13 @@ def _check_features(name: str, features: Any) -> Any:
             raise TypeError(f"{name}: expected an array, got {type(features).__name__}; pass its `data.T`")
         values = check_numeric(name, features)
         with np.errstate(over="ignore"):
-            values = values.astype(np.float32, copy=False)  # beyond its range: infinite, so without a pair
+            values = values.astype(np.float32, copy=False)  # beyond float32: infinite, hence without a pair
     if len(values.shape) != 2 or values.shape[1] == 0:
         raise ValueError(f"{name}: expected shape [n, d], a row a point, got {list(values.shape)}")
     return values
 
 
 def _check_lengths(source: tuple[int, ...], target: tuple[int, ...]) -> None:
-    """Refuse rows of two lengths."""
     if source[1] == target[1]:
         return
     hint = "; these look transposed: Open3D's features are columns, pass .T" if source[0] == target[0] else ""
@@ -116,7 +106,6 @@ def _check_lengths(source: tuple[int, ...], target: tuple[int, ...]) -> None:
 
 
 def _common_device(sides: list[Any], device: Any) -> Any:
-    """The device that is asked for, or that of the features."""
     found = [side.device for side in sides if isinstance(side, wp.array)]
     if len(found) == 2:
         check_same_device("source_features, target_features", *found)

@@ -1,4 +1,4 @@
-"""What a registration found, and how far to trust it."""
+"""Registration results."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
 from ..kernels.memory import download
 
-FEWEST_TARGETS = 10  # that fix a scale
-SHARED = 10  # source points a target point, from which on they tell nothing of the source's size
+FEWEST_TARGETS = 10  # minimum matched targets for a scale
+SHARED = 10  # source points per target point above which the scale is undetermined
 Pairs = NDArray[np.int32]
 
 
 class RegistrationResult:
-    """A transformation from source to target, and how well the clouds lie on each other under it.
+    """A transformation from source to target, and its quality.
 
     Attributes:
-        transformation: T_target_source, float64 [4, 4]: takes the source's world coordinates to the target's.
-        fitness: Share of the source's points that have a correspondence, 0..1; more is better.
-        inlier_rmse: Root of the mean squared distance [m] of the correspondences; 0 without any.
-        iterations: Steps that were taken.
-        converged: Whether the criteria were met.
-        reason: Why it stopped, in words: "converged", "max_iteration", "no correspondences", ...
-        hint: What may be the matter where there are no correspondences: where both clouds are, and how large.
-        degenerate_directions: float64 [k, 6]: motions that the clouds do not determine, and along which the source was
-            not moved: rotation about x, y, z through the middle of the correspondences, as the length of the arc at the
-            source's spread, then translation; unit vectors. Empty where all six are determined.
+        transformation: T_target_source, float64 [4, 4], in world coordinates.
+        fitness: Fraction of source points with a correspondence, 0..1.
+        inlier_rmse: Root mean square distance [m] of the correspondences; 0 without any.
+        iterations: Number of steps.
+        converged: True if the criteria were met.
+        reason: Why it stopped: "converged", "max_iteration", "no correspondences", ...
+        hint: Likely cause of missing correspondences: positions and sizes of both clouds.
+        degenerate_directions: float64 [k, 6]: unit motions that the clouds do not determine and that were left out:
+            rotation about x, y, z through the center of the correspondences (times the source's spread), then
+            translation. Empty if all six are determined.
     """
 
     def __init__(
@@ -55,23 +55,22 @@ class RegistrationResult:
         self.iterations, self.converged, self.reason, self._score = iterations, converged, reason, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
         self.free, self.prior_directions = free, self.degenerate_directions[:held_count]
-        self._motion = motion  # the parameters since the first pose, of a registration that goes on from here
+        self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences, self.hint = correspondences, ""
 
     @cached_property
     def correspondence_set(self) -> Pairs:
-        """Indices (source, target) of the correspondences, int32 [m, 2], by source; made when first read.
+        """Indices (source, target) of the correspondences, int32 [m, 2], by source; computed on first access.
 
-        An array of the library that the source cloud was made of. A pickle holds those of Warp as NumPy.
+        In the array library of the source cloud; pickles contain Warp arrays as NumPy.
         """
         return self._correspondences() if callable(self._correspondences) else self._correspondences
 
     @property
     def score(self) -> float | None:
-        """Confidence in a result without an initial pose, 0..1; None of methods that refine one.
+        """Confidence of a global registration, 0..1; None for refinement methods.
 
-        Above 0.5 the clouds do lie on each other, as far as they tell.
-        RANSAC and fast global registration rate their pose when this is first read.
+        Above 0.5 the clouds agree. RANSAC and fast global registration compute it on first access.
         """
         if callable(self._score):
             self._score = self._score()
@@ -82,9 +81,9 @@ class RegistrationResult:
         self._score = value
 
     def check_scale(self) -> None:
-        """End a similarity as not converged if so few target points are matched that any smaller scale fits as well.
+        """Set `converged` to False if so few target points match that any smaller scale fits as well.
 
-        A source that shrinks to the spacing of the target has fitness 1 and an rmse near 0.
+        A source that shrinks to the target's point spacing has fitness 1 and an rmse near 0.
         """
         pairs = self.correspondence_set
         on_device = isinstance(pairs, wp.array) or is_on_gpu(pairs)
@@ -95,7 +94,7 @@ class RegistrationResult:
             self.reason = f"scale not determined: {len(rows):,} source points match {targets} target points"
 
     def __getstate__(self) -> dict[str, Any]:
-        """All of it, what is fetched or rated when first read among it, for pickle."""
+        """State for pickle, with all lazy values computed."""
         pairs = self.correspondence_set
         known = {"_correspondences": download(pairs) if isinstance(pairs, wp.array) else pairs, "_score": self.score}
         return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}

@@ -1,4 +1,4 @@
-"""Robust kernels: how much a residual counts in iteratively re-weighted least squares."""
+"""Robust kernels for iteratively re-weighted least squares."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ LEAST = robust_weights.LEAST_RESIDUAL
 
 @dataclasses.dataclass(frozen=True)
 class RobustKernel:
-    """A weight as a function of the residual; the kernels below are its kinds.
+    """Base of the robust kernels, which map a residual to a weight.
 
-    The scale `k` has the residual's unit: metres for point-to-plane, none for generalised ICP.
+    The scale `k` has the residual's unit: meters for point-to-plane, none for generalized ICP.
     """
 
     kind: ClassVar[int] = robust_weights.L2
 
     @property
     def parameters(self) -> tuple[int, float, float]:
-        """(kind, scale, shape) as device code takes them."""
+        """(kind, scale, shape) for device code."""
         return self.kind, float(getattr(self, "k", 1.0)), float(getattr(self, "shape", 1.0))
 
     def weight(self, residual: ArrayLike) -> NDArray[np.float64]:
-        """The weights of residuals, float64 of the same shape."""
+        """Weights of residuals, float64 of the same shape."""
         r = np.abs(check_numeric("residual", residual).astype(np.float64))
-        with np.errstate(over="ignore"):  # the square of a huge residual is infinite, and its weight 0
+        with np.errstate(over="ignore"):  # the square may be infinite, with weight 0
             return np.asarray(self._weight(r), np.float64)
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -42,19 +42,19 @@ class RobustKernel:
 
 @dataclasses.dataclass(frozen=True)
 class L2Loss(RobustKernel):
-    """Least squares: every residual weighs 1."""
+    """Least squares: all weights are 1."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Geometry(RobustKernel):
-    """Not a kernel: marks rows that only tell which motions the clouds determine."""
+    """Not a kernel: for rows that only determine degenerate motions."""
 
     kind = robust_weights.GEOMETRY
 
 
 @dataclasses.dataclass(frozen=True)
 class L1Loss(RobustKernel):
-    """Least absolute residuals: `1 / |r|`, for residuals below 1e-9 as at 1e-9 (Open3D divides by zero there)."""
+    """Least absolute residuals: `1 / |r|`, clamped at 1e-9 (Open3D divides by zero there)."""
 
     kind = robust_weights.L1
 
@@ -92,7 +92,7 @@ class CauchyLoss(_Scaled):
 
 @dataclasses.dataclass(frozen=True)
 class GMLoss(_Scaled):
-    """k / (k + r^2)^2, Open3D's form of Geman and McClure's kernel: k is a squared residual."""
+    """k / (k + r^2)^2, Open3D's form of the Geman-McClure kernel: k is a squared residual."""
 
     kind = robust_weights.GEMAN_MCCLURE
 
@@ -102,7 +102,7 @@ class GMLoss(_Scaled):
 
 @dataclasses.dataclass(frozen=True)
 class TukeyLoss(_Scaled):
-    """(1 - (r / k)^2)^2 up to k, zero beyond: residuals larger than k do not count at all."""
+    """(1 - (r / k)^2)^2 up to k, zero beyond."""
 
     kind = robust_weights.TUKEY
 
@@ -115,10 +115,11 @@ class GeneralizedLoss(_Scaled):
     """Barron's general kernel: shape 2 is least squares, 1 pseudo-Huber, 0 Cauchy, -2 Geman-McClure, -inf Welsch.
 
     Args:
-        k: Scale, where residuals begin to count less.
+        k: Scale, where weights begin to fall.
         shape: Barron's alpha, at most 2.
 
-    Barron, "A general and adaptive robust loss function", CVPR 2019, equation 9; weights have his factor 1 / k^2.
+    Notes:
+        Barron, "A general and adaptive robust loss function", CVPR 2019, eq. 9, with his factor 1 / k^2.
     """
 
     shape: float = 1.0
@@ -131,7 +132,7 @@ class GeneralizedLoss(_Scaled):
 
     @property
     def parameters(self) -> tuple[int, float, float]:
-        """(kind, scale, shape) as device code takes them."""
+        """(kind, scale, shape) for device code."""
         return self.kind, float(self.k), max(float(self.shape), -1e30)
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -1,4 +1,4 @@
-"""The voxels that suit the registration of clouds whose size nobody told: `choose_voxel_size`."""
+"""Automatic voxel size for registration: `choose_voxel_size`."""
 
 from __future__ import annotations
 
@@ -12,29 +12,27 @@ from ..pcd.probes import distance_of_nearest, probe_points, rounded_up
 from ..pcd.search import NearestNeighborSearch
 from .given_pairs import check_cloud
 
-# A voxel of a 32nd of the distance from the middle within which three quarters of the points lie: some 5,000 to 15,000
-# of them hold points of a room, an object or a street.
+# This gives some 5,000 to 15,000 occupied voxels for a room, an object or a street.
 VOXELS_TO_MIDDLE, WITHIN = 32.0, 0.75
 
 
 def choose_voxel_size(*clouds: PointCloud) -> float:
-    """The edge of voxels [m] that suits the registration of clouds, to two digits.
+    """Choose a voxel edge [m] for the registration of clouds, to two digits.
 
-    A 32nd of the distance from its middle within which three quarters of a cloud's points lie, by a sample of them; no
-    less than the usual distance between neighbours. The smaller one of two clouds, the median of more.
+    1/32 of the distance from the center that contains three quarters of the points (sampled), at least the typical
+    neighbor distance. The minimum of two clouds, the median of more.
 
     Args:
         *clouds: At least one, each with a finite point.
 
     Returns:
-        The edge; 1 where all points lie at one place.
+        The edge; 1 if all points coincide.
 
     Raises:
-        TypeError: Not a PointCloud.
-        ValueError: No cloud, or one without a finite point.
+        TypeError, ValueError: Not a PointCloud, no cloud, or one without a finite point.
 
     Notes:
-        A sample of some 1,000 points a cloud, and one search for their neighbours. The same bits from run to run.
+        Samples about 1,000 points per cloud, with one neighbor search. Bitwise reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -49,7 +47,6 @@ def choose_voxel_size(*clouds: PointCloud) -> float:
 
 
 def choose_for(clouds: dict[str, PointCloud]) -> float:
-    """`choose_voxel_size` of clouds by the names that messages give them."""
     size = median_low([_size_of(name, cloud) for name, cloud in clouds.items()])
     return rounded_up(size) if size > 0 else 1.0
 

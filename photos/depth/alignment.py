@@ -1,12 +1,8 @@
-"""Scale and shift between what a network gives and true depth: 1 / z = scale * d + shift, by RANSAC over pairs.
+"""Alignment of network depth by RANSAC: 1 / z = scale * d + shift.
 
-The fit is in inverse depth, in which networks of relative depth are trained (Ranftl et al. 2020, section 5), never in
-depth: there one wrong pixel at the horizon outweighs all others. Residuals are relative, |scale d + shift - y| / y with
-y = 1 / z, which for small ones is the relative error of the depth; a hypothesis costs the sum of its residuals, each up
-to `TOLERANCE` (Torr and Zisserman 2000). The best one is refitted to its inliers with weights 1 / y^2 until they stay.
-
-All of it is on the host: there are two unknowns, so that scoring hypotheses over some thousand references drawn from a
-sensor's 300,000 finds the same line, and takes milliseconds; the refit runs over all.
+Fitted in inverse depth as in the training of relative networks (Ranftl et al. 2020, section 5), with relative residuals
+|scale d + shift - y| / y, y = 1 / z, truncated at `TOLERANCE` (MSAC, Torr and Zisserman 2000), then refitted to the
+inliers with weights 1 / y^2. On the host; hypotheses are scored on a subset of the references.
 """
 
 from __future__ import annotations
@@ -20,29 +16,22 @@ from ...core.errors import PointloomError
 
 Numbers = NDArray[np.float64]
 
-TOLERANCE = 0.1  # relative: what a good network is off by, and far from what a wrong match gives
-HYPOTHESES = 512  # with 60 % wrong pairs one in six is right: missed all by a chance of 1e-40
-SCORED = 4096  # references that hypotheses are held against: the share of inliers to 0.8 %
+TOLERANCE = 0.1  # relative: above a good network's error, far below that of wrong matches
+HYPOTHESES = 512  # with 60% outliers, one pair in six is correct: failure probability 1e-40
+SCORED = 4096  # references used for scoring: inlier fraction to 0.8%
 LEAST_INLIERS = 20
 REFITS = 10
-MOST_DISTANCES = 50  # of which every pair is tried, 1225; more are drawn from
-FLAT = 1e-6  # pairs whose d differ by less, of the range of d, say nothing of the scale
+MOST_DISTANCES = 50  # all 1225 pairs are tried; above this, random ones
+FLAT = 1e-6  # minimum difference in d, relative to the range of d
 
 
 class AlignmentError(PointloomError, ValueError):
-    """References that no scale and shift of the network's map agrees with."""
+    """No scale and shift agrees with the references."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Alignment:
-    """What aligns a network's map: 1 / z = scale * d + shift.
-
-    Args:
-        scale, shift: Of inverse depth.
-        inlier_share: Share of the references within `TOLERANCE`; None where too few were given to check any.
-        references: How many there were.
-        farthest: Depth of the farthest inlier.
-    """
+    """1 / z = scale * d + shift, with the inlier fraction (None if unchecked) and the depth of the farthest inlier."""
 
     scale: float
     shift: float
@@ -52,17 +41,7 @@ class Alignment:
 
 
 def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bool = True) -> Alignment:
-    """Scale and shift from many references, of which some may be wrong.
-
-    Args:
-        d: What the network gives at the references, growing with inverse depth, shape [n].
-        y: Their inverse depth, above 0, shape [n].
-        seed: Chooses the hypotheses.
-        with_shift: False for networks of metric depth, which lack a scale alone.
-
-    Raises:
-        AlignmentError: Fewer than 20 agree, or only where nearer means farther.
-    """
+    """Scale and shift from many references y = 1 / z [n] with outliers; AlignmentError if fewer than 20 agree."""
     if len(d) < LEAST_INLIERS:
         raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {LEAST_INLIERS}")
     rng = np.random.default_rng(seed)
@@ -84,14 +63,7 @@ REMEDY = "check that they are of this picture, and that the preset is the model'
 
 
 def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Alignment:
-    """Scale and shift from a few distances that somebody measured: every pair is a hypothesis.
-
-    As many references as there are unknowns settle them without any check, and `inlier_share` is None; of more, more
-    than half must agree, one more than the unknowns at least.
-
-    Raises:
-        AlignmentError: Too few, too few that agree, or nearer would mean farther.
-    """
+    """Scale and shift from a few distances, by all pairs; above the minimum number more than half must agree."""
     unknowns = 2 if with_shift else 1
     if len(d) < unknowns:
         why = "a scale and a shift are unknown" if with_shift else "a scale is unknown"
@@ -112,7 +84,6 @@ def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Al
 
 
 def _draw(d: Numbers, y: Numbers, rng: np.random.Generator, with_shift: bool) -> Numbers:
-    """Hypotheses from random pairs, or from random references where only the scale lacks."""
     first = rng.integers(0, len(d), HYPOTHESES)
     if not with_shift:
         return _scales(d[first], y[first])
@@ -121,7 +92,7 @@ def _draw(d: Numbers, y: Numbers, rng: np.random.Generator, with_shift: bool) ->
 
 
 def _lines(d: Numbers, y: Numbers, first: NDArray[np.int64], second: NDArray[np.int64]) -> Numbers:
-    """Scale and shift through each pair that is apart in d, shape [k, 2]."""
+    """Scale and shift of each pair with different d, shape [k, 2]."""
     apart = np.abs(d[first] - d[second]) > FLAT * max(float(np.ptp(d)), 1e-300)
     first, second = first[apart], second[apart]
     scales = (y[first] - y[second]) / (d[first] - d[second])
@@ -133,7 +104,6 @@ def _scales(d: Numbers, y: Numbers) -> Numbers:
 
 
 def _best(hypotheses: Numbers, d: Numbers, y: Numbers) -> tuple[float, float]:
-    """The hypothesis with a positive scale that costs least; the first of several."""
     hypotheses = hypotheses[np.isfinite(hypotheses).all(1) & (hypotheses[:, 0] > 0)]
     if not len(hypotheses):
         raise AlignmentError(f"align: where the references are nearer, the network says farther or the same; {REMEDY}")
@@ -149,7 +119,7 @@ def _residuals(scale: float, shift: float, d: Numbers, y: Numbers) -> Numbers:
 def _refit(
     scale: float, shift: float, d: Numbers, y: Numbers, with_shift: bool
 ) -> tuple[float, float, NDArray[np.bool_]]:
-    """Least squares of the relative residuals over the inliers, until they stay."""
+    """Relative least squares over the inliers, until they no longer change."""
     inliers = _residuals(scale, shift, d, y) < TOLERANCE
     for _ in range(REFITS):
         if inliers.sum() < (2 if with_shift else 1):
@@ -163,11 +133,11 @@ def _refit(
 
 
 def _solve(d: Numbers, y: Numbers, with_shift: bool, before: tuple[float, float]) -> tuple[float, float]:
-    """The line with the least sum of ((scale d + shift) / y - 1)^2; the one before where all d are the same."""
+    """Minimize the sum of ((scale d + shift) / y - 1)^2; the previous line if all d are equal."""
     a, b = d / y, 1 / y
     if not with_shift:
         return float(a.sum() / (a * a).sum()), 0.0
-    across = a - (a * b).sum() / (b * b).sum() * b  # the part of a that no shift explains: nothing cancels
+    across = a - (a * b).sum() / (b * b).sum() * b  # the part of a that no shift explains, without cancellation
     spread = float((across * across).sum())
     if spread <= 1e-12 * float((a * a).sum()):
         return before

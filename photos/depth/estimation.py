@@ -1,4 +1,4 @@
-"""Depth of one picture: `estimate_depth`, and the cloud that it makes."""
+"""Monocular depth estimation with an ONNX network, and the point cloud of the result."""
 
 from __future__ import annotations
 
@@ -34,23 +34,14 @@ from .readings import OwnCamera, Reading
 from .tiles import MOST_TILES, refine_by_tiles
 
 SPARSE = "the sparse model"
-AXIS = 1e-3  # [rad] about the axis, where a lens bends nothing
-NO_DEPTH = 65535  # of maps in whole numbers, beside 0: 7-Scenes' and others'
+AXIS = 1e-3  # [rad] about the axis, where distortion is negligible
+NO_DEPTH = 65535  # invalid integer depth besides 0, as in 7-Scenes
 FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and metres; or the path of one"
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class References:
-    """Depths that are known.
-
-    Args:
-        pixels: Where, columns and rows, shape [n, 2] [px].
-        depths: Shape [n].
-        are_few: Distances measured by hand, of which two may be all there are.
-        unit: Of the depths: "m", or "the sparse model's".
-        camera: The camera of the picture, where they tell one.
-        source: What tells it.
-    """
+    """Known `depths` [n] at `pixels` (column, row), [n, 2]; `are_few`: measured by hand, two suffice."""
 
     pixels: NDArray[np.float64]
     depths: NDArray[np.float64]
@@ -61,18 +52,6 @@ class References:
 
 
 def find_references(align: Any, name: str | None, size: tuple[int, int], depth_scale: float) -> References:
-    """The references in a picture.
-
-    Args:
-        align: As of `estimate_depth`.
-        name: The picture's own, by which a sparse model knows it; None of an array.
-        size: Rows and columns of the picture.
-        depth_scale: Units a metre of depth maps in whole numbers.
-
-    Raises:
-        FileError: A file that cannot be read.
-        TypeError, ValueError: None of the forms, or one that does not fit the picture.
-    """
     scale = check_positive("depth_scale", depth_scale)
     if isinstance(align, str | os.PathLike):
         align = _read(Path(align))
@@ -99,11 +78,7 @@ def _read(path: Path) -> Any:
 
 
 def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """Lines of column, row and metres, apart by spaces or commas; a first line of names and # comments are passed over.
-
-    Raises:
-        FileError: Unreadable, or a line of something else.
-    """
+    """Read lines of column, row and meters, separated by spaces or commas; skips a header line and # comments."""
     try:
         lines = path_of(path).read_text("utf-8").splitlines()
     except OSError as error:
@@ -152,7 +127,6 @@ def _of_sensor(array: NDArray[Any], size: tuple[int, int], depth_scale: float) -
 
 
 def _of_model(model: SfmModel, name: str | None, size: tuple[int, int]) -> References:
-    """The points that a picture of a sparse model observes, where they lie in it."""
     if name is None:
         raise ValueError("align: a sparse model knows pictures by name; give the picture's path, or (model, name)")
     number = _number_of(model, name)
@@ -210,7 +184,7 @@ def _inside(pixels: NDArray[np.float64], size: tuple[int, int]) -> NDArray[np.bo
 
 
 def sample(values: Map, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A map between its pixels, linearly; beyond the outer ones it goes on as they are."""
+    """Sample a map bilinearly; values are clamped beyond the border."""
     height, width = values.shape
     u, v = np.clip(pixels[:, 0], 0, width - 1), np.clip(pixels[:, 1], 0, height - 1)
     left, top = np.minimum(u.astype(np.int64), max(width - 2, 0)), np.minimum(v.astype(np.int64), max(height - 2, 0))
@@ -222,32 +196,31 @@ def sample(values: Map, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
 
 ARBITRARY = "arbitrary"
 DEEPEST = (
-    10.0  # farthest depth of unaligned maps, the nearest being 1; and of aligned ones, over the farthest reference
+    10.0  # maximum depth of unaligned maps (the nearest is 1), and of aligned ones relative to the farthest reference
 )
-FLYING_JUMP = 0.03  # share of its inverse depth by which a flying pixel is off both surfaces
-BLUR = 3  # pixels of its map over which a network runs from one surface to the next
-MOST_REACH = 32  # [px] 512 loads a pixel
+FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
+BLUR = 3  # network pixels of the transition between two surfaces
+MOST_REACH = 32  # [px] 512 loads per pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class DepthEstimate:
-    """Depth of a picture, and where it comes from.
+    """Estimated depth of an image.
 
     Args:
-        depth: Along the optical axis, float32 [h, w], in `unit`; 0 where there is none.
-        is_metric: Depth is in metres.
-        scale, shift: 1 / depth = scale * d + shift, d being what the network gave, or 1 over it where it gives depth.
-        inlier_share: Share of the references that agree; None where there were none, or too few to check.
-        provider: What onnxruntime ran on: "CUDAExecutionProvider" or "CPUExecutionProvider".
+        depth: Depth along the optical axis, float32 [h, w], in `unit`; 0 where unknown.
+        is_metric: True if depth is in meters.
+        scale, shift: 1 / depth = scale * d + shift, with d the network output or its inverse if it outputs depth.
+        inlier_share: Fraction of references that agree; None if there are too few to check.
+        provider: onnxruntime provider: "CUDAExecutionProvider" or "CPUExecutionProvider".
         unit: "m", "the sparse model's", or "arbitrary".
-        color: The picture, upright, uint8 [h, w, 3].
-        intrinsic: The camera that points are made with.
-        intrinsic_source: Where it comes from: "given", "the sparse model", "EXIF", "the network" where that finds one,
-            or "assumed 60 degrees".
-        input_size: Rows and columns of the network's input, where the picture went in as a whole.
-        enlargement: Pixels of the picture a pixel of the network's map.
-        references: How many references there were.
-        tiles: How many tiles agreed with the whole picture, and how many there were; None without tiles.
+        color: The upright image, uint8 [h, w, 3].
+        intrinsic: The camera of the point cloud.
+        intrinsic_source: "given", "the sparse model", "EXIF", "the network", or "assumed 60 degrees".
+        input_size: Rows and columns of the network input for the complete image.
+        enlargement: Image pixels per pixel of the network's map.
+        references: Number of references.
+        tiles: Number of tiles that agreed with the complete image, and of all tiles; None without tiles.
     """
 
     depth: NDArray[np.float32]
@@ -270,17 +243,16 @@ class DepthEstimate:
         return f"DepthEstimate({width} x {height}, unit {self.unit}, {self.provider})"
 
     def to_point_cloud(self, *, keep_edges: bool = False, stride: int = 1, device: Any = None) -> PointCloud:
-        """The coloured points of the picture, in the camera's frame.
+        """Unproject the image to a colored point cloud in the camera frame.
 
         Args:
-            keep_edges: Keep pixels that fly between two surfaces, where depth was smoothed across an edge. Without,
-                those go that lie off the planes on both sides of them by more than 3 % of their inverse depth, over
-                as many pixels as the network's map was enlarged by, times 3; slanted planes stay whole.
-            stride: Takes every stride-th pixel of every stride-th row.
-            device: Where the cloud goes.
+            keep_edges: Keep flying pixels at depth edges. If False, pixels are removed that deviate from the planes on
+                both sides by more than 3% in inverse depth; slanted planes are kept.
+            stride: Use every stride-th row and column.
+            device: Device of the cloud.
 
         Raises:
-            ValueError: A stride below 1.
+            ValueError: The stride is below 1.
             DeviceError: No such device.
 
         Example:
@@ -314,41 +286,38 @@ def estimate_depth(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> DepthEstimate:
-    """Estimate the depth of a picture by a network that you bring as an ONNX file; nothing is downloaded.
+    """Estimate the depth of an image with an ONNX network that you provide; nothing is downloaded.
 
     Args:
-        picture: The path of a PNG or JPEG file, which its EXIF turns upright; or uint8 or uint16 of shape [h, w],
-            [h, w, 3] or [h, w, 4].
-        model: The path of an .onnx file, or a `DepthModel` for many pictures.
-        preset: Which network it is, see docs/depth.md; None for "depth-anything-v2", or that of the `DepthModel`.
-        intrinsic: The camera of the upright picture; None for the sparse model's, else EXIF's focal length, else 60
-            degrees across the longer side.
-        align: What is known of the depth, to which the network's map is aligned: a sparse model (what
-            `read_colmap_model` gives, its folder, or (model, name)), whose picture of this name is taken; a depth map
-            [h, w] of the same view in any size, 0 where there is none (.png, .npy); or distances [n, 3] of column, row
-            and metres (.txt, .csv), of which two give scale and shift without a check.
-        depth_scale: Units a metre of depth maps in whole numbers.
-        tiles: Along the longer side; more than 1 shows a large picture to the network in parts as well.
-        seed: Of the alignment.
-        device: "cpu" or None, "cuda", "cuda:N", or "auto"; see `DepthModel`. Not for a `DepthModel`.
-        progress: Called with "tiles", how many are done, and how many there are.
+        picture: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
+        model: Path of an .onnx file, or a `DepthModel` for many images.
+        preset: Type of network, see docs/depth.md; None: "depth-anything-v2", or that of the `DepthModel`.
+        intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
+            of view of 60 degrees across the longer side.
+        align: Known depths for scale and shift: a sparse model (from `read_colmap_model`, its folder, or (model, name))
+            that contains the image; a depth map [h, w] of any size, 0 where unknown (.png, .npy); or distances [n, 3]
+            of column, row and meters (.txt, .csv), of which two suffice without a check.
+        depth_scale: Units per meter of integer depth maps.
+        tiles: Number of tiles along the longer side; above 1, tiles refine the depth of a large image.
+        seed: Seed of the alignment.
+        device: "cpu" or None, "cuda", "cuda:N", or "auto"; see `DepthModel`. Not with a `DepthModel`.
+        progress: Called with ("tiles", done, all).
 
     Returns:
-        Depth at the picture's size. In metres for metric networks, of those that need a focal length where one is known
-        or the network finds it, and where it was aligned to metres; in the sparse model's unit where it was aligned to
-        one. Else in an arbitrary unit: the nearest pixel is at 1; of networks that give inverse depth, whose shift is
-        unknown too, the farthest at 10.
+        Depth at the image size: in meters for metric networks (with a known focal length if they need one) or after
+        alignment to meters, in the unit of the sparse model after alignment to one, else in an arbitrary unit with the
+        nearest pixel at 1 (and the farthest at 10 for networks with inverse depth).
 
     Raises:
-        FileError: A file that cannot be read, a model that is not what the preset says, or one that gives no map.
-        ValueError: An option out of range, references that do not fit the picture, or that no scale and shift agrees
-            with: fewer than 20 within 10 %; of up to 50 distances not more than half.
-        DeviceError: A device that is not there, or that onnxruntime cannot use; nothing falls back silently.
+        FileError: An unreadable file, or a model that does not match the preset or outputs no map.
+        ValueError: An option out of range, or references that do not fit the image or no scale and shift (fewer than 20
+            within 10%; of up to 50 distances not more than half).
+        DeviceError: A device that is missing or not usable by onnxruntime; there is no silent fallback.
 
     Notes:
-        1 / z = scale * d + shift is fitted by RANSAC with a refit to the inliers, weighted by z^2; of networks that
-        give depth the scale alone. Depth beyond 10 times the farthest inlier is dropped: there the shift decides.
-        Some 40 B of memory a pixel of the picture, beside the network's. The same bits from run to run on one machine.
+        1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2; only the scale for
+        networks that output depth. Depth beyond 10 times the farthest inlier is removed. About 40 B per pixel besides
+        the network. Bitwise reproducible on one machine.
 
     Example:
         >>> import numpy as np, onnx, pointloom as loom
@@ -448,7 +417,7 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
 
 
 def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
-    """What the network gives, growing with inverse depth; NaN where it gives no depth. In 1 / m of metric networks."""
+    """The network output as inverse depth, up to scale and shift ([1/m] for metric networks); NaN where unknown."""
     kind, values = PRESETS[network.preset], reading.values
     if not kind.gives_scale:
         return values
@@ -483,7 +452,7 @@ def _units_of(found: Alignment) -> tuple[float, float, float]:
 
 
 def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
-    """Scale and shift without references, and the farthest depth kept."""
+    """Scale and shift without references, and the maximum depth."""
     if kind.output == "metric":
         return 1.0, 0.0, np.inf
     low, high = float(np.nanmin(inverse)), float(np.nanmax(inverse))
@@ -494,7 +463,7 @@ def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
 
 
 def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray[np.float32]:
-    """Depth in float32; 0 where there is none, it lies behind the camera, or beyond the farthest."""
+    """Depth in float32; 0 if unknown, behind the camera, or beyond the maximum."""
     w = inverse * np.float32(scale) + np.float32(shift)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0

@@ -1,4 +1,4 @@
-"""How good a depth map is, beside a true one: `evaluate_depth`."""
+"""Evaluation of depth maps: `evaluate_depth`."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_numeric, check_positive
 
-CLOSE = 1.25  # of delta1
+CLOSE = 1.25  # threshold of delta1
 
 
 @dataclasses.dataclass(frozen=True)
 class DepthErrors:
-    """Errors of a depth map over the pixels that have a depth in both maps.
+    """Errors of a depth map over the pixels valid in both maps.
 
     Args:
         abs_rel: Mean of |z - true z| / true z.
-        delta1: Share of the pixels with z within a factor of 1.25 of the true one.
-        rmse: Root of the mean squared difference [m].
-        coverage: Share of the pixels with a true depth that have a depth.
-        pixel_count: Pixels compared.
+        delta1: Fraction of pixels with z within a factor of 1.25.
+        rmse: Root mean square difference [m].
+        coverage: Fraction of pixels with true depth that have a depth.
+        pixel_count: Number of compared pixels.
     """
 
     abs_rel: float
@@ -33,22 +33,18 @@ class DepthErrors:
 
 
 def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1000.0) -> DepthErrors:
-    """Hold a depth map against a true one of the same size.
+    """Compare a depth map with a true one of the same size, without alignment (see `estimate_depth`).
 
     Args:
-        depth: Shape [h, w]; whole numbers are divided by `depth_scale`, floats are metres. 0 or less, NaN and
-            infinity: no depth.
-        truth: The same.
-        depth_scale: Units a metre of whole numbers.
+        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are meters. <= 0, NaN and inf are invalid.
+        truth: Likewise.
+        depth_scale: Units per meter of integers.
 
     Returns:
-        The figures that papers on depth estimation give; NaN where no pixel has a depth in both.
+        The standard metrics of depth estimation; NaN without common pixels.
 
     Raises:
-        ValueError: Another shape, maps of different sizes, a scale out of range.
-
-    Notes:
-        Nothing is aligned first, unlike in tables of relative depth: align in `estimate_depth`.
+        ValueError: A wrong shape, different sizes, or a scale out of range.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -73,7 +69,6 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1
 
 
 def _metres(name: str, values: Any, scale: float) -> NDArray[np.float64]:
-    """Depth in metres, 0 where there is none."""
     array = check_numeric(name, values)
     if array.ndim != 2 or 0 in array.shape:
         raise ValueError(f"{name}: expected shape [h, w], got {list(array.shape)}")

@@ -1,4 +1,4 @@
-"""The graph of an ONNX model, reduced to what its last operations need: nodes, constants of one number, functions."""
+"""Reduced ONNX graph: nodes, scalar constants, functions."""
 
 from __future__ import annotations
 
@@ -19,14 +19,7 @@ WEIGHTS_REMEDY = "Put the file of its weights (often NAME.onnx_data) beside it, 
 
 @dataclasses.dataclass(frozen=True)
 class Node:
-    """One operation.
-
-    Args:
-        operation: Its name, such as "Conv".
-        domain: The domain of its operator set; empty for ONNX's own.
-        inputs, outputs: Names of values; an input that is left out has an empty one.
-        attributes: Those of one number or text.
-    """
+    """An operation of a `domain` (empty: ONNX) with its scalar or text attributes; omitted inputs are empty names."""
 
     operation: str
     domain: str
@@ -37,14 +30,7 @@ class Node:
 
 @dataclasses.dataclass(frozen=True)
 class Graph:
-    """Nodes by the values that they compute.
-
-    Args:
-        producers: The node that computes a value, by the value's name.
-        constants: Values that are one number, by their names.
-        inputs, outputs: Names in the order of a call; of functions alone.
-        functions: The model's functions by domain and name.
-    """
+    """Nodes by the name of their outputs, scalar constants, and functions by domain and name."""
 
     producers: dict[str, Node]
     constants: dict[str, float]
@@ -54,11 +40,7 @@ class Graph:
 
 
 def load_graph(path: str) -> Graph:
-    """Read the graph of a model without opening any other file.
-
-    Raises:
-        FileError: The file is no ONNX model, it keeps weights in files outside its folder, or onnx is missing.
-    """
+    """Read a model's graph without external files; FileError if invalid or if onnx is missing."""
     onnx = import_for(path, "onnx", "depth")
     with foreign_errors(path, NO_MODEL, remedy="Fetch or export the file again"):
         model = onnx.load(path, format="protobuf", load_external_data=False)
@@ -68,7 +50,6 @@ def load_graph(path: str) -> Graph:
 
 
 def read_graph(model: Any) -> Graph:
-    """Reduce an `onnx.ModelProto`."""
     functions = {
         (each.domain, each.name): _graph(each.node, {}, tuple(each.input), tuple(each.output))
         for each in model.functions
@@ -90,7 +71,6 @@ def _graph(nodes: Any, constants: dict[str, float], inputs: tuple[str, ...] = ()
 
 
 def _value(attribute: Any) -> float | str | None:
-    """The value of an attribute; None if it is no number or text."""
     if attribute.HasField("t"):
         return _number(attribute.t)
     if attribute.HasField("s"):
@@ -102,7 +82,7 @@ def _value(attribute: Any) -> float | str | None:
 
 
 def _number(tensor: Any) -> float | None:
-    """The number in a tensor; None if it contains another count, another type, or is in another file."""
+    """Scalar tensor, or None (also if stored in another file)."""
     from onnx import TensorProto, numpy_helper
 
     types = [TensorProto.DataType.Value(name) for name in NUMBER_TYPES]
@@ -111,7 +91,7 @@ def _number(tensor: Any) -> float | None:
         return None
     try:
         return float(numpy_helper.to_array(tensor).item())
-    except ValueError:  # its data has another length than its shape
+    except ValueError:  # the data length contradicts the shape
         return None
 
 
@@ -130,11 +110,7 @@ def _external_files(model: Any) -> Iterator[str]:
 
 
 def _check_external_file(path: Path, name: str) -> None:
-    """Check that a file of weights is in the model's folder: the folder of its path, or of the file if it is a link.
-
-    Raises:
-        FileError: It is elsewhere or missing.
-    """
+    """Check that a weight file is in the model's folder (or that of a link's target)."""
     file = path.parent / plain_name(path, name, remedy="Export the model with its weights beside it")
     if not file.is_file():
         raise FileError(path, f"its weights are in {name}, which does not exist", remedy=WEIGHTS_REMEDY)

@@ -1,20 +1,13 @@
-"""What the last operations of a depth network say of its map: nearer is more, or farther is more.
+"""Classification of depth networks by the last operations of their graph, traced back from the output.
 
-Walked from the output back through what changes the map's shape, size, type or scale to the operation that decides:
-
-- `ReLU`: relative inverse depth. Depth Anything V2 (depth_anything_v2/dpt.py: the head's last layer, and again in
-  `forward`), MiDaS (`non_negative`), DPT; Depth Pro's canonical inverse depth (ml-depth-pro, `DepthPro.head`).
-- `Sigmoid` times 20 or 80: metric depth up to that many metres. Depth Anything V2 metric
-  (metric_depth/depth_anything_v2/dpt.py; transformers' `DepthAnythingDepthEstimationHead` for "metric").
-- `ReLU` times 20 or 80: a metric network that was exported with the relative one's last function. Its weights want
-  the sigmoid, so depth is 0 or far too large: fabio-sim/Depth-Anything-ONNX before its pull request 27 (October 2024),
-  transformers before its issue 32890 was closed (August 2024). No preset makes it right.
-- sum of `Softmax` times depths of bins: ZoeDepth (`ZoeDepthMultipleMetricDepthEstimationHeads`), Metric3D ConvNeXt.
-- `1 / x` of a ReLU: Depth Pro in metres. `Exp`: Depth Anything 3 (`DPT`, activation "exp"), UniDepth.
-- `a - ReLU(a - x)`: Metric3D ViT, which clamps depth to its range so (`RAFTDepthNormalDPT5.clamp`).
-
-Anything else says nothing. Repositories: DepthAnything/Depth-Anything-V2, huggingface/transformers, isl-org/MiDaS,
-isl-org/ZoeDepth, apple/ml-depth-pro, YvanYin/Metric3D, ByteDance-Seed/Depth-Anything-3, lpiccinelli-eth/UniDepth.
+- `ReLU`: relative inverse depth (Depth Anything V2 depth_anything_v2/dpt.py, MiDaS `non_negative`, DPT), or canonical
+  inverse depth (Depth Pro `DepthPro.head`).
+- `Sigmoid` times 20 or 80: Depth Anything V2 metric (metric_depth/depth_anything_v2/dpt.py), meters.
+- `ReLU` times 20 or 80: a wrong export of a metric network, unusable: fabio-sim/Depth-Anything-ONNX before pull request
+  27 (October 2024), transformers before issue 32890 (August 2024).
+- Sum of `Softmax` times bin depths: ZoeDepth (`ZoeDepthMultipleMetricDepthEstimationHeads`), Metric3D ConvNeXt.
+- `1 / x` of a ReLU: Depth Pro in meters. `Exp`: Depth Anything 3 (`DPT`, activation "exp"), UniDepth.
+- `a - ReLU(a - x)`: Metric3D ViT, which clamps its depth range (`RAFTDepthNormalDPT5.clamp`).
 """
 
 from __future__ import annotations
@@ -26,10 +19,10 @@ from .graph import Graph, Node
 INVERSE, SIGMOID, BROKEN, BINS, RECIPROCAL, EXP, CLAMPED = (
     "inverse", "sigmoid", "broken", "bins", "reciprocal", "exp", "clamped",
 )  # fmt: skip
-RANGES = (20.0, 80.0)  # [m] of Depth Anything V2's metric networks: indoors (Hypersim) and outdoors (Virtual KITTI)
-MOST_STEPS = 1000  # some ten are usual; functions that call themselves would never end
+RANGES = (20.0, 80.0)  # [m] Depth Anything V2 metric: indoors (Hypersim), outdoors (Virtual KITTI)
+MOST_STEPS = 1000  # about ten are usual; guards against recursive functions
 
-# Operations that hand the values of their first input on, in another shape, size or type.
+# Pass-through operations that only change shape, size or type.
 _PASSING = {
     "Identity", "Cast", "CastLike", "Reshape", "Squeeze", "Unsqueeze", "Flatten", "Transpose", "Resize", "Upsample",
     "Slice", "Gather", "Split", "Expand", "Dropout", "Pad", "QuantizeLinear", "DequantizeLinear", "Clip",
@@ -38,12 +31,7 @@ _PASSING = {
 
 @dataclasses.dataclass(frozen=True)
 class Head:
-    """What a network ends in.
-
-    Args:
-        kind: One of the above, or None where the graph says nothing.
-        factor: What the deciding operation's values are multiplied with.
-    """
+    """End of a network: `kind` (one of the above or None) and `factor`, the multiplier of its values."""
 
     kind: str | None = None
     factor: float = 1.0
@@ -54,14 +42,14 @@ UNKNOWN = Head()
 
 @dataclasses.dataclass(frozen=True)
 class _Place:
-    """A value, the graph it lies in, and through which calls of functions one came there."""
+    """A value, its graph, and the stack of function calls."""
 
     value: str
     graph: Graph
     calls: tuple[tuple[Graph, Node], ...] = ()
 
     def producer(self) -> tuple[Node | None, _Place]:
-        """What gives it, into functions and out of them, and where that stands; None of a model's input."""
+        """The node that computes the value, across function boundaries; None for a model input."""
         here = self
         for _ in range(MOST_STEPS):
             node = here.graph.producers.get(here.value)
@@ -84,12 +72,10 @@ class _Place:
         return None, here
 
     def input(self, node: Node, position: int = 0) -> _Place:
-        """Where an input of a node that stands here comes from."""
         value = node.inputs[position] if position < len(node.inputs) else ""
         return dataclasses.replace(self, value=value)
 
     def constant(self) -> float | None:
-        """The one number that it is, or None."""
         here = self
         for _ in range(MOST_STEPS):
             if here.value in here.graph.constants:
@@ -106,7 +92,6 @@ def _functions(place: _Place) -> dict[tuple[str, str], Graph]:
 
 
 def find_head(graph: Graph, output: str) -> Head:
-    """What the network ends in, at this output."""
     place, factor, is_inverted = _Place(output, graph), 1.0, False
     for _ in range(MOST_STEPS):
         node, place = place.producer()
@@ -128,7 +113,7 @@ def find_head(graph: Graph, output: str) -> Head:
                 factor, place = factor * first, place.input(node, 1)
             elif first:
                 place, factor, is_inverted = place.input(node, 1), 1.0, not is_inverted
-            elif is_inverted and node.operation == "Mul":  # Depth Pro's focal length, of another output
+            elif is_inverted and node.operation == "Mul":  # Depth Pro's focal length, from another output
                 place = place.input(node, _map_of(node, place))
             else:
                 return UNKNOWN
@@ -141,14 +126,14 @@ def _head(kind: str, factor: float, is_inverted: bool) -> Head:
     if is_inverted:
         return Head(RECIPROCAL, factor) if kind == INVERSE else UNKNOWN
     if factor <= 0 or (kind == SIGMOID and factor <= 1):
-        return UNKNOWN  # a sigmoid of its own says nothing: networks of disparity end so too
+        return UNKNOWN  # a plain sigmoid is ambiguous: disparity networks have one too
     if kind == INVERSE and factor in RANGES:
         return Head(BROKEN, factor)
     return Head(kind, factor)
 
 
 def _decides(node: Node, place: _Place) -> str | None:
-    """What kind of map a node makes of what goes in, or None where it only hands it on."""
+    """The kind of map that a node produces, or None if it only passes values on."""
     if node.operation == "Relu" or node.attributes.get("activation") == "Relu":
         return INVERSE
     if node.operation == "Clip" and place.input(node, 1).constant() == 0 and place.input(node, 2).constant() is None:
@@ -167,7 +152,7 @@ def _decides(node: Node, place: _Place) -> str | None:
 
 
 def _through(place: _Place) -> tuple[Node | None, _Place]:
-    """What gives a value, passed on as it may be."""
+    """The node that computes a value, skipping pass-through nodes."""
     for _ in range(MOST_STEPS):
         node, place = place.producer()
         if node is None or node.operation not in _PASSING or node.domain:
@@ -185,7 +170,7 @@ def _sums_bins(node: Node, place: _Place) -> bool:
 
 
 def _clamps(node: Node, place: _Place) -> bool:
-    """Whether it is a - ReLU(a - x)."""
+    """True for a - ReLU(a - x)."""
     limit = place.input(node).constant()
     inner, there = _through(place.input(node, 1))
     if limit is None or inner is None or inner.operation != "Relu":
@@ -195,6 +180,6 @@ def _clamps(node: Node, place: _Place) -> bool:
 
 
 def _map_of(node: Node, place: _Place) -> int:
-    """Which input of a product comes from a ReLU: the map, and not a number of the picture."""
+    """Which factor of a product comes from a ReLU: the map, not a scalar."""
     second, _ = _through(place.input(node, 1))
     return 1 if second is not None and second.operation == "Relu" else 0

@@ -1,8 +1,7 @@
-"""A picture on its way into a network, and a map on its way back: resized about the picture's borders.
+"""Resizing between images and network inputs: pixel x of n columns maps to (x + 0.5) m / n - 0.5.
 
-Pixel x of a picture of n columns lies at (x + 0.5) m / n - 0.5 of one of m, so that borders fall on borders however the
-sizes round. Smaller pictures are averaged over what a pixel covers (the networks' own code takes samples by OpenCV's
-bicubic kernel; the maps differ by less than their noise). In float32 by Pillow, in one thread: the same bits always.
+Downscaling averages areas (the networks use OpenCV's bicubic samples; the difference is below their noise). Float32 by
+Pillow in one thread: bitwise reproducible.
 """
 
 from __future__ import annotations
@@ -17,20 +16,12 @@ from PIL import Image
 from .presets import Preset, input_size
 
 Map = NDArray[np.float32]
-REFLECTED = 3  # times the root of half a side: ZoeDepth's border, without which its maps are wrong at the rim
+REFLECTED = 3  # times the root of half a side: ZoeDepth's border, without which its maps are wrong near the border
 
 
 @dataclasses.dataclass(frozen=True)
 class Placement:
-    """Where the picture lies in the input of a network.
-
-    Args:
-        height, width: Of the picture [px].
-        rows, columns: Of the input [px].
-        top, left: First row and column of the picture in it.
-        used: Rows and columns that the picture takes.
-        border: Rows and columns of its own reflection on each side of the picture [px of the picture].
-    """
+    """Position of an image in the network input: first row and column, used size, and reflected border [image px]."""
 
     height: int
     width: int
@@ -43,12 +34,12 @@ class Placement:
 
     @property
     def scale(self) -> tuple[float, float]:
-        """Pixels of the input a pixel of the picture, along x and y."""
+        """Input pixels per image pixel, along x and y."""
         return self.used[1] / (self.width + 2 * self.border[1]), self.used[0] / (self.height + 2 * self.border[0])
 
 
 def place(preset: Preset, height: int, width: int, fixed: tuple[int | None, int | None]) -> Placement:
-    """How a picture goes into a network whose input has these fixed rows and columns, None where it takes any."""
+    """Placement of an image in an input with these fixed rows and columns (None: dynamic)."""
     border = (0, 0)
     if preset.reflects and not any(fixed):
         border = int(math.sqrt(height / 2) * REFLECTED), int(math.sqrt(width / 2) * REFLECTED)
@@ -62,7 +53,7 @@ def place(preset: Preset, height: int, width: int, fixed: tuple[int | None, int 
 
 
 def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) -> Map:
-    """The input of a network, float32 [3, rows, columns]; what the picture does not cover is the mean of ImageNet."""
+    """Network input, float32 [3, rows, columns], padded with ImageNet's mean."""
     mean, std = (np.array(values, np.float32)[:, None, None] for values in (preset.mean, preset.std))
     used, (down, across) = placement.used, placement.border
     if down or across:
@@ -70,7 +61,7 @@ def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) ->
     small = np.stack(
         [resize(picture[..., channel].astype(np.float32), used, Image.Resampling.BICUBIC) for channel in range(3)]
     )
-    small = np.clip(small, 0.0, 255.0)  # bicubic kernels overshoot at edges; no picture is brighter than white
+    small = np.clip(small, 0.0, 255.0)  # bicubic kernels overshoot at edges
     values = (small * np.float32(preset.levels / 255.0) - mean) / std
     if used == (placement.rows, placement.columns):
         return values
@@ -83,7 +74,6 @@ def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) ->
 
 
 def bring_back(values: Map, placement: Placement) -> Map:
-    """A map of the input's size as one of the picture's: without what was added around it, resized linearly."""
     top, left, used, (down, across) = placement.top, placement.left, placement.used, placement.border
     size = placement.height + 2 * down, placement.width + 2 * across
     whole = resize(values[top : top + used[0], left : left + used[1]], size)
@@ -91,7 +81,6 @@ def bring_back(values: Map, placement: Placement) -> Map:
 
 
 def resize(values: Map, size: tuple[int, int], kind: Image.Resampling = Image.Resampling.BILINEAR) -> Map:
-    """A map in another size (rows, columns), borders on borders."""
     if values.shape == size:
         return np.array(values, np.float32)
     picture = Image.fromarray(np.ascontiguousarray(values, np.float32))

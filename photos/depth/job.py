@@ -1,4 +1,4 @@
-"""Pictures to clouds: `depth_of_pictures`, for one picture or all of a folder, with one session of the network."""
+"""Monocular depth of one image or a folder to point clouds: `depth_of_pictures`."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ from .presets import PRESETS
 from .report import DepthFailure, DepthReport, PictureDepth
 from .settings import DepthSettings
 
-REFERENCES = (".npy", ".png", ".txt", ".csv")  # of a picture of the same name
-SHOWN_SIDE = 1280  # [px] of the longer side of the picture of a cloud
-ASIDE = math.radians(14), math.radians(9)  # from where the cloud is drawn: to the right of the camera, and above it
+REFERENCES = (".npy", ".png", ".txt", ".csv")  # with the image's name
+SHOWN_SIDE = 1280  # [px] longer side of the rendered cloud
+ASIDE = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
 
 
 def depth_of_pictures(
@@ -52,29 +52,25 @@ def depth_of_pictures(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> DepthReport:
-    """Estimate the depth of a picture, or of all in a folder, and write clouds, as `pointloom depth` does.
-
-    Outputs are checked before the work. For one picture as an object see `estimate_depth`.
+    """Estimate the depth of an image, or of all in a folder, and write clouds, as `pointloom depth` does.
 
     Args:
         source: A PNG or JPEG file, or a folder of such.
         model: The .onnx file.
-        output: A cloud; of a folder, a folder for clouds NAME.ply, which is made.
-        settings: Which network it is, the camera, what is known of the depth; None for the usual.
-        depth_map: A .npy file for the depth, float32 [h, w]; not of a folder.
-        picture: A .png file for a picture of the cloud; not of a folder.
-        device: As `estimate_depth`; clouds are made there too.
-        overwrite: Replace outputs that exist.
-        progress: Called with the stage, how many of its steps are done, and how many there are.
+        output: Cloud file; for a folder, a folder for clouds NAME.ply.
+        settings: Network preset, camera, known depth; None: defaults.
+        depth_map: .npy file for the depth, float32 [h, w]; not for a folder.
+        picture: .png file with an image of the cloud; not for a folder.
+        device: As of `estimate_depth`; also for the clouds.
+        overwrite: Replace existing outputs.
+        progress: Called with (stage, steps done, steps in all).
 
     Returns:
-        What was done; `warnings` says why the result is unreliable. Where the references and the map do not agree
-        nothing is written for that picture.
+        A report with `warnings`. Nothing is written for images whose references do not fit the map.
 
     Raises:
         TypeError, ValueError: An argument out of range; as `estimate_depth`.
-        FileError: A file that cannot be read, an output that cannot be written, a model that is none. Of a folder only
-            where nothing comes of any picture.
+        FileError: An unreadable input or model, or an output that cannot be written; for a folder, if all fail.
         DeviceError: As `estimate_depth`.
 
     Example:
@@ -132,7 +128,6 @@ def _checked(settings: Any) -> DepthSettings:
 
 
 def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> list[tuple[Path, Path]]:
-    """Each picture and the cloud that it becomes, once all can be written."""
     if folder is None:
         check_output(output, WRITTEN, what="clouds", overwrite=overwrite)
         return [(source, output)]
@@ -156,11 +151,7 @@ def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> l
 
 
 class _AlignTo:
-    """What each picture is aligned to.
-
-    For one picture that is what the user named. Of a folder of pictures it may be a folder too: of files by the
-    pictures' names, or else a COLMAP model, which is read once.
-    """
+    """References of each image: the given ones, or for a folder files by image name, or a COLMAP model, read once."""
 
     def __init__(self, align: FilePath | None, jobs: list[tuple[Path, Path]], *, is_folder: bool):
         self._same: Any = align
@@ -169,11 +160,6 @@ class _AlignTo:
             self._same, self._folder = read_colmap_model(self._folder), None
 
     def __call__(self, picture: Path) -> Any:
-        """The references of a picture.
-
-        Raises:
-            FileError: Others have a file of their own, this one has none.
-        """
         if self._folder is None:
             return self._same
         if own := self._own(picture):
@@ -188,11 +174,7 @@ class _AlignTo:
 
 
 class _Extras:
-    """What is written of each picture: the cloud, and of one that is alone its depth and a picture of the cloud.
-
-    Raises:
-        FileError: One of the latter cannot be written, or goes with one picture alone.
-    """
+    """Writes the cloud, and for a single image its depth and an image of the cloud."""
 
     def __init__(self, folder: Path | None, depth_map: FilePath | None, picture: FilePath | None, overwrite: bool):
         for name, path in (("depth_map", depth_map), ("picture", picture)):
@@ -210,7 +192,6 @@ class _Extras:
         self._depth_map, self._picture, self._overwrite = depth_map, picture, overwrite
 
     def write(self, found: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
-        """Write what a picture becomes; gives the names of the files."""
         files = []
         if len(cloud):
             if target.suffix.lower() == ".ply":
@@ -240,7 +221,7 @@ def _unit_comment(found: DepthEstimate) -> str:
 
 
 def view_aside(intrinsic: PinholeCameraIntrinsic, distance: float) -> View:
-    """The picture's own view from a little to the right and above, turned about what lies at this distance."""
+    """The camera's view from slightly right and above, rotated about a point at this distance."""
     camera = intrinsic.scaled(min(1.0, SHOWN_SIDE / max(intrinsic.width, intrinsic.height)))
     yaw, pitch = ASIDE
     back = _turn(1, -yaw) @ _turn(0, -pitch)
@@ -251,6 +232,6 @@ def view_aside(intrinsic: PinholeCameraIntrinsic, distance: float) -> View:
 
 
 def _turn(axis: int, angle: float) -> NDArray[np.float64]:
-    """The rotation about x (0) or y (1)."""
+    """Rotation about x (0) or y (1)."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]] if axis == 0 else [[c, 0, s], [0, 1, 0], [-s, 0, c]])

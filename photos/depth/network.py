@@ -1,9 +1,7 @@
-"""A depth network from an ONNX file: opened once, held to what its preset says, run on one picture after another.
+"""Depth networks from ONNX files: session, checks against the preset, and inference.
 
-Whether a model is the one that the preset names: its inputs, its outputs, and what its graph ends in. A file whose
-names, sizes or last operations are another network's is refused with the preset to take. A graph that says nothing
-(heads.py) is taken, and `note_on` says so: exports that were quantised or rewritten end in anything, and to refuse them
-would refuse right ones.
+A model whose names, sizes or last operations belong to another network is rejected with the preset to use. A graph that
+cannot be classified (heads.py) is accepted with a note, since quantized exports end in arbitrary operations.
 """
 
 from __future__ import annotations
@@ -45,7 +43,6 @@ _TELLING = {
     "domain_logits": "zoedepth",
 }  # fmt: skip
 
-# What a head is, in words, and the presets of networks that have it.
 _HEADS = {
     INVERSE: ("a ReLU, as networks of relative inverse depth do", ("depth-anything-v2", "dpt", "midas-v2.1")),
     SIGMOID: ("a sigmoid times {factor:g}, as networks of depth up to {factor:g} m do", ("depth-anything-v2-metric",)),
@@ -64,16 +61,7 @@ _MEANINGS = {
 
 @dataclasses.dataclass(frozen=True)
 class Signature:
-    """What a model takes and gives.
-
-    Args:
-        input: Name of the picture's input.
-        type: Its type, by onnxruntime's name.
-        has_views: It has five dimensions.
-        fixed: Its rows and columns, None where they are open.
-        numbers: Inputs beside it: name, number and shape.
-        outputs: Names of the outputs that are read, by what they hold.
-    """
+    """Names, types and shapes of a model's inputs and outputs; `fixed` rows and columns are None if dynamic."""
 
     input: str
     type: str
@@ -84,22 +72,13 @@ class Signature:
 
 
 def check_signature(path: str, session: Any, preset: Preset) -> Signature:
-    """The model's inputs and outputs.
-
-    Raises:
-        FileError: They are not the preset's.
-    """
     _check_names(path, session, preset)
     the_input, views, fixed, numbers = _check_input(path, session, preset)
     return Signature(the_input.name, the_input.type, views, fixed, numbers, _check_outputs(path, session, preset))
 
 
 def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) -> Head:
-    """What the model's graph ends in.
-
-    Raises:
-        FileError: That is another network's.
-    """
+    """Classify the end of the model's graph; FileError if it is another network's."""
     head = find_head(graph, signature.outputs["depth"])
     if head.kind == BROKEN:
         reason = (
@@ -124,7 +103,7 @@ def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) ->
 
 
 def _is_canonical(signature: Signature, preset: Preset) -> bool:
-    """Whether a map of inverse depth is Depth Pro's, and not a relative one: its encoder has one size."""
+    """True if inverse depth is Depth Pro's canonical one, not relative: its encoder has one size."""
     names = signature.outputs
     return (
         signature.fixed in preset.fixed
@@ -134,7 +113,7 @@ def _is_canonical(signature: Signature, preset: Preset) -> bool:
 
 
 def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
-    """Refuse a model of Metric3D's own size for another network: its export has one input and one output, as most."""
+    """Reject a model of Metric3D's input size for another network, which has the same inputs and outputs."""
     canvas = next((each for each in PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None)
     if canvas is not None and preset.levels == 1:
         rows, columns = signature.fixed
@@ -143,7 +122,7 @@ def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
 
 
 def _by_outputs(path: str, signature: Signature) -> Head:
-    """What a Depth Pro gives whose graph does not say so: exports with a focal length go on to metres."""
+    """The head of a Depth Pro by its outputs: exports with a focal length output meters."""
     if "focal" in signature.outputs:
         return Head(RECIPROCAL)
     if "view" in signature.outputs or signature.outputs["depth"] == "canonical_inverse_depth":
@@ -153,7 +132,6 @@ def _by_outputs(path: str, signature: Signature) -> Head:
 
 
 def note_on(head: Head, preset: Preset) -> str | None:
-    """What the graph leaves open, or None."""
     if head.kind is None and preset.heads:
         return (
             f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near "
@@ -177,7 +155,6 @@ def _check_names(path: str, session: Any, preset: Preset) -> None:
 
 
 def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tuple[int | None, int | None], Any]:
-    """The picture's input, whether it has views, its fixed rows and columns, and the numbers beside it."""
     numbers = [each for each in session.get_inputs() if each.name in preset.numbers]
     inputs = [each for each in session.get_inputs() if each.name not in preset.numbers]
     for each in numbers:
@@ -193,7 +170,7 @@ def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tu
     shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
     views = len(shape) == 5 and preset.takes_views
     heads = [1, 1, 3] if views else [1, 3]
-    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # else the colours come last
+    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # otherwise the colors are last
     if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
         reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
         raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
@@ -247,9 +224,8 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MOST_THREADS = 1024
-SILENT = 4  # severity from which onnxruntime's own log goes to stderr: its errors come as exceptions as well
+SILENT = 4  # minimum severity of onnxruntime's stderr log; errors are raised as exceptions too
 
-# What onnxruntime's messages are about, and what to do.
 _REMEDIES = (
     ("External data", WEIGHTS_REMEDY),
     ("IR version", "Update onnxruntime, or export the model with an older version of ONNX"),
@@ -259,24 +235,22 @@ _REMEDIES = (
 
 
 class DepthModel:
-    """A depth network from an ONNX file, for many pictures.
+    """A depth network from an ONNX file, for many images.
 
     Args:
-        path: The .onnx file; weights that it keeps in other files must be in its folder.
-        preset: Which network it is: what its input and output mean. docs/depth.md lists them.
-        device: "cpu" or None; "cuda", "cuda:N": an error where onnxruntime has no CUDA; "auto": a GPU where
-            onnxruntime can use one, and `provider` says whether it did.
-        threads: CPU threads; None for all cores.
+        path: The .onnx file; external weights must be in its folder.
+        preset: Type of network, see docs/depth.md.
+        device: "cpu" or None; "cuda", "cuda:N": requires onnxruntime with CUDA; "auto": a GPU if usable, see
+            `provider`.
+        threads: CPU threads; None: all cores.
 
     Raises:
-        FileError: No ONNX model, one with other inputs or outputs than the preset's, one with weights outside its
-            folder, or onnx or onnxruntime is missing.
-        DeviceError: The device is not there, or onnxruntime cannot use it.
-        ValueError: No such preset, or a number of threads out of range.
+        FileError: Not an ONNX model of the preset, weights outside its folder, or onnx or onnxruntime is missing.
+        DeviceError: The device is missing or not usable by onnxruntime.
+        ValueError: An unknown preset, or threads out of range.
 
     Notes:
-        Memory is onnxruntime's: the weights, and for attention some 1 GB at the usual sizes. Its deterministic
-        algorithms are asked for; docs/depth.md says what that gives.
+        Memory: weights, and about 1 GB for attention. Uses deterministic algorithms, see docs/depth.md.
 
     Example:
         >>> import pointloom as loom
@@ -297,35 +271,32 @@ class DepthModel:
             graph = load_graph(self.path)
         self._session = _open_session(self.path, device, count)
         self.provider: str = self._session.get_providers()[0]
-        with content_errors(self.path):  # names that are no UTF-8 show where onnxruntime hands them out
+        with content_errors(self.path):  # onnxruntime returns names that may not be UTF-8
             self._signature = check_signature(self.path, self._session, self._preset)
             self._head = check_head(self.path, graph, self._signature, self._preset)
 
     @property
     def preset(self) -> str:
-        """The name of its preset."""
+        """Name of the preset."""
         return self._preset.name
 
     @property
     def note(self) -> str | None:
-        """What could not be checked in the file, so that the preset was trusted; or None."""
+        """What could not be verified in the file; or None."""
         return note_on(self._head, self._preset)
 
     def __repr__(self) -> str:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
 
     def run(self, picture: Any) -> Map:
-        """What the network gives for a picture, at the picture's size and in the network's own unit.
+        """Run the network on an image; returns its map, float32 [h, w], at the image size in the network's unit.
 
         Args:
-            picture: As `estimate_depth` takes it.
-
-        Returns:
-            float32 [h, w].
+            picture: As of `estimate_depth`.
 
         Raises:
-            FileError: The network fails, or gives another size, NaN, infinity or one value everywhere.
-            TypeError, ValueError: No picture, or one that is too narrow for the network.
+            FileError: The network fails, or outputs a wrong size, NaN, infinity or a constant.
+            TypeError, ValueError: Not an image, or one that is too narrow for the network.
         """
         return self._run_placed(take_photo(picture).color)[0]
 
@@ -333,13 +304,11 @@ class DepthModel:
         return place(self._preset, height, width, self._signature.fixed)
 
     def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
-        """The same of an array [h, w, 3], and where it lay in the input."""
         camera, _ = camera_of(Photo(picture))
         reading = self._read(picture, camera, is_known=False)
         return reading.values, reading.placement
 
     def _read(self, picture: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
-        """What the network says of an array [h, w, 3] that this camera took, which may be assumed."""
         placement = self._placement(*picture.shape[:2])
         values = prepare(self._preset, picture, placement)
         signature = self._signature
@@ -349,7 +318,7 @@ class DepthModel:
         handled = sys.exception()
         try:
             given = self._session.run(list(names), {signature.input: batch, **numbers})
-        except Exception as error:  # onnxruntime's own classes, one a kind of failure
+        except Exception as error:  # onnxruntime has its own exception classes
             if (stopped := signal_exception(error, handled)) is not None:
                 raise stopped from None
             reason = f"fails on an input of {list(batch.shape)}: {_first_line(error)}"
@@ -364,11 +333,10 @@ class DepthModel:
 
 
 def _open_session(path: str, device: Any, threads: int) -> Any:
-    """A session where the device asks for it."""
     ort = import_for(path, "onnxruntime", "depth")
     providers = _providers(ort, device)
     options = ort.SessionOptions()
-    options.add_session_config_entry("session.load_model_format", "ONNX")  # as load_graph, whatever the name ends in
+    options.add_session_config_entry("session.load_model_format", "ONNX")  # as load_graph, for any file extension
     options.use_deterministic_compute = True
     options.log_severity_level = SILENT
     options.intra_op_num_threads = threads
@@ -392,17 +360,16 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
 
 
 def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
-    """A session; on the CPU where the first provider fails, as onnxruntime has it, but without its banner on stdout."""
+    """Open a session with fallback to the CPU as in onnxruntime, without its banner on stdout."""
     try:
         return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
-    except (ValueError, RuntimeError, Warning):  # a warning where the program makes errors of them
+    except (ValueError, RuntimeError, Warning):  # a warning if the program turns them into errors
         if providers == [CPU]:
             raise
         return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)
 
 
 def wants_cuda(device: Any) -> bool:
-    """Whether a GPU is asked for by name."""
     return device is not None and str(device).startswith("cuda")
 
 
@@ -420,6 +387,6 @@ def _providers(ort: Any, device: Any) -> list[Any]:
 
 
 def _first_line(error: Exception) -> str:
-    """What onnxruntime says, without its code, its place in the source and the path that the user knows."""
+    """onnxruntime's message without error code, source location and path."""
     line = (str(error).split("\n")[0] or type(error).__name__).split("failed:", 1)[-1]
     return line.replace("[ONNXRuntimeError] : ", "").strip()[:200].rstrip(".")

@@ -1,4 +1,4 @@
-"""Pictures as networks see them: upright, 8 bits, three colours; and the focal length that a camera wrote into them."""
+"""Network input images: upright, 8 bit, RGB; and their EXIF focal length."""
 
 from __future__ import annotations
 
@@ -19,27 +19,20 @@ from ...files.foreign import ignored_errors
 from ...files.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
 SUFFIXES = (".png", ".jpg", ".jpeg")
-FIELD_OF_VIEW = 60.0  # [degrees] across the longer side: a telephone's main camera has 60 to 70
+FIELD_OF_VIEW = 60.0  # [degrees] across the longer side: phone main cameras have 60 to 70
 
 _ORIENTATION, _EXIF_IFD = 0x0112, 0x8769
 _FOCAL_35MM, _FOCAL_MM, _PLANE_X, _PLANE_UNIT, _PIXELS_X = 0xA405, 0x920A, 0xA20E, 0xA210, 0xA002
-_DIAGONAL_35MM = math.hypot(36.0, 24.0)  # [mm] of the film that equivalent focal lengths are told for
-_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # of the unit of focal plane resolutions
+_DIAGONAL_35MM = math.hypot(36.0, 24.0)  # [mm] 35 mm film, for equivalent focal lengths
+_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # unit of focal plane resolutions
 
-# What turns a picture upright, by EXIF's orientation: first mirrored left to right or not, then quarter turns.
+# EXIF orientations as (mirror left to right, quarter turns).
 _TURNS = {2: (True, 0), 3: (False, 2), 4: (True, 2), 5: (True, 1), 6: (False, 3), 7: (True, 3), 8: (False, 1)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Photo:
-    """A picture for a network.
-
-    Args:
-        color: Red, green and blue, uint8 [h, w, 3], upright.
-        name: Of its file; None of an array.
-        focal: Focal length that its file tells [px], or None.
-        is_turned: It lay on its side in the file, so that rows and columns are exchanged.
-    """
+    """An upright image, uint8 [h, w, 3], with its EXIF focal length [px]; `is_turned`: rows and columns swapped."""
 
     color: NDArray[np.uint8]
     name: str | None = None
@@ -48,16 +41,7 @@ class Photo:
 
 
 def take_photo(picture: Any) -> Photo:
-    """A picture from a file or an array.
-
-    Args:
-        picture: The path of a PNG or JPEG file, whose EXIF orientation is applied; or an array, uint8 or uint16, of
-            shape [h, w], [h, w, 3] or [h, w, 4]. Transparency is dropped, 16 bits become 8 over their whole range.
-
-    Raises:
-        FileError: A file that cannot be read.
-        TypeError, ValueError: An array of another type or shape.
-    """
+    """Load an image from a file or an array; drops transparency, and converts 16 bits to 8 over their full range."""
     if isinstance(picture, str | os.PathLike):
         return _read_photo(picture)
     array = check_numeric("picture", picture)
@@ -96,7 +80,7 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
 
 
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
-    """What a camera wrote into a picture; nothing where that is damaged, since the pixels are right without it."""
+    """EXIF tags; empty if damaged, since the pixels are still valid."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
     with ignored_errors(), path_of(path).open("rb") as file, plugin(file) as picture:
         exif = picture.getexif()
@@ -105,11 +89,7 @@ def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
 
 
 def _exif_focal(tags: dict[int, Any], width: int, height: int) -> float | None:
-    """The focal length [px]: the equivalent on film by the diagonal, else by the size of the sensor's pixels.
-
-    A picture that was scaled keeps its diagonal's share; the sensor's pixels say something only of the size that the
-    camera wrote.
-    """
+    """Focal length [px] by the 35 mm equivalent and the diagonal, else by the pixel pitch (at original size)."""
     equivalent = _positive(tags.get(_FOCAL_35MM))
     if equivalent is not None:
         return equivalent / _DIAGONAL_35MM * math.hypot(width, height)
@@ -129,10 +109,9 @@ def _positive(value: Any) -> float | None:
 
 
 def camera_of(photo: Photo) -> tuple[PinholeCameraIntrinsic, str]:
-    """The camera that a picture was taken with as far as it tells, and where that comes from."""
     height, width = photo.color.shape[:2]
     focal, source = photo.focal, "EXIF"
-    if focal is None or not 0.2 < focal / max(width, height) < 50:  # 136 and 1 degrees: else somebody made it up
+    if focal is None or not 0.2 < focal / max(width, height) < 50:  # 136 and 1 degrees: implausible otherwise
         focal = max(width, height) / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
         source = f"assumed {FIELD_OF_VIEW:g} degrees"
     return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2), source

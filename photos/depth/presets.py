@@ -1,11 +1,9 @@
-"""What each depth network expects and gives: size of its input, normalisation, layout, the meaning of its output.
+"""Presets of depth networks: input size, normalization, layout, meaning of the output.
 
-Held against the networks' own repositories where they say it; what was taken over from their PyTorch code or is
-assumed is said at the preset. Sizes are chosen as there; resizing itself is this package's (inputs.py). Repositories:
-DepthAnything/Depth-Anything-V2 (metric_depth/), isl-org/MiDaS, YvanYin/Metric3D (onnx/),
-ByteDance-Seed/Depth-Anything-3, apple/ml-depth-pro (Bochkovskii et al. 2024), isl-org/ZoeDepth and
-transformers' zoedepth (Bhat et al. 2023), microsoft/MoGe (docs/onnx.md; Wang et al. 2025),
-lpiccinelli-eth/UniDepth (models/unidepthv2/export.py).
+From DepthAnything/Depth-Anything-V2 (metric_depth/), isl-org/MiDaS, YvanYin/Metric3D (onnx/),
+ByteDance-Seed/Depth-Anything-3, apple/ml-depth-pro (Bochkovskii et al. 2024), isl-org/ZoeDepth and transformers'
+zoedepth (Bhat et al. 2023), microsoft/MoGe (docs/onnx.md; Wang et al. 2025), lpiccinelli-eth/UniDepth
+(models/unidepthv2/export.py). Values from their PyTorch code and assumptions are marked.
 """
 
 from __future__ import annotations
@@ -18,38 +16,35 @@ from .heads import BINS, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID
 IMAGENET_MEAN, IMAGENET_STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
 ZERO, ONE, HALF = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.5, 0.5)
 
-MOST_INPUT = 2**23  # pixels of a network's input: 30 times its usual size; attention over more wants 100 GB
+MOST_INPUT = 2**23  # maximum input pixels: 30 times the usual size; attention over more needs 100 GB
 
 
 @dataclasses.dataclass(frozen=True)
 class Preset:
-    """How to speak to one family of networks.
+    """Interface of a family of networks.
 
     Args:
-        name: What users call it.
-        licence: Of the weights, and which of them.
-        sizing: How a picture's size becomes that of the input, where the model leaves it open. "lower": both sides at
-            least `size`; "upper": at most; "minimal": the side that needs the least change becomes `size`; each then a
-            multiple of `multiple`. "area": as many pixels, the picture's shape kept. "exact": the one size of `fixed`,
-            the picture stretched. "pad": the same, the picture as large as fits in, and the mean around it.
-        size: Rows and columns that `sizing` speaks of [px].
+        name: Name of the preset.
+        licence: License of the weights.
+        sizing: Input size for dynamic models. "lower": both sides at least `size`; "upper": at most; "minimal": the
+            side with the least change becomes `size`; then rounded to `multiple`. "area": same number of pixels,
+            keeping the aspect. "exact": `fixed`, stretched. "pad": `fixed`, letterboxed with the mean.
+        size: Rows and columns for `sizing` [px].
         multiple: Sides are multiples of this [px].
-        fixed: Sizes (rows, columns) that a model with a fixed input may have; none for any multiple.
-        fixed_pads: A model with a fixed input gets the picture with the mean around it, and not stretched.
-        levels: What white is before the normalisation: 1 or 255.
-        mean, std: Of the normalisation, red, green, blue.
-        output: "inverse": grows with 1 / z, up to a scale and a shift; "depth": grows with z, up to a scale;
-            "metric": metres, up to the focal length.
-        focal: Of the camera that a metric network was made for [px]: z = output * f / focal, f as of its input. None
-            of those that give metres by themselves.
-        outputs: Names of the output that holds depth, where a model has several.
+        fixed: Allowed sizes (rows, columns) of fixed inputs; empty: any multiple.
+        fixed_pads: Fixed inputs are padded with the mean instead of stretched.
+        levels: White level before normalization: 1 or 255.
+        mean, std: Normalization, red, green, blue.
+        output: "inverse": affine in 1 / z; "depth": proportional to z; "metric": meters, up to the focal length.
+        focal: Focal length of a metric network [px]: z = output * f / focal, f of its input; None: output in meters.
+        outputs: Names of the depth output if there are several.
         takes_views: The input may have five dimensions [1, views, 3, h, w].
-        heads: What the graph may end in (heads.py); none where it is not looked at.
-        reading: How outputs become a map (readings.py): "map", "canonical", "points" or "camera".
-        others: Names of outputs beside the depth, by what they hold.
-        needed: Which of those a model must have.
-        numbers: Inputs beside the picture, whole numbers by their names.
-        reflects: The picture goes in with its own reflection around it, where the input's size is open.
+        heads: Allowed ends of the graph (heads.py); empty: not checked.
+        reading: Conversion of the outputs (readings.py): "map", "canonical", "points" or "camera".
+        others: Names of further outputs, by content.
+        needed: Required ones among them.
+        numbers: Integer inputs besides the image, by name.
+        reflects: Dynamic inputs are padded by reflection.
     """
 
     name: str
@@ -75,12 +70,12 @@ class Preset:
 
     @property
     def gives_scale(self) -> bool:
-        """Whether only a scale lacks, and no shift, between what it gives and depth."""
+        """True if the output lacks a scale but no shift."""
         return self.output != "inverse"
 
 
 def _midas(name: str, side: int, *, inside: bool) -> Preset:
-    """MiDaS v2.1; `inside` for the ONNX files of its release, which normalise by themselves and have one size."""
+    """MiDaS v2.1; `inside` for the ONNX files of its release, which normalize internally and have a fixed size."""
     licence = "MIT"
     if inside:
         return Preset(name, licence, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO, std=ONE)
@@ -89,25 +84,24 @@ def _midas(name: str, side: int, *, inside: bool) -> Preset:
 
 _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"
 
-# Depth Anything 3: the sizes are those of its `upper_bound_resize` at 504; fixed inputs are padded by the mean as its
-# ONNX page says. Assumed: sides are rounded to the nearest multiple, the confidence and the sky beside the depth are
-# not needed, relative depth lacks no shift, and the metric model's focal length is that of the picture as it goes in.
+# Depth Anything 3: sizes of its `upper_bound_resize` at 504; fixed inputs are padded by the mean as in its ONNX page.
+# Assumed: sides rounded to the nearest multiple, confidence and sky not needed, relative depth without shift, focal
+# length of the metric model as of the input.
 _DA3 = {
     "sizing": "upper", "size": (504, 504), "multiple": 14, "fixed_pads": True, "takes_views": True, "heads": (EXP,),
 }  # fmt: skip
 
-# Metric3D: 0..255 in, as its ONNX export normalises inside. Portrait canvases are those of others' exports.
+# Metric3D: 0..255, as its ONNX export normalizes inside. Portrait canvases are from third-party exports.
 _METRIC3D = {
     "sizing": "pad", "fixed_pads": True, "levels": 255.0, "mean": ZERO, "std": ONE, "output": "metric", "focal": 1000.0,
     "outputs": ("predicted_depth", "pred_depth", "depth"),
 }  # fmt: skip
 
-# Depth Pro: 1536 x 1536, stretched. It gives canonical inverse depth c, and z = (f / w) / c with f and w of the picture
-# along x; some exports go on to metres by the network's own focal length.
+# Depth Pro: 1536 x 1536, stretched; canonical inverse depth c with z = (f / w) / c, f and w along x of the image; some
+# exports output meters by the network's own focal length.
 _DEPTH_PRO = {"focal": ("focallength_px",), "view": ("field_of_view", "fov_deg")}
 
-# MoGe-2: normalises inside. 3600 tokens are the most that its `infer` asks for, of 14 x 14 pixels each: a larger
-# picture would be made smaller inside.
+# MoGe-2 normalizes inside. 3600 tokens of 14 x 14 pixels are the maximum of its `infer`.
 MOGE_TOKENS = 3600
 
 PRESETS = {
@@ -161,23 +155,14 @@ DEFAULT = "depth-anything-v2"
 
 
 def find_preset(name: str) -> Preset:
-    """The preset of this name.
-
-    Raises:
-        TypeError: No string.
-        ValueError: None is called so; lists those that there are.
-    """
+    """The preset of this name; TypeError or ValueError (with the known names) otherwise."""
     if check_name("preset", name) not in PRESETS:
         raise ValueError(f"preset: expected one of {', '.join(PRESETS)}, got {name!r}")
     return PRESETS[name]
 
 
 def input_size(preset: Preset, height: int, width: int) -> tuple[int, int]:
-    """Rows and columns of the input for a picture, where the model leaves them open.
-
-    Raises:
-        ValueError: The picture is so narrow that the input would be huge.
-    """
+    """Input rows and columns for an image and a dynamic model; ValueError if the input would be huge."""
     rows, columns, step = *preset.size, preset.multiple
     if preset.sizing in ("exact", "pad"):
         return rows, columns

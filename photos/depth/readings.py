@@ -1,22 +1,13 @@
-"""What a network's outputs say: a map of the picture's size, and the focal length where the network finds one.
+"""Conversion of network outputs to a map of the image size, and the focal length if the network estimates one.
 
-- "map": the output as it is.
-- "canonical": Depth Pro. Canonical inverse depth c, which is resized as in its `infer`; given back is 1 / c, the depth
-  where f is the picture's width. An export that gives metres has used its own focal length, which is taken out again,
-  since a known one is better (`infer(f_px=...)`). 10 km and farther is none: there `infer` clamps.
-- "points": MoGe-2. Points up to a shift and a scale along the view, a mask of the sky, the scale to metres.
-  Metres along the optical axis.
-- "camera": UniDepth V2. Points or depth in metres, and the camera matrix that the network found.
+- "map": the output unchanged.
+- "canonical": Depth Pro's inverse depth c; returns 1 / c, the depth if f is the image width, without the focal length
+  of metric exports. 10 km and more is invalid (clamped by its `infer`).
+- "points": MoGe-2: points up to a shift and a scale, a sky mask, the metric scale.
+- "camera": UniDepth V2: points or depth in meters, and the camera matrix.
 
-From a point map that lacks a shift along the view to depth: MoGe's focal length and shift. The network gives points (x,
-y, z) of a pinhole camera whose z lacks a shift and whose focal length is not said (Wang et al. 2025, "MoGe", section
-3.1). Both are those that put the points where their pixels are:
-
-    min over f, s of   sum | f (x, y) / (z + s) - (u, v) |^2 ,   (u, v) from the middle of the picture
-
-f is linear and is solved for at each s, so one unknown is left; it is searched for over eight decades, then by golden
-section, which ends in the one minimum that a start at 0 may miss. Some 4,000 points of a grid are enough for two
-unknowns. On the host: a few ms. The same bits always.
+MoGe's focal length f and shift s (Wang et al. 2025, "MoGe", section 3.1) minimize sum |f (x, y) / (z + s) - (u, v)|^2.
+f is linear at each s, which is found by golden section search on some 4,000 points after a scan of eight decades.
 """
 
 from __future__ import annotations
@@ -34,25 +25,19 @@ from .presets import Preset
 
 Numbers = NDArray[np.float64]
 
-GRID = 64  # rows and columns of points that are looked at
-NEAREST = 0.5  # percent of the points that may lie behind the camera: the mask's ragged rim
-DECADES = (-4.0, 4.0)  # of the nearest point's depth over the extent of the points
-STEPS = 200  # of the search: 10 % each
-GOLDEN = 60  # steps that leave 1e-12 of the bracket
-OTHER_FOCAL = 1.25  # a focal length this much longer or shorter, with its own best shift, ...
-LEAST_RISE = 1.1  # ... must fit worse by this factor; a wall seen from the front fits any as well ...
-LEAST_MISS = 2e-3  # ... and by this share of half the diagonal: a pixel of a thousand, no network's points are better
+GRID = 64  # rows and columns of sampled points
+NEAREST = 0.5  # percentile of points that may be behind the camera: ragged mask border
+DECADES = (-4.0, 4.0)  # log10 of the nearest depth relative to the extent of the points
+STEPS = 200  # search steps, 10% each
+GOLDEN = 60  # steps that reduce the bracket to 1e-12
+OTHER_FOCAL = 1.25  # a focal length changed by this factor, with its own best shift, ...
+LEAST_RISE = 1.1  # ... must fit worse by this factor (a frontal wall fits any) ...
+LEAST_MISS = 2e-3  # ... and by this fraction of half the diagonal, about a pixel
 
 
 @dataclasses.dataclass(frozen=True)
 class Pinhole:
-    """What puts points where their pixels are.
-
-    Args:
-        focal: Along x and y [px of the map]; None where the points do not fix it.
-        shift: What z lacks.
-        error: How far the points then lie from their pixels, root mean square [px of the map].
-    """
+    """Focal length [px of the map] (None if undetermined), z shift, and root mean square error [px] of a point map."""
 
     focal: tuple[float, float] | None
     shift: float
@@ -60,16 +45,7 @@ class Pinhole:
 
 
 def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[float, float] | None) -> Pinhole | None:
-    """The focal length and shift of a point map, or the shift alone where the focal length is known.
-
-    Args:
-        points: Shape [h, w, 3].
-        valid: Which of them are points, shape [h, w].
-        focal: Along x and y [px of the map], or None.
-
-    Returns:
-        None where there are hardly points.
-    """
+    """The focal length and shift of a point map [h, w, 3], or the shift if `focal` is known; None if too sparse."""
     rows, columns = (np.unique(np.linspace(0, side - 1, GRID).round().astype(int)) for side in valid.shape)
     grid = np.ix_(rows, columns)
     v, u = np.meshgrid(rows - (valid.shape[0] - 1) / 2, columns - (valid.shape[1] - 1) / 2, indexing="ij")
@@ -100,18 +76,17 @@ class _Sample:
     v: Numbers
 
     def focal(self, nearest: float) -> float:
-        """The focal length that fits best where the nearest point lies so far off."""
+        """The best focal length if the nearest point is at this depth."""
         p, q = self.x / (self.z + nearest), self.y / (self.z + nearest)
         return float((p * self.u + q * self.v).sum() / max(float((p * p + q * q).sum()), 1e-300))
 
     def cost(self, nearest: float, focal: tuple[float, float] | None) -> float:
-        """Mean squared distance of the points from their pixels."""
         fx, fy = (self.focal(nearest),) * 2 if focal is None else focal
         across, down = fx * self.x / (self.z + nearest) - self.u, fy * self.y / (self.z + nearest) - self.v
         return float((across * across + down * down).mean())
 
     def search(self, focal: tuple[float, float] | None) -> tuple[float, float]:
-        """How far off the nearest point lies, and what that costs."""
+        """The best depth of the nearest point, and its cost."""
         extent = max(float(np.ptp(axis)) for axis in (self.x, self.y, self.z))
         steps = np.log(max(extent, 1e-12)) + np.linspace(*DECADES, STEPS) * np.log(10)
         best = int(np.argmin([self.cost(float(np.exp(step)), focal) for step in steps]))
@@ -127,16 +102,14 @@ class _Sample:
         return nearest, self.cost(nearest, focal)
 
 
-FARTHEST = 1e4  # [m] to which Depth Pro clamps
-LEAST_MASK = 0.5  # of MoGe's mask, as in its `infer`
-FOCALS = (0.1, 50.0)  # over the picture's width: 157 and 1 degrees; else it is no focal length
-MOST_ERROR = (
-    0.1  # of half the diagonal by which MoGe's points may miss their pixels; a map of a pinhole's picture: 0.01
-)
+FARTHEST = 1e4  # [m] Depth Pro's clamp
+LEAST_MASK = 0.5  # MoGe's mask threshold, as in its `infer`
+FOCALS = (0.1, 50.0)  # relative to the image width: 157 and 1 degrees
+MOST_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal; pinhole images have 0.01
 
 
 class ReadingError(Exception):
-    """Outputs that are not what the preset says; the message says how, `remedy` what to do where that is another."""
+    """Outputs that contradict the preset; `remedy` applies if they belong to another one."""
 
     def __init__(self, reason: str, remedy: str | None = None):
         super().__init__(reason)
@@ -145,7 +118,7 @@ class ReadingError(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class OwnCamera:
-    """The camera that a network found in a picture: focal lengths and principal point [px of the picture]."""
+    """Camera estimated by a network: focal lengths and principal point [image px]."""
 
     fx: float
     fy: float
@@ -155,14 +128,7 @@ class OwnCamera:
 
 @dataclasses.dataclass(frozen=True)
 class Reading:
-    """What a network says of a picture.
-
-    Args:
-        values: Map of the picture's size in the network's own unit; NaN where it sees nothing.
-        placement: Where the picture lay in the input.
-        camera: What the network found; None of most.
-        is_metric: Values are metres, or lack a scale, whatever the camera; None where that follows from the preset.
-    """
+    """A network's map at the image size (NaN where unknown); `is_metric` is None if it follows from the preset."""
 
     values: Map
     placement: Placement
@@ -179,19 +145,7 @@ def read_outputs(
     *,
     is_known: bool,
 ) -> Reading:
-    """What outputs say.
-
-    Args:
-        preset: Which network it is.
-        head: What its graph ends in.
-        given: Outputs by what they hold: "depth", and those of `Preset.others`.
-        placement: Where the picture lay in the input.
-        focal: Of the picture's camera along x and y [px].
-        is_known: Whether that is known, and not only assumed.
-
-    Raises:
-        ReadingError: They are not what the preset says.
-    """
+    """Convert the outputs by name; `focal` [px] is that of the image, known or assumed."""
     if preset.reading == "canonical":
         return _read_canonical(head, given, placement)
     if preset.reading == "points":
@@ -219,7 +173,7 @@ def _read_canonical(head: str | None, given: dict[str, Any], placement: Placemen
 
 
 def _own_focal(given: dict[str, Any], placement: Placement) -> float | None:
-    """The focal length that Depth Pro found, along x [px of the picture]."""
+    """Depth Pro's focal length along x [image px]."""
     if "focal" in given:
         focal = _number(given["focal"]) * placement.width / placement.columns
         said = f"a focal length of {focal:g} px for {placement.width} columns"
@@ -235,7 +189,7 @@ def _own_focal(given: dict[str, Any], placement: Placement) -> float | None:
 
 
 def _read_points(given: dict[str, Any], placement: Placement, focal: tuple[float, float], *, is_known: bool) -> Reading:
-    """Depth of a point map; where neither the camera nor the points tell the focal length, up to a scale."""
+    """Depth of a point map; up to scale if no focal length is known."""
     rows, columns = placement.rows, placement.columns
     points = np.asarray(given["depth"], np.float64)
     if points.shape != (1, rows, columns, 3):
@@ -286,13 +240,12 @@ def _read_with_camera(given: dict[str, Any], placement: Placement) -> Reading:
     across, down = placement.scale
     if not all(FOCALS[0] < focal / placement.used[1] < FOCALS[1] for focal in (fx, fy)):
         raise ReadingError(f"gave focal lengths of {fx:g} and {fy:g} px, which no lens has")
-    # its pixels' middles lie at halves, ours at whole numbers
+    # UniDepth's pixel centers are at half integers
     middle = (cx - placement.left) / across - 0.5, (cy - placement.top) / down - 0.5
     return Reading(depth, placement, OwnCamera(fx / across, fy / down, *middle))
 
 
 def _plane(given: Any, placement: Placement) -> Map:
-    """An output as a map of the input's size, once it is one."""
     size = (placement.rows, placement.columns)
     found = list(np.shape(given))
     if len(found) < 3 or tuple(found[-2:]) != size or any(extent != 1 for extent in found[:-2]):
@@ -305,7 +258,6 @@ def _plane(given: Any, placement: Placement) -> Map:
 
 
 def _with_range(values: Map) -> Map:
-    """The same, once it does not say one thing everywhere."""
     if values.size > 1 and np.nanmax(values) == np.nanmin(values):
         raise ReadingError(f"gave {np.nanmax(values):g} for every pixel, so no depth was seen")
     return values

@@ -1,4 +1,4 @@
-"""What became of pictures: figures of each, in JSON's types and in lines for the terminal."""
+"""Reports of monocular depth estimation, as JSON types and as terminal output."""
 
 from __future__ import annotations
 
@@ -11,31 +11,13 @@ from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_bytes, format_seconds, format_share
 from .estimation import ARBITRARY, DepthEstimate
 
-FEW_INLIERS = 0.3  # share of the references below which the map, or the references, are unreliable
-FEW_POINTS = 0.2  # share of the pixels
+FEW_INLIERS = 0.3  # fraction of the references below which the result is unreliable
+FEW_POINTS = 0.2  # fraction of the pixels
 
 
 @dataclass(frozen=True, eq=False)
 class PictureDepth(Assessed):
-    """The figures of one picture.
-
-    Attributes:
-        picture: Its file.
-        size: Width and height [px].
-        input_size: Width and height of the network's input [px].
-        unit: "m", "the sparse model's", or "arbitrary".
-        is_metric: Depth is in metres.
-        scale, shift: 1 / depth = scale * d + shift, as `DepthEstimate` has them.
-        references: How many references there were.
-        inlier_share: Share of them that agree; None where there were none, or too few to check.
-        tiles: How many tiles agreed with the whole picture, and how many there were; None without tiles.
-        reach: The nearest and the farthest depth; None where there is none.
-        intrinsic: The camera that points are made with.
-        intrinsic_source: Where it comes from.
-        point_count: Points of the cloud.
-        depth_share: Share of the pixels that have depth.
-        files: Those that were written.
-    """
+    """Figures of one image as in `DepthEstimate`; sizes are (width, height), `reach` is the depth range or None."""
 
     picture: str
     size: tuple[int, int]
@@ -56,7 +38,6 @@ class PictureDepth(Assessed):
 
     @classmethod
     def of(cls, found: DepthEstimate, picture: str, point_count: int, files: tuple[str, ...]) -> PictureDepth:
-        """The figures of an estimate that became so many points."""
         height, width = found.depth.shape
         seen = found.depth[found.depth > 0]
         return cls(
@@ -80,12 +61,10 @@ class PictureDepth(Assessed):
 
     @property
     def kept_share(self) -> float:
-        """Share of the pixels that became points."""
         return self.point_count / (self.size[0] * self.size[1])
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons, share = [], self.inlier_share
         if share is not None and share < FEW_INLIERS:
             reasons.append(
@@ -97,7 +76,6 @@ class PictureDepth(Assessed):
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         camera, (nearest, farthest) = self.intrinsic, self.reach or (None, None)
         return {
             "width": self.size[0],
@@ -124,7 +102,6 @@ class PictureDepth(Assessed):
         }
 
     def fields(self) -> Fields:
-        """Labels and values for the terminal, of a picture that is alone."""
         camera = self.intrinsic
         seen = f"{camera.width} x {camera.height}, f {camera.fx:.6g} {camera.fy:.6g}, from {self.intrinsic_source}"
         if self.intrinsic_source.startswith("assumed"):
@@ -159,13 +136,7 @@ class PictureDepth(Assessed):
 
 @dataclass(frozen=True)
 class DepthFailure:
-    """A picture that became nothing.
-
-    Attributes:
-        picture: Its file.
-        reason: Why.
-        refused: The map and the references do not agree; else a file could not be read.
-    """
+    """An image without result; `refused` if its references do not fit, else a file could not be read."""
 
     picture: str
     reason: str
@@ -174,27 +145,20 @@ class DepthFailure:
 
 @dataclass(frozen=True, eq=False)
 class DepthReport(Assessed):
-    """What became of a picture, or of those of a folder; printed, it is what `pointloom depth` says.
+    """Result of `depth_of_pictures`.
 
     Attributes:
-        source: The picture or folder.
-        is_folder: It is a folder.
-        model: The network's file.
-        preset, licence: Which network it is, and the licence of the weights that its authors publish.
-        provider: What onnxruntime ran on.
-        device: Where clouds were made.
-        pictures: Those that became clouds.
-        failures: Those that became nothing.
+        source: The image or folder.
+        is_folder: True if it is a folder.
+        model: The network file.
+        preset, licence: The type of network, and the license of its published weights.
+        provider: The onnxruntime provider.
+        device: Device of the clouds.
+        pictures: Images with a cloud.
+        failures: Images without one.
         seconds: Time of each stage [s].
-        peak_bytes: The most memory that this process has held [B].
-        note: What could not be checked in the network's file, so that the preset was trusted; or None.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.photos.depth.report import DepthReport
-        >>> network = ("net.onnx", "dpt", "MIT", "CPUExecutionProvider")
-        >>> DepthReport("photo.jpg", False, *network, "cpu", (), (), {"open": 0.1}, 2**20).reliable
-        True
+        peak_bytes: Peak memory of this process [B].
+        note: What could not be verified in the network file; or None.
     """
 
     source: str
@@ -212,12 +176,10 @@ class DepthReport(Assessed):
 
     @property
     def files(self) -> tuple[str, ...]:
-        """All that were written."""
         return tuple(file for each in self.pictures for file in each.files)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         if self.failures:
             first = self.failures[0].reason
@@ -230,7 +192,6 @@ class DepthReport(Assessed):
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        """The report that the command prints, in JSON's types."""
         return {
             "command": "depth",
             "source": self.source,
@@ -249,7 +210,6 @@ class DepthReport(Assessed):
         }
 
     def fields(self) -> Fields:
-        """What was done as labels and values for the terminal."""
         network = f"{self.model}, preset {self.preset} ({self.licence})"
         fields = [("network", network if self.note is None else f"{network}\n{self.note}"), ("ran on", self.provider)]
         if len(self.pictures) == 1 and not self.failures:

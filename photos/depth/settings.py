@@ -1,4 +1,4 @@
-"""What decides what becomes of pictures whose depth a network estimates."""
+"""Settings of monocular depth estimation."""
 
 from __future__ import annotations
 
@@ -16,20 +16,19 @@ from .tiles import MOST_TILES
 
 @dataclass(frozen=True, eq=False)
 class DepthSettings:
-    """What decides the depth of pictures, beside them and the network.
+    """Settings of monocular depth estimation.
 
     Attributes:
-        preset: Which network it is, see docs/depth.md.
-        intrinsic: The camera of all pictures, or the file of one (Open3D's JSON); None as `estimate_depth` has it.
-        align: A file or folder of what is known of the depth, as `estimate_depth` takes it; of a folder of pictures
-            also a folder of such files with the pictures' names.
-        depth_scale: Units a metre of depth maps in whole numbers.
-        tiles: Along the longer side; more than 1 shows a large picture to the network in parts as well.
-        keep_edges: Keep points that fly between two surfaces.
-        seed: Of the alignment.
+        preset: Type of network, see docs/depth.md.
+        intrinsic: Camera of all images, or its file (Open3D's JSON); None as of `estimate_depth`.
+        align: File or folder of known depth, as of `estimate_depth`; for a folder also a folder of files by image name.
+        depth_scale: Units per meter of integer depth maps.
+        tiles: Tiles along the longer side; above 1, tiles refine a large image.
+        keep_edges: Keep flying pixels between surfaces.
+        seed: Seed of the alignment.
 
     Raises:
-        TypeError, ValueError: One is out of range; the error names it.
+        TypeError, ValueError: One is out of range; named in the message.
 
     Example:
         >>> import pointloom as loom
@@ -57,10 +56,10 @@ class DepthSettings:
         check_seed(self.seed)
 
     def of_each_picture(self) -> dict[str, Any]:
-        """The options of `estimate_depth` that all pictures share.
+        """The common options of `estimate_depth`.
 
         Raises:
-            FileError: The file of the camera cannot be read.
+            FileError: The camera file cannot be read.
         """
         camera = self.intrinsic
         if isinstance(camera, str | os.PathLike):

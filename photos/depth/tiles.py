@@ -1,9 +1,6 @@
-"""A large picture in tiles: the network sees each part in full detail, and the whole picture says how they belong.
+"""Tiled depth estimation of large images: tiles are aligned to the complete map, and blended smoothly.
 
-Each tile's inverse depth is aligned to that of the whole picture by a scale and a shift (`align_inverse_depth`), and
-tiles are blended where they overlap, by weights that fall smoothly to their borders (Miangoleh et al. 2021, simplified:
-one level, no merging network). A tile that does not agree with the whole is left out there. Three maps of the picture's
-size in float32 at once.
+Miangoleh et al. 2021, simplified: one level, no merging network. Tiles that do not agree are dropped.
 """
 
 from __future__ import annotations
@@ -17,16 +14,15 @@ from PIL import Image
 from .alignment import AlignmentError, align_inverse_depth
 from .inputs import Map, resize
 
-OVERLAP = 0.25  # share of a tile's side that it has in common with the next
-LEAST_SIDE = 32  # [px] below which a tile shows nothing
-CELLS = 24  # a side, by which a tile is compared with the whole
+OVERLAP = 0.25  # overlap as a fraction of a tile's side
+LEAST_SIDE = 32  # [px] minimum tile side
+CELLS = 24  # cells per side for the comparison with the complete map
 MOST_TILES = 16  # along the longer side: 256 runs
 
 Inverse = Callable[[NDArray[np.uint8]], Map]
 
 
 def starts_of(length: int, side: int) -> list[int]:
-    """Where tiles of this side begin so that all of the length is covered, evenly, with the overlap at least."""
     if side >= length:
         return [0]
     count = -(-(length - side) // max(int(side * (1 - OVERLAP)), 1)) + 1
@@ -34,7 +30,6 @@ def starts_of(length: int, side: int) -> list[int]:
 
 
 def side_of(height: int, width: int, tiles: int) -> int:
-    """The side of square tiles of which so many, overlapping, cover the longer side."""
     side = -(-max(height, width) // (1 + (tiles - 1) * (1 - OVERLAP)))
     return max(int(side), LEAST_SIDE)
 
@@ -42,16 +37,7 @@ def side_of(height: int, width: int, tiles: int) -> int:
 def refine_by_tiles(
     color: NDArray[np.uint8], whole: Map, tiles: int, inverse: Inverse, *, seed: int, say: Callable[[int, int], None]
 ) -> tuple[Map, int, int]:
-    """The inverse depth of a picture with the detail of its tiles, how many agreed with the whole, and of how many.
-
-    Args:
-        color: Shape [h, w, 3].
-        whole: Inverse depth of the whole picture at once, up to scale and shift, [h, w]; NaN where there is none.
-        tiles: Along the longer side.
-        inverse: Gives such a map of a part of the picture.
-        seed: Of the alignments.
-        say: Called with how many tiles are done, and how many there are.
-    """
+    """Refine inverse depth `whole` [h, w] by tiles; returns the map, and the numbers of accepted and of all tiles."""
     height, width = whole.shape
     side = side_of(height, width, tiles)
     places = [(top, left) for top in starts_of(height, side) for left in starts_of(width, side)]
@@ -70,13 +56,9 @@ def refine_by_tiles(
 
 
 def _aligned(tile: Map, whole: Map, seed: int) -> Map | None:
-    """The tile on the whole's scale; None where they do not agree.
-
-    They are compared by means over cells, since the whole lacks the tile's detail, which would pass for noise. As
-    residuals of the alignment are relative, the part's farthest cell is put ten times as far as its nearest.
-    """
+    """The tile aligned to the complete map by cell means, which lack its detail; None if they do not agree."""
     size = min(tile.shape[0], CELLS), min(tile.shape[1], CELLS)
-    small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, whole))  # NaN where any is
+    small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, whole))  # NaN if any pixel is
     seen = np.isfinite(small) & np.isfinite(coarse)
     d, y = small[seen].astype(np.float64), coarse[seen].astype(np.float64)
     if not len(y) or np.ptp(y) == 0:
@@ -90,7 +72,7 @@ def _aligned(tile: Map, whole: Map, seed: int) -> Map | None:
 
 
 def _window(shape: tuple[int, ...]) -> Map:
-    """Weights that are 1 in the middle and fall to 0 beyond the border, by 3 t^2 - 2 t^3 over the overlap."""
+    """Blending weights: 1 in the center, 3 t^2 - 2 t^3 over the overlap."""
     sides = []
     for length in shape:
         t = np.minimum(np.arange(length) + 0.5, length - 0.5 - np.arange(length)) / max(length * OVERLAP, 1.0)

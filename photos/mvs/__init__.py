@@ -1,8 +1,4 @@
-"""Multi-view stereo: photographs with known poses in, a depth map of each out, and clouds and meshes of those.
-
-`estimate_depth_maps` finds the depth that makes each picture agree with its sources, `filter_depth_maps` keeps what
-several pictures say alike, `fuse` makes points or a mesh. Each public name is loaded when it is first used, as in
-`pointloom` itself.
+"""Multi-view stereo: depth maps of posed photographs, and clouds and meshes of these.
 
 Example:
     >>> import numpy as np, pointloom as loom

@@ -1,9 +1,8 @@
-"""What networks find in pictures at once: poses, depth and confidence, in the archives that they write.
+"""Archives of feed-forward networks with poses, depth and confidence.
 
-VGGT's demo writes predictions.npz (Wang et al. 2025), Depth Anything 3 exports results.npz (Lin et al. 2025, formats
-npz and mini_npz), MapAnything's demo predictions.npz (Keetha et al. 2025). All poses are world to camera, x right, y
-down, z forward, and pixel centres are whole numbers. None but MapAnything and the metric models of Depth Anything knows
-the scale of the world.
+VGGT (Wang et al. 2025) and MapAnything (Keetha et al. 2025): predictions.npz; Depth Anything 3 (Lin et al. 2025):
+results.npz in formats npz and mini_npz. Poses are world to camera, x right, y down, z forward; pixel centers are
+integers. Only MapAnything and metric Depth Anything models have metric scale.
 """
 
 from __future__ import annotations
@@ -40,7 +39,7 @@ from .fusion import fuse
 from .posed_pictures import PosedCamera
 from .sources import choose_sources
 
-LAYOUTS = {  # of each the arrays that tell it, and what those are called that are read
+LAYOUTS = {  # per layout: identifying arrays, and array names
     "Depth Anything 3": {
         **{"depth": "depth", "T": "extrinsics", "K": "intrinsics"},
         **{"confidence": "conf", "picture": "image"},
@@ -49,19 +48,19 @@ LAYOUTS = {  # of each the arrays that tell it, and what those are called that a
     "VGGT": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "confidence": "depth_conf", "picture": "images"},
 }
 OPTIONAL = {"Depth Anything 3": ("conf", "image"), "MapAnything": ("images",), "VGGT": ("images",)}
-TURN = 1e-2  # by which a rotation may miss one: networks compute it in half precision
-MAX_RELATIVE = 0.03  # by which depths of two pictures may differ
-LEAST_CONFIRMED = 0.05  # share of the depth, below which poses and depths contradict each other
+TURN = 1e-2  # maximum deviation from a rotation: networks use half precision
+MAX_RELATIVE = 0.03  # maximum relative depth difference of two images
+LEAST_CONFIRMED = 0.05  # fraction of confirmed depth below which poses and depths contradict
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class DepthBundle:
-    """Pictures with poses, depth and confidence, as `read_depth_bundle` gives them.
+    """Images with poses, depth and confidence from `read_depth_bundle`.
 
     Attributes:
         maps: The DepthMaps, confidence 0 to 1.
-        pictures: uint8 [h, w, 3] of each; None where the file has none.
-        names: Of the pictures.
+        pictures: uint8 [h, w, 3] of each; None if not in the file.
+        names: Image names.
         layout: "VGGT", "Depth Anything 3" or "MapAnything".
     """
 
@@ -75,20 +74,12 @@ class DepthBundle:
         return f"DepthBundle({len(self.names)} pictures of {width} x {height}, {self.layout})"
 
     def to_model(self) -> SfmModel:
-        """The cameras as a model without points: for `registration.fit_to_positions` and `write_transforms`."""
         lenses = tuple(CameraModel.from_intrinsic(camera.intrinsic) for camera in self.maps.cameras)
         return SfmModel(self.names, lenses, np.array([camera.T_camera_world for camera in self.maps.cameras]))
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> DepthBundle:
-        """The bundle under a similarity: poses and depths, as `registration.fit_to_positions(...).transformation`.
-
-        Args:
-            transformation: 4x4: a rotation, one scale for all axes, a translation.
-
-        Raises:
-            ValueError: Not such a matrix.
-        """
+        """Apply a similarity 4x4 to poses and depths, such as `registration.fit_to_positions(...).transformation`."""
         T = check_transformation("transformation", transformation)
         moved = T.copy()
         moved[:3, :3], scale = similarity_of("transformation", T)
@@ -110,22 +101,16 @@ class DepthBundle:
         device: Any = None,
         progress: ReportProgress | None = None,
     ) -> PointCloud | TriangleMesh:
-        """One cloud or mesh of what pictures confirm of each other: `filter_depth_maps`, then `fuse`.
+        """Filter the maps by mutual confirmation, then `fuse` them; a single image is fused unfiltered.
 
         Args:
-            to: "points", "tsdf" or "poisson", as of `fuse`.
-            voxel_size: As of `fuse`.
-            min_confidence: Pixels with less confidence go, 0 to 1.
-            max_relative: By how much the inverse depths of two pictures may differ.
-            device: Where to compute; None for the CPU.
-            progress: As of `fuse`.
+            to, voxel_size, progress: As of `fuse`.
+            min_confidence: Minimum pixel confidence, 0 to 1.
+            max_relative: Maximum relative difference of the inverse depths of two images.
+            device: Compute device; None: the CPU.
 
         Raises:
-            ValueError: Poses and depths contradict each other: less than 5 % of the depth is confirmed by another
-                picture; or as `fuse`.
-
-        Notes:
-            A bundle of one picture has nothing that could confirm it, and is fused as it is.
+            ValueError: Less than 5% of the depth is confirmed by another image; or as `fuse`.
         """
         least = check_share("min_confidence", min_confidence)
         maps = self.maps
@@ -145,23 +130,21 @@ class DepthBundle:
 
 
 def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, device: Any = None) -> DepthBundle:
-    """Read poses, depth and confidence as VGGT, Depth Anything 3 or MapAnything wrote them.
+    """Read poses, depth and confidence as written by VGGT, Depth Anything 3 or MapAnything.
 
     Args:
-        path: predictions.npz of VGGT's and MapAnything's demos, or results.npz of Depth Anything 3.
-        names: Of the pictures, in the order in which the network had them; None for "0", "1" and so on.
-        device: Where normals are computed; None for the CPU.
+        path: predictions.npz of VGGT's or MapAnything's demo, or results.npz of Depth Anything 3.
+        names: Image names in network order; None: "0", "1" and so on.
+        device: Device of the normal estimation; None: the CPU.
 
     Raises:
-        FileError: Missing, damaged, none of the three layouts, arrays whose shapes disagree, a pose that is no rigid
-            motion, a camera without a focal length, confidence that is none, or no depth at all.
-        ValueError: Not as many names as pictures, or one that stands twice.
+        FileError: Missing, damaged, an unknown layout, inconsistent shapes, a pose that is not rigid, a missing focal
+            length, invalid confidence, or no depth.
+        ValueError: A wrong number of names, or a duplicate.
         DeviceError: No such device.
 
     Notes:
-        Confidence of 1 and more, as networks of this kind have it, becomes 1 - 1 / c; a mask becomes 0 and 1. Depth
-        that is not finite or not above 0 is none. Normals come from neighbouring depths. Objects (pickles) are never
-        loaded.
+        Confidence c >= 1 becomes 1 - 1 / c; a mask becomes 0 and 1. Depth must be finite and positive. No pickles.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -253,7 +236,6 @@ def _cameras(
 def _confidences(
     path: Path, names: dict[str, str], found: dict[str, NDArray[Any]], depth: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """Shares of 0 to 1, 0 where there is no depth."""
     kind = next((kind for kind in ("confidence", "mask") if kind in found), None)
     if kind is None:
         return (depth > 0).astype(np.float32)

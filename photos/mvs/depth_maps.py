@@ -1,7 +1,7 @@
-"""Depth maps of several pictures, in memory or as a folder with one file a picture, each written whole.
+"""Depth maps in memory or in a folder, written atomically.
 
-A folder holds `000000.npz` and so on (float32 `depth` and `confidence` [h, w], `normals` [h * w, 3], uncompressed) and
-`depth_maps.json` with the cameras and their sources. The latter is written last: a folder without it is unfinished.
+A folder contains `000000.npz` and so on (float32 `depth` and `confidence` [h, w], `normals` [h * w, 3], uncompressed)
+and `depth_maps.json` with cameras and sources, written last: a folder without it is incomplete.
 """
 
 from __future__ import annotations
@@ -29,23 +29,21 @@ from .posed_pictures import PosedCamera, check_cameras, check_sources
 INDEX = "depth_maps.json"
 VERSION = 1
 AGAIN = "Estimate the depth maps again"
-_TIME_STAMP = (1980, 1, 1, 0, 0, 0)  # the same maps give the same file
+_TIME_STAMP = (1980, 1, 1, 0, 0, 0)  # fixed, for reproducible files
 _MEMBERS = ("depth", "normals", "confidence")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class DepthMap:
-    """What is known of each pixel of one picture.
+    """Depth, normals and confidence of one image.
 
     Args:
-        depth: Along the camera's z, float32 [h, w] [unit of the poses]; 0 where there is none.
-        normals: Unit normals of the surface in the camera's frame (x right, y down, z forward), towards the camera,
-            float32 [h, w, 3]; zero where there is no depth.
-        confidence: 0 to 1, float32 [h, w]; 0 where there is no depth.
+        depth: Along the camera's z, float32 [h, w] [pose units]; 0 where unknown.
+        normals: Unit normals toward the camera in its frame (x right, y down, z forward), float32 [h, w, 3]; or 0.
+        confidence: 0 to 1, float32 [h, w]; 0 without depth.
 
     Raises:
-        TypeError: Not numeric.
-        ValueError: Shapes that do not agree, depth that is negative or not finite, confidence beyond 0..1.
+        TypeError, ValueError: Not numeric, inconsistent shapes, invalid depth, or confidence outside 0..1.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -80,27 +78,22 @@ class DepthMap:
 
     @property
     def share(self) -> float:
-        """The share of its pixels that have depth."""
+        """Fraction of pixels with depth."""
         return float(np.count_nonzero(self.depth)) / self.depth.size
 
 
 class DepthMaps(Sequence[DepthMap]):
-    """The depth maps of several pictures, one each, in memory or on disk.
+    """Depth maps of several images, in memory or on disk (20 B per pixel; those on disk are loaded one at a time).
 
     Args:
-        cameras: A PosedCamera for each map, whose size is the map's.
-        sources: For each picture the numbers of those that it was compared with.
-        maps: The DepthMaps, each taken once, in order; a generator will do.
-        folder: Where to keep them, made where it does not exist; None keeps them in memory.
+        cameras: A PosedCamera of the same size for each map.
+        sources: Source image numbers of each image.
+        maps: The DepthMaps in order; may be a generator.
+        folder: Output folder, created if missing; None: in memory.
 
     Raises:
-        TypeError: Arguments of other types.
-        ValueError: Not as many maps as cameras, or a map of another size than its camera.
-        FileError: The folder cannot be made or written.
-
-    Notes:
-        20 B a pixel, in memory or on disk; of maps on disk one is in memory while it is used. A folder that is
-        interrupted holds no maps for `open`.
+        TypeError, ValueError: Wrong types, a wrong number of maps, or a map of another size than its camera.
+        FileError: The folder cannot be written.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -147,10 +140,10 @@ class DepthMaps(Sequence[DepthMap]):
 
     @classmethod
     def open(cls, folder: FilePath) -> DepthMaps:
-        """The maps that a folder holds; each is read when it is asked for.
+        """Open a folder of maps; each is read on demand.
 
         Raises:
-            FileError: No finished folder of depth maps, or one that is damaged.
+            FileError: Not a complete folder of depth maps, or a damaged one.
         """
         maps = object.__new__(cls)
         maps.folder, maps._kept = path_of(folder, "folder"), []
@@ -195,7 +188,7 @@ class DepthMaps(Sequence[DepthMap]):
 
 
 def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
-    """The numbers as float32, read-only; itself where it is so already."""
+    """The values as read-only float32, without a copy if possible."""
     array = check_numeric(name, values)
     with np.errstate(over="ignore"):
         array = np.ascontiguousarray(array, np.float32)
@@ -208,7 +201,7 @@ def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
 
 
 def made_folder(folder: FilePath) -> Path:
-    """The folder, made where it is not there, without an index: what is written into it is unfinished till the end."""
+    """Create the folder if missing, and delete its index, which marks it incomplete."""
     path = path_of(folder, "folder")
     try:
         path.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Depth maps of photographs with known poses: what `loom.mvs.estimate_depth_maps` checks and puts together."""
+"""Multi-view stereo: input checks and the pipeline of `loom.mvs.estimate_depth_maps`."""
 
 from __future__ import annotations
 
@@ -23,17 +23,10 @@ from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sour
 from .sources import choose_sources, depth_in_view
 
 Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
-KEPT = 128  # brightness from which a pixel of a mask counts as white
+KEPT = 128  # brightness threshold of masks
 
 
 def check_picture_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path | NDArray[np.bool_] | None]:
-    """A mask or None for each picture; files are asked for their headers alone.
-
-    Raises:
-        TypeError: Of another type.
-        ValueError: Another number than pictures, an array of another shape.
-        FileError: A file that cannot be read, or of another size.
-    """
     given = check_list("masks", masks, "masks")
     if len(given) != len(cameras):
         raise ValueError(f"masks: expected one, or None, for each of the {len(cameras)} pictures, got {len(given)}")
@@ -63,7 +56,6 @@ def _checked(name: str, mask: Any, size: tuple[int, int]) -> NDArray[np.bool_]:
 def emptied(
     maps: Iterator[DepthMap], masks: Sequence[Path | NDArray[np.bool_] | None], cameras: Sequence[PosedCamera]
 ) -> Iterator[DepthMap]:
-    """The maps without depth where masks leave it out."""
     for each, mask, camera in zip(maps, masks, cameras, strict=True):
         if mask is None:
             yield each
@@ -75,12 +67,12 @@ def emptied(
         yield DepthMap(np.where(kept, each.depth, np.float32(0)), wide, np.where(kept, each.confidence, np.float32(0)))
 
 
-LEAST_PICTURE = 8  # [px] along a side
-MOST_SOURCES = 8  # device code counts them in vectors of eight
-LEAST_POINTS = 3  # seen by a picture, to know how deep it is
-LOW, HIGH = 0.02, 0.98  # the shares of the points' depths that count: a few of them are wrong
-NEARER, FARTHER = 0.7, 1.5  # how far beyond them depth is looked for
-LEAST_MOTION = 1.0  # [px] between the nearest and the farthest depth, in a source that says anything
+LEAST_PICTURE = 8  # [px] minimum side
+MOST_SOURCES = 8  # device code counts sources in vectors of eight
+LEAST_POINTS = 3  # minimum points per image for a depth range
+LOW, HIGH = 0.02, 0.98  # quantiles of the point depths: some are wrong
+NEARER, FARTHER = 0.7, 1.5  # margin of the depth range
+LEAST_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
 DEVICE_BYTES = 2**30
 NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
 REMEDY = "move the camera between pictures, do not only turn it"
@@ -100,52 +92,42 @@ def estimate_depth_maps(
     device_bytes: int = DEVICE_BYTES,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
-    """Find the depth of each pixel of photographs whose cameras are known, by what other photographs show of it.
+    """Estimate depth maps of images with known cameras by multi-view stereo.
 
-    PatchMatch over planes, from a quarter of the size to the whole: pixels try their neighbours' planes and changed
-    ones, and are compared with the sources that fit their neighbourhood; the last passes hold each depth against those
-    of the sources. Plain places, whose patches say nothing, take a plane fitted to the sure depth in and around them
-    where the pictures do not speak clearly against it. `filter_depth_maps` keeps what pictures agree on; without it
-    what only one picture says is there too.
+    PatchMatch over planes from a quarter to full resolution; the last passes enforce consistency with the sources.
+    Textureless regions take a plane fitted to reliable depth around them. Then use `filter_depth_maps`.
 
     Args:
-        pictures: Paths of PNG or JPEG files, or uint8 arrays of shape [h, w] or [h, w, 3]; without distortion. Sizes
-            may differ.
+        pictures: Undistorted images: paths of PNG or JPEG files, or uint8 arrays [h, w] or [h, w, 3] of any sizes.
         cameras: A PosedCamera for each.
-        sparse: SparsePoints, or a model with such `points` and `observations`: how deep each picture is, and which of
-            them see the same. None, or one without points, has that guessed from where the cameras' frusta meet, which
-            finds a little less; `sfm.triangulate` finds points.
-        sources: For each picture the numbers of those that it is compared with, up to 8; None lets `choose_sources`
-            choose.
-        masks: For each picture what of it counts: the path of a grey PNG of its size, black where it is left out, or an
-            array [h, w], bool or uint8, or None for all of it. What is left out has no depth, and its sources take no
-            depth from it either once `filter_depth_maps` asks them.
-        seed: Chooses the planes that are tried.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
-        folder: Where to keep the maps, one file a picture; None keeps them in memory.
-        going: A folder for what is found of each picture, made where it is not there: a call with the same arguments
-            goes on from what one that was interrupted left in it, to the same bits. Remove it in the end; it must not
-            be used with other arguments.
-        device_bytes: What pictures and maps may hold on the device; a picture with its sources is always there.
+        sparse: SparsePoints, or a model with `points` and `observations`, for depth ranges and source selection. None
+            or empty: estimated from frustum intersections, slightly less complete; `sfm.triangulate` computes points.
+        sources: Numbers of up to 8 source images for each image; None: `choose_sources`.
+        masks: For each image a gray PNG of its size (path, black where excluded), an array [h, w], bool or uint8, or
+            None. Excluded pixels get no depth, and none from sources in `filter_depth_maps`.
+        seed: Seed of the plane hypotheses.
+        device: "cpu", "cuda:0", "auto"; None: the CPU.
+        folder: Folder for the maps, one file per image; None: in memory.
+        going: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical. Delete it
+            afterwards; do not use it with other arguments.
+        device_bytes: Device memory limit for images and maps, exceeded if one image with its sources needs more.
         progress: Called with ("depth", steps done, steps in all).
 
     Returns:
-        Maps of the pictures' sizes. A picture without sources that were taken from elsewhere has no depth, and no
-        `sources` in the result. One that sees fewer than three points is searched where frusta meet.
+        Maps at the image sizes. An image without sources from other positions has no depth and no `sources`; one with
+        fewer than three points is searched within frustum intersections.
 
     Raises:
-        TypeError: Arguments of other types; pictures that are not uint8.
-        ValueError: Fewer than two pictures, another number of cameras, a picture of another size than its camera; no
-            picture that depth can be found for, because the camera only turned.
-        FileError: A picture or the folder cannot be read or written.
+        TypeError: Arguments of other types, or images that are not uint8.
+        ValueError: Fewer than two images, a wrong number of cameras, a wrong image size, or only rotations.
+        FileError: An image or the folder cannot be read or written.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, for any number of threads. On the device 20 B a pixel of each picture held, and
-        up to 96 B a pixel more of the one at work; between passes 32 B a pixel of all pictures in memory, or in
-        `folder` while it works. Galliani et al. 2015 (the chessboard); Xu and Tao 2019, "Multi-scale geometric
-        consistency guided multi-view stereo" (regions, choice of sources, consistency), and 2020, "Planar prior
-        assisted PatchMatch multi-view stereo" (plain places).
+        Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each image held, up to 96 B
+        more for the current one; host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015; Xu and
+        Tao, "Multi-scale geometric consistency guided multi-view stereo", CVPR 2019, and "Planar prior assisted
+        PatchMatch multi-view stereo", AAAI 2020.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -199,7 +181,6 @@ def _folder_for(going: Any) -> Path:
 
 
 def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:
-    """The pictures, once it is sure that each is of its camera's size; files are asked for their headers alone."""
     given = check_list("pictures", pictures, "pictures")
     if len(given) < 2:
         raise ValueError(f"pictures: expected at least 2, got {len(given)}; one picture alone has no depth to compare")
@@ -243,7 +224,7 @@ def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.u
 
 
 def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, ...]) -> tuple[float, float] | None:
-    """Where to look for the depth of a picture: by its points, or where frusta meet; None where they do not."""
+    """Depth range of an image by its points or frustum intersections; None if there are none."""
     seen, T = sparse.points[sparse.seen_by(index)], cameras[index].T_camera_world
     z = seen @ T[2, :3] + T[2, 3]
     z = z[z > 0]
@@ -257,7 +238,7 @@ def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, .
 def _telling(
     sources: Sequence[Sequence[int]], cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, float] | None]
 ) -> tuple[tuple[int, ...], ...]:
-    """The sources in which depth makes a difference; none of a picture whose range is not known."""
+    """The sources with parallax; none for images without a depth range."""
     out = []
     for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
         reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]

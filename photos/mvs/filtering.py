@@ -1,4 +1,4 @@
-"""What several depth maps say alike is kept, the rest goes."""
+"""Consistency filter for depth maps."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support
 from .depth_maps import DepthMap, DepthMaps
 from .posed_pictures import PosedCamera
 
-FEWEST_CONFIRMED = 0.02  # of the depth, below which poses are asked for
+FEWEST_CONFIRMED = 0.02  # fraction of confirmed depth below which poses are questioned
 MIN_VIEWS = 2
 MAX_PIXELS = 1.0
-MAX_RELATIVE = 0.01  # docs/mvs.md has what more and less of it do
-MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 pixels around
-SUPPORT_RELATIVE = 0.5  # of max_relative: neighbours in one picture agree better than pictures do
-DEPTH_BYTES = 4  # a pixel
-KEPT_BYTES = 2**30  # of depth that stays on the device for the pictures that follow
+MAX_RELATIVE = 0.01  # effect: see docs/mvs.md
+MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 neighbors
+SUPPORT_RELATIVE = 0.5  # of max_relative: neighbors in one image agree better than images do
+DEPTH_BYTES = 4  # per pixel
+KEPT_BYTES = 2**30  # depth cached on the device
 
 
 def filter_depth_maps(
@@ -44,41 +44,36 @@ def filter_depth_maps(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> DepthMaps:
-    """Keep the depth that other pictures confirm, averaged with theirs.
+    """Keep depth that other images confirm, averaged with theirs.
 
-    The point of each pixel is carried into each of its picture's sources, and the surface known there is carried back.
-    A source confirms the pixel where that ends at most `max_pixels` away, at an inverse depth that differs by at most
-    `max_relative`. Between four pixels of one surface a source's inverse depth is bilinear, so a true plane comes back
-    exactly. The inverse of the depth that is kept is the mean of the pixel's own and of all that confirm it.
+    Each pixel is projected into the sources and back by their surfaces. A source confirms it within `max_pixels` and
+    `max_relative`. Inverse depth is interpolated bilinearly, exact for planes, and averaged.
 
     Args:
-        maps: From `estimate_depth_maps`, or depth of any other origin as DepthMaps; sizes may differ.
-        min_views: How many sources have to confirm a pixel; a picture with fewer sources needs all that it has, and
-            one without keeps nothing. More makes it surer and emptier: surfaces that few pictures see go first.
-        max_pixels: How far from the pixel the way may end [px].
-        max_relative: By how much the two inverse depths may differ, of the pixel's own.
-        min_confidence: Pixels with less confidence go, 0 to 1.
-        min_support: Of what is kept then, pixels go where a smaller share of the 24 around lies on their plane, by half
-            of `max_relative`: grains beside edges, which pictures get wrong alike. 0 keeps them; above 0.37 surfaces
-            two pixels wide go too.
-        folder: Where to keep the maps; None keeps them in memory. Not the folder of the maps given.
-        device: Where to compute; None for the CPU.
-        progress: Called with the stage, how many pictures are done, and how many there are.
+        maps: From `estimate_depth_maps`, or any DepthMaps; sizes may differ.
+        min_views: Number of confirming sources; an image with fewer sources needs all, one without keeps nothing. More
+            is more reliable and less complete.
+        max_pixels: Maximum forward-backward error [px].
+        max_relative: Maximum relative difference of inverse depths.
+        min_confidence: Minimum pixel confidence, 0 to 1.
+        min_support: Then remove speckles: pixels with less than this fraction of their 24 neighbors on their plane
+            (half of `max_relative`). 0 keeps all; above 0.37 removes surfaces two pixels wide.
+        folder: Folder for the result, not that of the input; None: in memory.
+        device: Compute device; None: the CPU.
+        progress: Called with (stage, images done, images in all).
 
     Returns:
-        The maps with the same cameras and sources. Normals and confidence stay where depth does and are 0 elsewhere.
-        Warns where less than 2 % of the depth is confirmed, as where poses are given in place of their inverse.
+        The maps with the same cameras and sources; 0 where removed. Warns if less than 2% is confirmed.
 
     Raises:
-        TypeError: Not DepthMaps.
-        ValueError: A number out of range.
-        FileError: A map that cannot be read or written, or the folder is that of the maps given.
+        TypeError, ValueError: Not DepthMaps, or a number out of range.
+        FileError: A map cannot be read or written, or the folder is that of the input.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, on every device. One map at a time is in memory when they lie on disk; on the
-        device 44 B a pixel of one picture, and up to 1 GiB of depth (4 B a pixel) that is kept for the pictures that
-        follow. It asks the sources' depth as given, not as filtered. Schönberger et al. 2016, section 4.3.
+        Bitwise reproducible on every device. Maps on disk are loaded one at a time; device memory: 44 B per pixel of
+        one image, and a cache of 1 GiB (4 B per pixel). Uses the sources' unfiltered depth. Schönberger et al.,
+        "Pixelwise view selection for unstructured multi-view stereo", ECCV 2016, section 4.3.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -119,35 +114,27 @@ def filter_depth_maps(
 
 
 def check_maps(name: str, maps: Any) -> None:
-    """Refuse what are no DepthMaps.
-
-    Raises:
-        TypeError: The message names the argument.
-    """
     if not isinstance(maps, DepthMaps):
         raise TypeError(f"{name}: expected DepthMaps, got {type(maps).__name__}; DepthMaps.open reads a folder of them")
 
 
 def pair_of(reference: PosedCamera, source: PosedCamera) -> Pair:
-    """The way from a picture to another, and back."""
     T = source.T_camera_world @ np.linalg.inv(reference.T_camera_world)
     return Pair(reference.intrinsic, source.intrinsic, T, np.linalg.inv(T))
 
 
 def pixel_count(camera: PosedCamera) -> int:
-    """Pixels of a camera's picture, and of its map."""
     return camera.intrinsic.height * camera.intrinsic.width
 
 
 class _DepthsOnDevice:
-    """Depth as float32 arrays on a device; those used last stay there, up to KEPT_BYTES."""
+    """LRU cache of float32 depth on a device, up to KEPT_BYTES."""
 
     def __init__(self, maps: DepthMaps, device: Any):
         self._maps, self._device = maps, device
         self._kept: LruCache[wp.array] = LruCache(KEPT_BYTES)
 
     def get(self, i: int, each: DepthMap | None = None, *, beside: int | None = None) -> wp.array:
-        """The depth of a map, or of `each` where that is the map; `beside` is the one that it is compared with."""
         size = DEPTH_BYTES * pixel_count(self._maps.cameras[i])
         return self._kept.get(i, size, lambda: self._uploaded(each or self._maps[i]), beside=beside)
 
@@ -165,7 +152,7 @@ def _filtered(
     say: ReportProgress,
     counts: NDArray[np.int64],
 ) -> Iterator[DepthMap]:
-    """The maps one after the other; `counts` gathers pixels that have depth, and those that are kept."""
+    """Yield the filtered maps; `counts` accumulates pixels with depth, and kept ones."""
     depths = _DepthsOnDevice(maps, device)
     say("filter", 0, len(maps))
     for i, sources in enumerate(maps.sources):
@@ -174,7 +161,7 @@ def _filtered(
         for j in sources:
             checks.compare(depths.get(j, beside=i), pair_of(maps.cameras[i], maps.cameras[j]))
         confidence = upload(given.confidence.reshape(-1), float32, device)
-        kept = checks.kept(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing confirms it
+        kept = checks.kept(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing is confirmed
         if support:
             normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
             kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)

@@ -1,4 +1,4 @@
-"""Depth maps of several pictures as one cloud, or as a mesh."""
+"""Fusion of depth maps into a point cloud or a mesh."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ KINDS = ("points", "tsdf", "poisson")
 MIN_VIEWS = 2
 MAX_PIXELS = 2.0
 MAX_RELATIVE = 0.01
-MAX_ANGLE = 60.0  # normals of matched patches are noisy: this tells the sides of a sheet apart
-TSDF_VOXEL = 1.5  # typical pixels: the mesh is then about as fine as the maps, and most voxels are seen
-TSDF_TRUNCATION = 5.0  # voxels: the noise of matched depth is a few pixels' worth at most
+MAX_ANGLE = 60.0  # matched normals are noisy; separates the sides of a thin sheet
+TSDF_VOXEL = 1.5  # typical pixels: a mesh about as fine as the maps, with most voxels observed
+TSDF_TRUNCATION = 5.0  # voxels: matched depth noise is at most a few pixels
 POISSON_VOXEL = 2.0  # typical pixels
-TRIM = 3.0  # cells of Poisson's surface from the nearest point on which it is made up
-SAMPLES = 1024  # pixels of a map that stand for all of them where it is asked what others see
+TRIM = 3.0  # maximum distance of the Poisson surface from the points, in cells
+SAMPLES = 1024  # sampled pixels per map for the overlap test
 PIXEL_BYTES = 23
 
 
@@ -54,47 +54,37 @@ def fuse(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> PointCloud | TriangleMesh:
-    """One cloud or one mesh of the depth maps of several pictures; filter them first.
+    """Fuse the depth maps of several images into a cloud or a mesh; filter them first.
 
-    `to="points"`: pixels that show the same place (there and back within `max_pixels`, inverse depth within
-    `max_relative`, normals within `max_angle`) become one point: the one of the picture that sees the place with the
-    finest pixels (in whole octaves; of equals the first), at the mean of all their positions, normals, colours and
-    confidences. `views` is how many pictures they come from.
-
-    `to="tsdf"`: a TSDFVolume of the maps, and its mesh: true to the maps, open where nothing was seen.
-
-    `to="poisson"`: the points' screened Poisson surface: closes small holes and smooths; cut where no point lies within
-    three of its cells.
+    `to="points"`: pixels that match within `max_pixels`, `max_relative` and `max_angle` become one point of the image
+    with the finest pixels (in octaves, then the first) with mean position, normal, color and confidence; `views` is
+    their number. `to="tsdf"`: mesh of a TSDFVolume: faithful, open where unseen. `to="poisson"`: screened Poisson
+    surface: fills small holes, trimmed beyond three cells from the points.
 
     Args:
         maps: From `filter_depth_maps`.
-        pictures: For each map its picture, a path or uint8 [h, w, 3] or [h, w]; of another size with the same shape
-            it is resized. None for no colours.
+        pictures: An image per map, a path or uint8 [h, w, 3] or [h, w], resized if necessary; None: no colors.
         to: "points", "tsdf" or "poisson".
-        voxel_size: For "points" the edge of voxels that keep one point each, None for all; for "tsdf" that of its
-            voxels, None for 1.5 typical pixels; for "poisson" the width of its finest cells, None for 2. In the unit
-            of the poses.
-        min_views: Points that fewer pictures show go, and voxels; 1 keeps all.
-        max_pixels: How far from the pixel the way there and back may end [px].
-        max_relative: By how much the two inverse depths may differ, of the pixel's own.
-        max_angle: Between the normals [degrees], up to 180. A pixel whose normal is zero goes with any.
-        device: Where to compute; None for the CPU.
-        progress: Called with the stage, how many pictures are done, and how many there are.
+        voxel_size: In pose units. "points": voxels with one point each, None: all points; "tsdf": voxel edge, None: 1.5
+            typical pixels; "poisson": finest cell, None: 2.
+        min_views: Minimum number of images per point or voxel.
+        max_pixels: Maximum forward-backward reprojection error [px].
+        max_relative: Maximum relative difference of inverse depths.
+        max_angle: Maximum angle between normals [degrees], up to 180. Zero normals match any.
+        device: Compute device; None: the CPU.
+        progress: Called with (stage, images done, images in all).
 
     Returns:
-        A PointCloud with normals, `confidence` (0 to 1) and `views`, picture by picture, row by row; or a TriangleMesh.
-        Empty where there is nothing to fuse. Colours where pictures are given.
+        A PointCloud with normals, `confidence` (0 to 1) and `views`, ordered by image and row; or a TriangleMesh.
 
     Raises:
-        TypeError: Arguments of other types.
-        ValueError: Another `to`, a number out of range, not as many pictures as maps, or a picture of another shape.
-        FileError: A map or a picture that cannot be read.
+        TypeError, ValueError: Wrong types, an unknown `to`, a number out of range, or images of other shapes.
+        FileError: A map or an image cannot be read.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run. On the device up to 1 GiB of maps (23 B a pixel) that stay there for the
-        pictures that follow, at least two maps, 48 B a pixel of one more, and the result. Every two pictures that
-        overlap are compared, so the time grows with the square of the pictures of one place.
+        Bitwise reproducible. Device memory: up to 1 GiB of cached maps (23 B per pixel, at least two maps), 48 B per
+        pixel of one more, and the result. All overlapping image pairs are compared.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -129,17 +119,7 @@ def fuse(
     return _fuse_poisson(maps, cloud, voxel, say)
 
 
-# ------------------------------------------------------------------------------------------------- points
-
-
 class Colors:
-    """The pictures of some maps, read when they are asked for.
-
-    Args:
-        pictures: As `fuse` takes them.
-        maps: Whose size they take.
-    """
-
     def __init__(self, pictures: Any, maps: DepthMaps):
         self._pictures = None if pictures is None else check_list("pictures", pictures, "paths or pictures")
         self._cameras = maps.cameras
@@ -153,7 +133,7 @@ class Colors:
         return self._pictures is not None
 
     def __getitem__(self, i: int) -> NDArray[np.uint8] | None:
-        """uint8 [h, w, 3] of the map's size, or None where there are no pictures."""
+        """uint8 [h, w, 3] of the map's size, or None without images."""
         if self._pictures is None:
             return None
         each = self._pictures[i]
@@ -173,14 +153,13 @@ class Colors:
 
 
 class _MapsOnDevice:
-    """Maps with their colours on a device; those used last stay there, up to KEPT_BYTES."""
+    """LRU cache of maps with colors on a device, up to KEPT_BYTES."""
 
     def __init__(self, maps: DepthMaps, colors: Colors, device: Any):
         self._maps, self._colors, self._device = maps, colors, device
         self._kept: LruCache[DepthPixels] = LruCache(KEPT_BYTES)
 
     def get(self, i: int, *, beside: int | None = None) -> DepthPixels:
-        """The map of a picture; `beside` is the one that it is compared with, which stays."""
         size = PIXEL_BYTES * pixel_count(self._maps.cameras[i])
         return self._kept.get(i, size, lambda: self._uploaded(i), beside=beside)
 
@@ -225,7 +204,7 @@ def _fuse_points(
 
 
 def _overlaps(maps: DepthMaps) -> NDArray[np.bool_]:
-    """Which pictures show some of the same places, [n, n]: sources of each other, and those that see a sample."""
+    """Mask [n, n] of images with common content: sources of each other, or with a common sample point."""
     count = len(maps)
     overlaps = np.zeros((count, count), bool)
     for i, sources in enumerate(maps.sources):
@@ -255,11 +234,8 @@ def _sees(camera: PosedCamera, points: NDArray[np.float64]) -> bool:
     return bool(((u > -0.5) & (v > -0.5) & (u < lens.width - 0.5) & (v < lens.height - 0.5)).any())
 
 
-# ------------------------------------------------------------------------------------------------- meshes
-
-
 def _typical_pixel(maps: DepthMaps) -> float:
-    """The width of the median pixel on the surface [unit of the poses]; 0 where there is no depth."""
+    """Median pixel width on the surface [pose units]; 0 without depth."""
     widths = []
     for i, camera in enumerate(maps.cameras):
         depth = maps[i].depth

@@ -1,4 +1,4 @@
-"""Pictures on the device as they are needed: a fixed number of slots, the one not used for longest given up first."""
+"""LRU cache of images on the device with a fixed number of slots."""
 
 from __future__ import annotations
 
@@ -20,12 +20,6 @@ Picture = str | os.PathLike[str] | NDArray[np.uint8]
 
 
 def read_picture(name: str, picture: Picture, camera: PosedCamera) -> NDArray[np.uint8]:
-    """The pixels of a picture, [h, w] or [h, w, 3].
-
-    Raises:
-        FileError: The file cannot be read, or is of another size than its camera.
-        ValueError: An array of another size than its camera.
-    """
     size = (camera.intrinsic.height, camera.intrinsic.width)
     if isinstance(picture, np.ndarray):
         if picture.shape[:2] != size:
@@ -40,19 +34,11 @@ def read_picture(name: str, picture: Picture, camera: PosedCamera) -> NDArray[np
 
 
 def other_size(name: str, shape: Sequence[int], size: tuple[int, int]) -> str:
-    """The words for a picture of another size than its camera."""
     return f"{name}is {shape[1]} x {shape[0]} pixels, and its camera {size[1]} x {size[0]}"
 
 
 class Slots:
-    """Room for a number of pictures or maps in one device array.
-
-    Args:
-        count: How many it holds.
-        size: Elements of the largest.
-        dtype: Of an element.
-        device: Where.
-    """
+    """A number of slots for images or maps in one device array."""
 
     def __init__(self, count: int, size: int, dtype: Any, device: Any):
         self.size = size
@@ -61,7 +47,7 @@ class Slots:
         self._places: LruCache[int] = LruCache(count, on_evict=self._free.append)
 
     def first_of(self, key: Any, load: Callable[[int], None]) -> int:
-        """The first element of what has this key; it is loaded where it is not there, by `load(first)`."""
+        """Offset of the slot with this key; `load(first)` fills it if missing."""
 
         def loaded() -> int:
             load(self._free[0] * self.size)
@@ -71,7 +57,6 @@ class Slots:
 
 
 def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: int, height: int) -> None:
-    """Resize a picture into a slot."""
     rows, columns = pixels.shape[:2]
     device = slots.values.device
     flat = upload(pixels.reshape(-1), uint8, device, copied=False)
@@ -82,17 +67,14 @@ def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: i
 
 
 def picture_slots(count: int, size: int, device: Any) -> Slots:
-    """Slots for brightness."""
     return Slots(count, size, float32, device)
 
 
 def plane_slots(count: int, size: int, device: Any) -> Slots:
-    """Slots for maps of planes."""
     return Slots(count, size, vec4, device)
 
 
 def put_planes(slots: Slots, first: int, planes: Any) -> None:
-    """Write a map of planes into a slot: a device array [n], or NumPy [n, 4]."""
     if isinstance(planes, np.ndarray):
         write(slots.values[first : first + len(planes)], planes)
     else:

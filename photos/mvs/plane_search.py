@@ -1,4 +1,4 @@
-"""The search for the planes of all pictures, phase by phase: from coarse to fine, then with what the sources found."""
+"""Coarse-to-fine PatchMatch over all images, first photometric, then with geometric consistency."""
 
 from __future__ import annotations
 
@@ -31,40 +31,33 @@ from .posed_pictures import PosedCamera
 
 @dataclasses.dataclass(frozen=True)
 class Found:
-    """The planes of a picture so far: vec4 [pixels] on the device, or float32 [pixels, 4] in memory or in a file."""
+    """Current planes of an image: vec4 [pixels] on the device, or float32 [pixels, 4] in memory or a file."""
 
     planes: Array1[vec4] | NDArray[np.float32] | Path
     camera: PinholeCameraIntrinsic
 
     def read(self) -> Any:
-        """The planes."""
         return np.load(self.planes) if isinstance(self.planes, Path) else self.planes
 
     def on(self, device: Any) -> Array1[vec4]:
-        """The planes on the device, to be changed."""
+        """A modifiable copy of the planes on the device."""
         planes = self.read()
         return upload(planes, vec4, device) if isinstance(planes, np.ndarray) else clone(planes)
 
 
 class PlaneFiles:
-    """What a search has found so far, a file a picture and phase, each whole: an interrupted one goes on from it.
-
-    Args:
-        folder: Where they lie; None keeps nothing.
-    """
+    """Checkpoints of a search, one atomic file per image and phase; `folder` None: none."""
 
     def __init__(self, folder: Path | None):
         self.folder = folder
 
     def write(self, phase: int, index: int, planes: Any) -> None:
-        """Keep the planes of a picture after a phase."""
         if self.folder is not None:
             values = np.array(download(planes)).reshape(-1, 4)  # sync
             with atomic_write(self._place(phase, index)) as file:
                 np.lib.format.write_array(file, values, allow_pickle=False)
 
     def read(self, phase: int, index: int, camera: PinholeCameraIntrinsic) -> Found | None:
-        """What is kept of a picture after a phase; None where nothing is, or what is no planes of this size."""
         if self.folder is None:
             return None
         place = self._place(phase, index)
@@ -78,12 +71,7 @@ class PlaneFiles:
     def last_whole(
         self, scales: Sequence[float], cameras: Sequence[PosedCamera], sources: Sequence[Sequence[int]]
     ) -> tuple[int, list[Found | None]]:
-        """The phase to go on with, and what the one before left of all pictures that have sources.
-
-        Args:
-            scales: Of the pictures in each phase.
-            cameras, sources: Of the pictures.
-        """
+        """The phase to continue with, and the previous results of all images with sources."""
         for number in range(len(scales) - 2, -1, -1) if self.folder is not None else ():
             found = [
                 self.read(number, i, camera.intrinsic.scaled(scales[number])) if sources[i] else None
@@ -99,21 +87,21 @@ class PlaneFiles:
 
 
 Matrix = NDArray[np.float64]
-SLOT_BYTES = 20  # a pixel: its brightness and its plane
-PLANE_BYTES = 16  # a pixel
-SEED_STEP = 7919  # between the seeds of one picture and the next, of one phase and the next
-LEAST_SIDE = 24  # [px] of a picture that is worth a phase of its own
+SLOT_BYTES = 20  # per pixel: brightness and plane
+PLANE_BYTES = 16  # per pixel
+SEED_STEP = 7919  # between seeds of consecutive images and phases
+LEAST_SIDE = 24  # [px] minimum image side of a phase
 MOST_SEED = 0x7FFFFFFF
 
 
 def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.int64]:
-    """Pixels of a square about a pixel whose squared distance is taken: across and down [px], [n, 2]."""
+    """Pixel offsets (across, down) [px] within a square whose squared distance is accepted, [n, 2]."""
     side = range(first, 1 - first, step)
     return np.array([(u, v) for v in side for u in side if is_taken(u * u + v * v)])
 
 
-# The largest patch goes without its corners, which weigh least. The densest, without the middle that costs are relative
-# to and the places of a knight's move, follows texture closer, but fits noise of plain walls too: for the end alone.
+# The largest patch omits its light corners. The densest (without center and knight moves) follows texture closely, but
+# fits noise of plain walls: only at the end.
 LARGE = grid(-5, 2, lambda sqdist: sqdist < 50)
 MIDDLE = grid(-3, 2, lambda sqdist: True)
 SMALL = grid(-2, 2, lambda sqdist: True)
@@ -122,17 +110,7 @@ DENSE = grid(-2, 1, lambda sqdist: sqdist not in (0, 5))
 
 @dataclasses.dataclass(frozen=True)
 class Phase:
-    """One walk over all pictures.
-
-    Attributes:
-        scale: Of the pictures.
-        turns: Half-turns for each colour of the chessboard.
-        spread: Greatest change of a plane in the first turn [px in the sources], half of it in each further one.
-        patch: Where its samples are from its middle: across and down [px], [n, 2].
-        regions: Of eight whose planes a pixel tries.
-        geometric: Weight of the distance to the sources' surfaces and back [1 / px].
-        prior: Whether plain places take planes fitted to what is sure about them, at the end.
-    """
+    """One pass over all images at a scale; `spread` [px in the sources] is the plane perturbation, halved each time."""
 
     scale: float
     turns: int
@@ -143,10 +121,10 @@ class Phase:
     prior: bool = False
 
 
-# Small pictures want large patches, since noise and ambiguity are large there; the last phases have the sources' depth
-# against ambiguity and take small ones, which do not spread the foreground beyond its edge. A second walk with the
-# sources' new depth does more than a second turn with their old. Priors want sure depth, that which sources agree on:
-# after the first of those, and after the second again, since patches of noise would have led pixels away from them.
+# Small images need large patches against noise and ambiguity; the last phases use geometric consistency and small
+# patches, which do not spread the foreground. A second pass with updated source depth helps more than a second
+# iteration. Priors need consistent depth: after the first such phase, and again after the second, since noisy patches
+# led pixels away.
 PLAN = (
     Phase(0.25, turns=4, spread=1.0, patch=LARGE),
     Phase(0.5, turns=2, spread=0.6, patch=LARGE),
@@ -154,17 +132,14 @@ PLAN = (
     Phase(1.0, turns=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
     Phase(1.0, turns=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
 )
-TRIALS = 4  # changed planes that a pixel tries in a half-turn
-CHOSEN = 3  # sources that a pixel is compared with
-GOOD = 0.8  # cost below which a source fits
+TRIALS = 4  # perturbed planes per iteration
+CHOSEN = 3  # sources per pixel
+GOOD = 0.8  # cost below which a source matches
 
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
-    """What is sought: the pictures, their sources, and the nearest and farthest depth of each [unit of the poses].
-
-    A picture without sources is passed over.
-    """
+    """The images, their sources, and depth ranges [pose units]; images without sources are skipped."""
 
     pictures: Sequence[Picture]
     cameras: Sequence[PosedCamera]
@@ -176,14 +151,12 @@ class Setting:
 
 
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
-    """The phases for pictures of this size: none at a scale that leaves nothing to compare."""
     least = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
     return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= LEAST_SIDE)
 
 
 def find_depth(setting: Setting, folder: Path | None, say: Any, going: Path | None = None) -> Iterator[DepthMap]:
-    """The depth maps of all pictures in order; planes that have no room on the device are kept in
-    `folder` meanwhile, in memory where it is None; in `going`, where they stay if this is interrupted."""
+    """Yield the depth maps in order; `folder` buffers planes beyond device memory, `going` holds checkpoints."""
     plan, stay = plan_for(setting.cameras), going is None and _stay_on_device(setting)
     count, kept = len(setting.cameras), PlaneFiles(going)
     first, found = kept.last_whole([phase.scale for phase in plan], setting.cameras, setting.sources)
@@ -212,7 +185,7 @@ def find_depth(setting: Setting, folder: Path | None, say: Any, going: Path | No
 
 
 def _stay_on_device(setting: Setting) -> bool:
-    """Whether the planes of all pictures have room on the device, those of two phases, beside what is matched."""
+    """True if the planes of all images for two phases fit on the device."""
     size = sum(each.intrinsic.width * each.intrinsic.height for each in setting.cameras)
     return (SLOT_BYTES + 2 * PLANE_BYTES) * size <= setting.device_bytes
 
@@ -238,14 +211,13 @@ def _no_depth(camera: PosedCamera) -> DepthMap:
 
 
 def projection(source: PinholeCameraIntrinsic, reference: PinholeCameraIntrinsic, T_source_reference: Matrix) -> Matrix:
-    """A and b of A p + b w side by side, shape [3, 4]."""
     K = source.matrix
     rotation = K @ T_source_reference[:3, :3] @ np.linalg.inv(reference.matrix)
     return np.column_stack([rotation, K @ T_source_reference[:3, 3]])
 
 
 class _Walk:
-    """One phase: the pictures at its scale on the device, and the maps that the last one left."""
+    """One phase: the scaled images on the device, and the maps of the previous phase."""
 
     def __init__(self, setting: Setting, number: int, phase: Phase, found: Sequence[Found | None]):
         self.setting, self.number, self.phase, self.found = setting, number, phase, found
@@ -261,7 +233,6 @@ class _Walk:
         self._views: tuple[int, Reference, Sources] | None = None
 
     def match(self, index: int) -> Any:
-        """The planes of a picture after this phase, on the device."""
         reference, sources = self.views(index)
         phase, device = self.phase, self.setting.device
         before, size = self.found[index], reference.width * reference.height
@@ -294,7 +265,6 @@ class _Walk:
         return planes
 
     def result(self, index: int, planes: Any) -> DepthMap:
-        """The depth map that planes come to."""
         camera = self.cameras[index]
         values = [np.array(download(each)) for each in finish_planes(*self.views(index), planes)]
         depth, normals, confidence = values
@@ -302,7 +272,6 @@ class _Walk:
         return DepthMap(depth.reshape(size), normals.reshape(*size, 3), confidence.reshape(size))
 
     def views(self, index: int) -> tuple[Reference, Sources]:
-        """A picture and its sources on the device."""
         if self._views is not None and self._views[0] == index:
             return self._views[1:]
         setting, mine = self.setting, self.cameras[index]
@@ -342,6 +311,6 @@ class _Walk:
 
 
 def motion_of(reference: PosedCamera, source: PosedCamera) -> float:
-    """How far pixels move at most for an inverse depth of one [px unit]."""
+    """Maximum image motion per inverse depth [px unit]."""
     focal = max(source.intrinsic.fx, source.intrinsic.fy)
     return focal * float(np.linalg.norm(reference.center - source.center))

@@ -1,4 +1,4 @@
-"""What multi-view stereo knows of its pictures beforehand: cameras with poses, and points that some of them see."""
+"""Input of multi-view stereo: posed cameras and sparse points."""
 
 from __future__ import annotations
 
@@ -15,15 +15,14 @@ from ...kernels.linear_algebra import inv, matmul
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PosedCamera:
-    """A camera without distortion, and where it stood.
+    """A camera without distortion and its pose.
 
     Args:
-        intrinsic: Size and projection of its picture.
-        T_camera_world: World to camera, shape [4, 4] [unit of the poses].
+        intrinsic: Image size and projection.
+        T_camera_world: World to camera, shape [4, 4] [pose units].
 
     Raises:
-        TypeError: An intrinsic of another type, a pose that is not numeric.
-        ValueError: A pose that is no rigid motion, or not finite.
+        TypeError, ValueError: An intrinsic of another type, or a pose that is not numeric, finite and rigid.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -47,21 +46,20 @@ class PosedCamera:
 
     @property
     def center(self) -> NDArray[np.float64]:
-        """Where the camera stood in the world, shape [3] [unit of the poses]."""
+        """Camera position in the world, shape [3] [pose units]."""
         return matmul(-inv(self.T_camera_world[:3, :3]), self.T_camera_world[:3, 3]) + 0.0
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class SparsePoints:
-    """Points of the scene, and which pictures see them.
+    """Scene points and the images that see them.
 
     Args:
-        points: Shape [m, 3] [unit of the poses].
-        observations: Pairs (picture, point), whole numbers from 0 on, shape [k, 2]; sorted here, each kept once.
+        points: Shape [m, 3] [pose units].
+        observations: Unique pairs (image, point), integers from 0, shape [k, 2]; sorted here.
 
     Raises:
-        TypeError: Not numeric; observations that are not whole numbers.
-        ValueError: Another shape, a number that is not finite, an observation of a point that is not there.
+        TypeError, ValueError: Not numeric, a wrong shape, non-finite values, or an observation of a missing point.
 
     Example:
         >>> import pointloom as loom
@@ -92,18 +90,12 @@ class SparsePoints:
         object.__setattr__(self, "observations", pairs)
 
     def seen_by(self, picture: int) -> NDArray[np.int64]:
-        """The points that a picture sees, ascending."""
+        """The points that an image sees, ascending."""
         first, last = np.searchsorted(self.observations[:, 0], [picture, picture + 1])
         return self.observations[first:last, 1]
 
 
 def check_sparse(name: str, value: Any) -> SparsePoints:
-    """Sparse points, or anything with such `points` and `observations`, as a model of structure from motion has.
-
-    Raises:
-        TypeError: Neither.
-        ValueError: Points or observations that make no sense.
-    """
     if isinstance(value, SparsePoints):
         return value
     if not (hasattr(value, "points") and hasattr(value, "observations")):
@@ -115,11 +107,6 @@ def check_sparse(name: str, value: Any) -> SparsePoints:
 
 
 def check_cameras(name: str, values: Any) -> tuple[PosedCamera, ...]:
-    """A list of posed cameras.
-
-    Raises:
-        TypeError: Anything else.
-    """
     cameras = check_list(name, values, "PosedCamera")
     for i, camera in enumerate(cameras):
         if not isinstance(camera, PosedCamera):
@@ -128,12 +115,7 @@ def check_cameras(name: str, values: Any) -> tuple[PosedCamera, ...]:
 
 
 def check_sources(name: str, values: Any, count: int) -> tuple[tuple[int, ...], ...]:
-    """For each of `count` pictures the numbers of others, each once; a picture may have none.
-
-    Raises:
-        TypeError: Not lists of whole numbers.
-        ValueError: Not `count` lists, a picture that is not there, the picture itself, or one twice.
-    """
+    """Check the source numbers of `count` images: existing, unique, not the image itself."""
     lists = check_list(name, values, "lists of picture numbers")
     if len(lists) != count:
         raise ValueError(f"{name}: expected a list for each of the {count} pictures, got {len(lists)}")

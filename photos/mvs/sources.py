@@ -1,8 +1,7 @@
-"""Which pictures are compared with which: those that together see a picture's points from a little aside.
+"""Selection of source images for multi-view stereo.
 
-The best angle between two views of a point is 2 to 15 degrees: below that the depth is uncertain, above it the patches
-look different. Pictures that score best one by one all look at the same part; chosen greedily, each adds points that
-those before it do not see well (Goesele et al. 2007, "Multi-view stereo for community photo collections", section 4).
+The best angle between two views is 2 to 15 degrees. Greedy selection: each source adds points not yet well seen
+(Goesele et al., "Multi-view stereo for community photo collections", ICCV 2007, section 4).
 """
 
 from __future__ import annotations
@@ -17,40 +16,33 @@ from ..frusta import places_before
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
 
 COUNT = 8
-MOST_SOURCES = 256  # as many as a picture can be compared with in reasonable time
-ENOUGH = 3.0  # good views of a point: more of them add nothing
-NARROW, WIDE, FALLOFF = 3.0, 10.0, 10.0  # [degrees] full weight from here to there, then it falls by e each FALLOFF
-WITHOUT_POINTS = 3.0  # baselines of the typical step between cameras that are as good as one
+MOST_SOURCES = 256  # limit for a reasonable run time
+ENOUGH = 3.0  # good views of a point: more add nothing
+NARROW, WIDE, FALLOFF = 3.0, 10.0, 10.0  # [degrees] full weight within, then decay by e per FALLOFF
+WITHOUT_POINTS = 3.0  # baselines equal to one typical camera step
 
 
 def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tuple[int, ...], ...]:
-    """For each picture, the others that multi-view stereo should compare it with, the most useful first.
+    """Select the source images of each image for multi-view stereo, the most useful first.
 
-    Each next source is the one that adds most to what the picture's sparse points have: a point counts until three
-    good views see it, and a view is as good as its angle with the picture's at that point: full weight from 3 to 10
-    degrees, less below, and falling by e every 10 degrees above.
-
-    A picture that shares no sparse point with any other has sources by the cameras alone: in the same way, with places
-    along rays through it in place of points, which count by how many cameras have them in their pictures. Where there
-    are no such places either, those that look the same way, from a place some steps aside, where a step is the median
-    distance from a camera to its nearest neighbour.
+    Each next source adds most to the image's sparse points; a point counts until three good views see it. View weight
+    by angle: full from 3 to 10 degrees, less below, decaying by e per 10 degrees above. Images without shared points
+    use sample points in intersecting frusta, else cameras with the same direction a few baselines aside (median
+    distance of neighboring cameras).
 
     Args:
-        cameras: A PosedCamera for each picture.
-        sparse: SparsePoints, or what has `points` [m, 3] and `observations` [k, 2] as an SfmModel has; None for none.
-        count: The most sources of a picture, 1 to 256.
+        cameras: A PosedCamera for each image.
+        sparse: SparsePoints, or an object with `points` [m, 3] and `observations` [k, 2]; None: none.
+        count: Maximum number of sources, 1 to 256.
 
     Returns:
-        For each picture the numbers of its sources; fewer than `count` where no more add anything, none for a picture
-        alone.
+        The source numbers of each image, possibly fewer than `count` or none.
 
     Raises:
-        TypeError: Not such cameras or points.
-        ValueError: A count out of range, or an observation by a picture that is not there.
+        TypeError, ValueError: Wrong types, a count out of range, or an observation by a missing image.
 
     Notes:
-        The same pictures each time; of equals the lower number. Time and memory grow with the observations that
-        pictures share: 150 pictures with 50,000 points seen by 10 each take a second.
+        Deterministic; ties go to the lower number. 150 images with 50,000 points seen by 10 each take a second.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -82,7 +74,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
 
 
 class _Tracks:
-    """The pictures that see each point, one point's after the other's."""
+    """The images that see each point, concatenated by point."""
 
     def __init__(self, observations: NDArray[np.int64], count: int):
         order = np.argsort(observations[:, 1], kind="stable")
@@ -90,7 +82,6 @@ class _Tracks:
         self.starts = np.searchsorted(observations[order, 1], np.arange(count + 1))
 
     def of(self, points: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """All (place in `points`, picture) where the picture sees that point."""
         first, lengths = self.starts[points], np.diff(self.starts)[points]
         places = np.repeat(np.arange(len(points)), lengths)
         inside = np.arange(len(places)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
@@ -100,7 +91,7 @@ class _Tracks:
 def _by_cover(
     i: int, sparse: SparsePoints, tracks: _Tracks, centers: NDArray[np.float64], most: int
 ) -> tuple[int, ...]:
-    """Sources by the points that they share with picture i; none where there are no such points."""
+    """Sources by points shared with image i; none without such points."""
     mine = sparse.seen_by(i)
     places, pictures = tracks.of(mine)
     others = pictures != i
@@ -121,9 +112,9 @@ def _by_cover(
 
 
 def _worth(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How good it is to see a point along b beside a, by the angle between them."""
+    """Weight of a second view direction b by its angle with a."""
     cross = np.linalg.norm(np.cross(a, b), axis=1)
-    return _worth_of(np.degrees(np.arctan2(cross, (a * b).sum(axis=1))))  # exact for small ones, which arccos is not
+    return _worth_of(np.degrees(np.arctan2(cross, (a * b).sum(axis=1))))  # accurate for small angles, unlike arccos
 
 
 def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -131,7 +122,7 @@ def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int, ...]:
-    """Sources by what they may see of the same; none where no camera has such places from aside."""
+    """Sources by common sample points; none if no camera sees them from aside."""
     poses = np.array([camera.T_camera_world for camera in cameras])
     places, seen, angles = places_before(i, [camera.intrinsic for camera in cameras], poses)
     weights = _worth_of(angles) * seen
@@ -149,13 +140,7 @@ def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int
 
 
 def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: float) -> tuple[float, float] | None:
-    """Between which depths of a picture others may see the same; None where they nowhere do.
-
-    Args:
-        i: Number of the picture.
-        cameras: Of all.
-        low, high: Shares of the places along its rays, by how many see them, that lie nearer.
-    """
+    """Depth range of image i that others may see, by quantiles `low`, `high` of sample points; None if empty."""
     poses = np.array([camera.T_camera_world for camera in cameras])
     places, seen, _ = places_before(i, [camera.intrinsic for camera in cameras], poses)
     weights = seen.sum(axis=1)
@@ -192,7 +177,7 @@ def _step(centers: NDArray[np.float64]) -> float:
     for k in range(1, len(row)):
         apart = row[k:] - row[:-k]
         if (apart[:, longest] ** 2 >= np.maximum(nearest[k:], nearest[:-k])).all():
-            break  # those that stand farther apart in the row are no nearer
+            break  # later ones in the order are no nearer
         squares = (apart * apart).sum(axis=1)
         nearest[k:] = np.minimum(nearest[k:], squares)
         nearest[:-k] = np.minimum(nearest[:-k], squares)

@@ -1,7 +1,6 @@
-"""Structure from motion: a video or a folder of photographs in, posed pictures and sparse points out.
+"""Structure from motion: posed images and sparse points from a video or photographs.
 
-COLMAP does it (package pycolmap, `pip install "pointloom[sfm]"`), in a process of its own with limits of time and
-memory. Each public name is loaded when it is first used, as in `pointloom` itself.
+COLMAP (pycolmap, `pip install "pointloom[sfm]"`) runs in a separate process with time and memory limits.
 
 Example:
     Frames of a video, their poses, and whether these are reliable::
@@ -12,7 +11,7 @@ Example:
             print(result.warnings)
         loom.write_trajectory("poses.log", result.model.trajectory())
 
-    What is found of a set of pictures is judged without COLMAP too:
+    Models can be assessed without COLMAP:
 
     >>> import pointloom as loom
     >>> from pointloom.photos.sfm.model_quality import assess_model

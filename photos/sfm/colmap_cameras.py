@@ -1,14 +1,8 @@
-"""What COLMAP's process asks of a model that it has made: do the pictures bear its cameras out?
+"""Camera checks of COLMAP models, run by `colmap_worker.py` in its process without imports of this package.
 
-Run by `colmap_worker.py` in that process, as it is: it imports nothing of ours.
-
-- Does a camera a picture explain them better? Then pictures were taken with several focal lengths.
-- Does a focal length that was given fall short of the one that the pictures ask for?
-- Do the pictures fix the focal length at all? It is held at some factors of what was found, and all else adjusted:
-  where the error hardly rises, any of these would do, as where a camera goes straight ahead (then focal length and
-  the points' distances from its way trade exactly), or looks at flat ground from straight above.
-
-All of it is tried on a part of the points that is the same from run to run, by Ceres on one thread.
+Tests whether several focal lengths explain the images better, whether a given focal length contradicts the images, and
+whether they determine it at all (fixed at factors of the estimate, the error hardly rises for forward motion or nadir
+views of flat ground). Uses a reproducible subset of points, and Ceres on one thread.
 """
 
 from __future__ import annotations
@@ -20,38 +14,36 @@ from typing import Any
 
 import numpy as np
 
-# The focal length is held at these factors of what was found. COLMAP's own scale for what is wrong: by 15 % too short a
-# flight over ground makes heights 15 % too small.
+# Test factors of the focal length: 15% too short a flight over ground makes heights 15% too small.
 HELD = (0.85, 1.18)
 
-# Of the error, by which it falls with a camera a picture before a model with several cameras is tried, which costs as
-# much as the first one. Of pictures by one camera it falls by 1 to 4 %.
+# Minimum relative error decrease with one camera per image to try several cameras, as slow as the first mapping; images
+# of one camera have 1 to 4%.
 WORTH_TRYING = 0.2
-MUCH_BETTER = 2 / 3  # of the error before: what a second model with several cameras has to come to, to be kept
-SAME_LENS = 1.04  # focal lengths of two pictures within this factor are one camera's: each alone is a few per cent off
+MUCH_BETTER = 2 / 3  # maximum relative error of a model with several cameras
+SAME_LENS = 1.04  # focal lengths within this factor are one camera: single estimates are a few per cent off
 
-# By which the error rises at the least: below the first no focal length is fixed, above the second one is. Between them
-# features, lenses and shutters may decide as much as the focal length does, and parts of the pictures are left out.
+# Rise of the error: below the first value the focal length is undetermined, above the second determined; between them
+# parts of the images are left out.
 LEVEL, STEEP = 0.002, 0.05
-MOST_SPREAD = 0.025  # of the focal length when parts are left out: twice that, 5 %, is what EXIF's may be off by
-GIVEN_WORSE = 0.8  # of the error with a given focal length, to which it falls with the one that the pictures ask for
-FLAT = 0.02  # by which the error may rise with EXIF's focal length
+MOST_SPREAD = 0.025  # relative spread; twice that (5%) is EXIF's error
+GIVEN_WORSE = 0.8  # relative error with the preferred focal length that contradicts a given one
+FLAT = 0.02  # maximum relative rise of the error with EXIF's focal length
 
-_SQUARE = 0.01  # by which two focal lengths of square pixels may differ, as calibrations have it
-_AS_GOOD = 1.1  # times the error: what cameras that are joined may come to
+_SQUARE = 0.01  # relative difference of two focal lengths for square pixels
+_AS_GOOD = 1.1  # maximum relative error of merged cameras
 
-_FEWEST_POINTS = 30  # of a model of which anything can be asked
-_MOST_POINTS = 1500  # that are adjusted, unless there are many pictures
+_FEWEST_POINTS = 30  # minimum points for the checks
+_MOST_POINTS = 1500  # adjusted points, unless there are many images
 _POINTS_A_PICTURE = 25
-_FEWEST_SEEN = 20  # points of a picture that has a camera of its own
+_FEWEST_SEEN = 20  # minimum points for an own camera
 _RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
-_BLOCKS, _CELLS = 6, 3  # into which pictures are parted by their order, and a picture by its sides
-_STEPS = 60  # of an adjustment
-_FEW_STEPS = 25  # of one that has to show that the error falls, and nothing finer
+_BLOCKS, _CELLS = 6, 3  # jackknife groups: sequence blocks, image cells per side
+_STEPS = 60  # adjustment steps
+_FEW_STEPS = 25  # adjustment steps for a rough error
 
 
 def rms_error(model: Any) -> float:
-    """Root mean square distance over all observations of a model [px]; NaN of one without any."""
     total, count = 0.0, 0
     for number in sorted(model.reg_image_ids()):
         image = model.image(number)
@@ -65,7 +57,7 @@ def rms_error(model: Any) -> float:
 
 
 def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _STEPS) -> float:
-    """Adjust poses and points of a model, and its focal length and distortion where asked for; gives the error."""
+    """Bundle-adjust a model, optionally with focal length and distortion; returns the error."""
     options = pycolmap.BundleAdjustmentOptions()
     options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
     solver = options.ceres.solver_options
@@ -79,7 +71,6 @@ def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps
 
 
 def thinned(pycolmap: Any, model: Any) -> Any:
-    """A copy of a model with some of its points, evenly by their numbers."""
     copy = pycolmap.Reconstruction(model)
     for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
         copy.delete_point3D(number)
@@ -93,17 +84,14 @@ def thinned(pycolmap: Any, model: Any) -> Any:
 
 
 def used_cameras(model: Any) -> list[int]:
-    """The numbers of the cameras of placed pictures."""
     return sorted({model.image(number).camera_id for number in model.reg_image_ids()})
 
 
 def focal_length(camera: Any) -> float:
-    """Of a camera [px]: the mean where it has two."""
     return float(camera.mean_focal_length())
 
 
 def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
-    """Make the focal lengths of cameras longer by factors."""
     for number, factor in factors.items():
         camera = model.camera(number)
         params = np.array(camera.params)
@@ -114,17 +102,7 @@ def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
 def settle_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
-    """Ask the pictures of the largest model for its cameras.
-
-    Args:
-        pycolmap: The package.
-        job: As of `colmap_worker.py`: "fixed_camera", "database".
-        models: That were made, the largest first.
-        map_again: Makes models of the database as it is then.
-
-    Returns:
-        The models, the first of which may have been changed, and what was found, for `camera_check.CameraCheck`.
-    """
+    """Check the cameras of the largest model; returns the models and the values of `camera_check.CameraCheck`."""
     if models[0].num_points3D() < _FEWEST_POINTS or models[0].num_reg_images() < 2:
         return models, {}
     if job["fixed_camera"]:
@@ -139,22 +117,16 @@ def settle_cameras(
 
 
 def is_open(rise: float, spread: float) -> bool:
-    """Whether the pictures fix no focal length; NaN of what was not asked says nothing."""
     return rise < LEVEL or spread > MOST_SPREAD
 
 
 def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
-    """The focal lengths of the cameras of a database that EXIF told [px]."""
     with pycolmap.Database.open(database) as opened:
         cameras = opened.read_all_cameras()
     return {camera.camera_id: focal_length(camera) for camera in cameras if camera.has_prior_focal_length}
 
 
-# ------------------------------------------------------------------------------------------- a camera a picture
-
-
 def with_own_cameras(pycolmap: Any, model: Any) -> Any:
-    """The same model with a camera for each picture that sees enough of it; the others are left out."""
     made = pycolmap.Reconstruction()
     for number in sorted(model.reg_image_ids()):
         image = model.image(number)
@@ -177,7 +149,7 @@ def with_own_cameras(pycolmap: Any, model: Any) -> Any:
 
 
 def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int, float]]:
-    """The error with the cameras as they are and with one a picture, adjusted alike, and the latter's focal lengths."""
+    """The error with shared and with own cameras, adjusted alike, and the latter's focal lengths."""
     few = thinned(pycolmap, model)
     own = with_own_cameras(pycolmap, few)
     shared = adjusted(pycolmap, few, focal=True)
@@ -186,7 +158,7 @@ def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int
 
 
 def clusters(lengths: dict[int, float]) -> list[list[int]]:
-    """Pictures by focal length: parted where two that follow each other differ by more than one lens does."""
+    """Group images by focal length, split where neighbors differ by more than one lens does."""
     order = sorted(lengths, key=lambda number: (lengths[number], number))
     found: list[list[int]] = []
     for number in order:
@@ -198,7 +170,6 @@ def clusters(lengths: dict[int, float]) -> list[list[int]]:
 
 
 def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
-    """Give groups of pictures cameras of their own, in COLMAP's database."""
     numbers = []
     with pycolmap.Database.open(database) as opened:
         for group in groups:
@@ -222,17 +193,13 @@ def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths:
 def split_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
-    """The models, or ones with several cameras where these explain the pictures better by a third.
-
-    The focal lengths that a model with one camera asks for are rough. What comes of them is finer, so that cameras
-    that turn out to be one are made one.
-    """
+    """Use several cameras if they reduce the error by a third; refined cameras that agree are merged again."""
     shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
     told: dict[str, Any] = {"own_error": alone}
     groups = clusters(lengths)
     if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
         return models, told
-    if len(groups) > len(lengths) // 2:  # a zoom that moves all the time, or a rough first model
+    if len(groups) > len(lengths) // 2:  # a continuous zoom, or a rough first model
         groups = [[number] for number in sorted(lengths)]
     most = MUCH_BETTER * rms_error(models[0])
     kept = _parted(pycolmap, job, models, groups, lengths, map_again, most)
@@ -255,7 +222,7 @@ def _parted(
     map_again: Callable[[], list[Any]],
     most_error: float,
 ) -> list[Any]:
-    """Models with a camera for each group; those before where the new ones place fewer pictures or are more off."""
+    """Models with a camera per group; the previous ones if those place fewer images or have larger errors."""
     part_cameras(pycolmap, job["database"], groups, lengths)
     others = map_again()
     if not others or others[0].num_reg_images() < models[0].num_reg_images():
@@ -263,11 +230,8 @@ def _parted(
     return others if rms_error(others[0]) <= most_error else models
 
 
-# --------------------------------------------------------------------------------------------- focal lengths
-
-
 def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
-    """The focal length that the pictures ask for instead of one that was given, and the error with either."""
+    """The focal length preferred by the images over a given one, and the error with either."""
     few = thinned(pycolmap, model)
     first = used_cameras(few)[0]
     _tie_focal_lengths(pycolmap, few)
@@ -277,13 +241,13 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     found = focal_length(few.camera(first))
     told = {"given": given, "error": error, "found": found, "freed_error": freed}
     told |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
-    # Where the error falls a little, parts of the pictures have to agree.
+    # with a small decrease, parts of the images have to agree
     is_off = abs(math.log(found / given)) > 2 * MOST_SPREAD and error > (1 + FLAT) * freed
     return told | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
 
 
 def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
-    """Let pinholes with square pixels have one focal length: two freed ones may part where cameras stand in a row."""
+    """Use a single focal length for square pixels: two free ones diverge for cameras in a row."""
     for number in used_cameras(model):
         camera = model.camera(number)
         if camera.model_name == "PINHOLE":
@@ -294,10 +258,7 @@ def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
 
 
 def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
-    """How the error rises at least where the focal lengths are held at factors of what the pictures ask for.
-
-    Where it rises a little, it is asked too how far the focal length moves when parts of the pictures are left out.
-    """
+    """Minimum rise of the error at fixed focal length factors; if small, also its spread over image subsets."""
     few = thinned(pycolmap, model)
     error = adjusted(pycolmap, few, focal=True)
     cameras, rises = used_cameras(few), []
@@ -310,12 +271,7 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
 
 
 def spread_of_parts(pycolmap: Any, model: Any) -> float:
-    """How far off the focal lengths may be, as a share: the largest of three standard errors.
-
-    Two are those of the delete-a-group jackknife. Groups are parts of the picture, which show a lens that the model of
-    the camera does not fit, and pictures that follow each other, which show what is wrong with some of them. The third
-    is half of what a second coefficient of distortion moves them by: of a lens that bends much that is the error.
-    """
+    """Relative standard error of the focal length: jackknives over image regions and sequences, and a richer lens."""
     numbers = sorted(model.reg_image_ids())
     blocks = {number: k * _BLOCKS // len(numbers) for k, number in enumerate(numbers)}
     by_picture = [_focal_without(pycolmap, model, lambda n, _xy, _size, k=k: blocks[n] == k) for k in range(_BLOCKS)]
@@ -339,7 +295,7 @@ def _log_focal(model: Any) -> float:
 
 
 def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
-    """The same of lenses with two coefficients of distortion where they have one or none."""
+    """As `_focal_without`, with a second distortion coefficient."""
     richer = pycolmap.Reconstruction(model)
     for number in used_cameras(richer):
         camera = richer.camera(number)
@@ -353,21 +309,21 @@ def _focal_of_richer_lens(pycolmap: Any, model: Any) -> float:
 
 
 def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) -> float:
-    """Mean logarithm of the focal lengths that some of the observations ask for."""
+    """Mean log focal length without some of the observations."""
     part = pycolmap.Reconstruction(model)
     for number in sorted(part.reg_image_ids()):
         image = part.image(number)
         size = image.camera.width, image.camera.height
         seen = [(k, point.xy) for k, point in enumerate(image.points2D) if point.has_point3D()]
         for k in [k for k, xy in seen if is_left_out(number, xy, size)]:
-            if part.image(number).point2D(k).has_point3D():  # a point that only one picture sees goes with it
+            if part.image(number).point2D(k).has_point3D():  # also removes points with a single observation
                 part.delete_observation(number, k)
     adjusted(pycolmap, part, focal=True, steps=_FEW_STEPS)
     return _log_focal(part)
 
 
 def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
-    """The model with the focal lengths that EXIF tells, where these fit as well; cameras without move along."""
+    """The model with EXIF's focal lengths if they fit as well; cameras without move along."""
     cameras = used_cameras(model)
     factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}
     usual = float(np.median(list(factors.values())))

@@ -1,4 +1,4 @@
-"""Jobs for COLMAP's own process: what comes of them, how far they are, and what to do where they fail."""
+"""Jobs for the COLMAP process: results, progress, and error messages."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from .limited_process import LimitedProcess
 _WORKER = Path(__file__).with_name("colmap_worker.py")
 _POLL_INTERVAL = 0.5  # [s]
 _READ_AT_ONCE = 1 << 16
-_LITTLE_SPACE = 1 << 20  # [B] free on a disk that counts as full
+_LITTLE_SPACE = 1 << 20  # [B] free space that counts as a full disk
 _SPACE = "Free some space, or work in another folder"
 _FULL_DISK = ("disk is full", "No space left", "disk I/O error")
 
-MAX_SECONDS = 4 * 3600.0  # of one stage: 150 pictures take minutes, and what takes hours is rarely worth its end
+MAX_SECONDS = 4 * 3600.0  # per stage: 150 images take minutes
 
 Report = Callable[[dict[str, Any]], None]
 
@@ -40,21 +40,7 @@ def run_job(
     poll: Callable[[], None] | None = None,
     tell: Report | None = None,
 ) -> tuple[dict[str, Any], int]:
-    """Have COLMAP do a job.
-
-    Args:
-        job: What `colmap_worker` reads.
-        place: What errors call the matter: the folder of the pictures, or the database.
-        max_seconds, max_memory: As of `LimitedProcess`.
-        poll: Called twice a second, and once at the end.
-        tell: Called with each message that is not the last.
-
-    Returns:
-        What was done, and the most memory that it took [B].
-
-    Raises:
-        FileError: No pycolmap, or the job failed, was killed or passed a limit: with its last words, and a remedy.
-    """
+    """Run a COLMAP job; returns its result and peak memory [B]. FileError if it fails or passes a limit."""
     command = [sys.executable, "-P", str(_WORKER)]
     last: dict[str, Any] = {}
     with LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=json.dumps(job)) as process:
@@ -71,7 +57,6 @@ def run_job(
 
 
 def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Iterator[dict[str, Any]]:
-    """The objects that the process writes, one a line, as they come."""
     assert process.stdout is not None
     handle, rest = process.stdout.fileno(), b""
     while True:
@@ -114,16 +99,9 @@ def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, fold
     return f"{noun} {process.why_ended()}{said}", remedy
 
 
-# ---------------------------------------------------------------------------------------------- the database
-
-
 @contextlib.contextmanager
 def open_database(path: Path) -> Iterator[sqlite3.Connection]:
-    """COLMAP's database, for reading, also while COLMAP writes to it.
-
-    Raises:
-        FileError: None there, or none of COLMAP's.
-    """
+    """Open COLMAP's database for reading, even while COLMAP writes to it."""
     if not path.is_file():
         reason = "is no database of COLMAP" if path.exists() else "does not exist"
         raise FileError(path, reason, remedy="sfm.find_features makes one")
@@ -138,7 +116,6 @@ def open_database(path: Path) -> Iterator[sqlite3.Connection]:
 
 
 def count_rows(path: Path, table: str) -> int:
-    """Rows of a table of a database that COLMAP is writing to; 0 where there is none yet or it is locked."""
     with contextlib.suppress(FileError), open_database(path) as database:
         return database.execute(f"SELECT count(*) FROM {table}").fetchone()[0]
     return 0
@@ -146,18 +123,18 @@ def count_rows(path: Path, table: str) -> int:
 
 @contextlib.contextmanager
 def database_in_the_making(target: Path) -> Iterator[Path]:
-    """A place for a database, which takes its name when the block ends without an error, and is removed otherwise."""
+    """A temporary database path, renamed at the end, or removed on errors."""
     with scratch_beside(target) as folder:
         part = folder / "database.db"
         yield part
         with contextlib.closing(sqlite3.connect(part)) as database:
-            database.execute("PRAGMA journal_mode=DELETE")  # what COLMAP wrote beside it goes into the one file
+            database.execute("PRAGMA journal_mode=DELETE")  # merge COLMAP's journal into the file
         part.replace(target)
 
 
 @contextlib.contextmanager
 def scratch_beside(target: Path) -> Iterator[Path]:
-    """A folder on the disk of a target, which is removed in the end; what the disk refuses is the target's error."""
+    """A temporary folder on the target's disk; disk errors name the target."""
     try:
         with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
             yield Path(folder)

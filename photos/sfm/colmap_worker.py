@@ -1,14 +1,8 @@
-"""The process in which COLMAP works: one job in, lines of JSON out.
+"""Worker process for COLMAP: one JSON job on standard input ("stage" and its arguments), JSON lines on standard output.
 
-`pycolmap` and other packages bring their own copies of the same libraries, and a process with several of them may hang
-or abort. So this program imports pycolmap first and nothing of ours but colmap_cameras.py, which is as bare; it is run,
-never imported:
-
-    python colmap_worker.py < job.json
-
-A job is one JSON object on standard input, with "stage" and what that stage wants. Answers are objects on standard
-output, one a line: {"registered": n} as the mapping goes on, and {"done": {...}} or {"failed": "why"} at the end. What
-COLMAP itself says goes to standard error.
+Runs as `python colmap_worker.py < job.json`. It imports pycolmap first and nothing of this package but
+colmap_cameras.py, since several packages with copies of the same libraries may hang or abort a process. Output:
+{"registered": n} as progress, and finally {"done": {...}} or {"failed": "why"}; COLMAP logs to standard error.
 """
 
 from __future__ import annotations
@@ -25,12 +19,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
 
-# The focal length that mapping begins with where EXIF says nothing, over the longer side. Telephones and depth cameras
-# have 0.7 to 0.9 in videos. With COLMAP's own 1.2 it placed 47 of 99 frames of a room, with a focal length a
-# third too large; with this all of them.
+# Initial focal length without EXIF, relative to the longer side. Phones and depth cameras have 0.7 to 0.9 in videos.
+# COLMAP's 1.2 registered 47 of 99 frames of a room, with a focal length a third too large; this value all of them.
 FOCAL_FACTOR = 0.85
-# Of lenses whose pixels follow the angle and not its tangent: that of 125 degrees over the longer side, between action
-# cameras and half a sphere. With 0.85 none of the pictures of one with 0.5 could be placed.
+# For fisheye models: 125 degrees over the longer side, between action cameras and hemispheres. With 0.85 no image of a
+# camera with 0.5 could be registered.
 FISHEYE_FACTOR = 0.45
 
 NO_CUDA = "this pycolmap was built without CUDA; pip uninstall pycolmap, then pip install pycolmap-cuda12"
@@ -39,13 +32,12 @@ NO_NETWORKS = (
     'Build COLMAP with ONNX_ENABLED, or take kind="sift"'
 )
 
-_PR_SET_PDEATHSIG = 1  # of Linux' <sys/prctl.h>
+_PR_SET_PDEATHSIG = 1  # Linux <sys/prctl.h>
 
 
 def main() -> int:
-    """Do the job on standard input."""
     answers = _own_output()
-    if sys.platform == "linux":  # where whoever started this is killed, nobody is left to stop it
+    if sys.platform == "linux":  # ends this process if its parent is killed
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     job = json.load(sys.stdin)
     try:
@@ -66,18 +58,14 @@ def main() -> int:
 
 
 def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Find what can be recognised in each picture.
-
-    A group of pictures shares a camera. Pictures get their numbers before the threads begin: these do not end in the
-    order in which they begin, and everything later goes by the numbers.
-    """
+    """Extract features; images are numbered before the threads start, since these finish in any order."""
     extraction = pycolmap.FeatureExtractionOptions()
     extraction.max_image_size, extraction.num_threads = job["max_size"], job["threads"]
     extraction.use_gpu = on_gpu(pycolmap, job)
     _choose_kind(pycolmap, extraction, job["kind"])
     extraction.sift.max_num_features = job["max_features"]
     with pycolmap.Database.open(job["database"]):
-        pass  # made where there is none
+        pass  # created if missing
     for group in job["groups"]:
         reader = pycolmap.ImageReaderOptions()
         reader.camera_model, reader.camera_params = group["model"], group["params"]
@@ -97,7 +85,6 @@ def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
 
 
 def _forget_focal_length(pycolmap: Any, path: str, group: dict[str, Any], factor: float) -> None:
-    """Have the camera of a group begin as if EXIF told no focal length."""
     with pycolmap.Database.open(path) as database:
         camera = database.read_camera(database.read_image_with_name(group["names"][0]).camera_id)
         params = list(camera.params)
@@ -108,16 +95,11 @@ def _forget_focal_length(pycolmap: Any, path: str, group: dict[str, Any], factor
 
 
 def is_fisheye(model: str) -> bool:
-    """Whether a lens of COLMAP's draws angles and not their tangents."""
     return "FISHEYE" in model or model == "FOV"
 
 
 def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
-    """Whether features are found and matched on a GPU: this pycolmap can (pycolmap-cuda12), and there is one.
-
-    Raises:
-        RuntimeError: It was asked for, and is not to be had.
-    """
+    """True if features use a GPU: pycolmap-cuda12 and a device; RuntimeError if requested but missing."""
     wanted = job["gpu"]
     if wanted is False:
         return False
@@ -139,11 +121,7 @@ def _cuda_devices() -> int:
 
 
 def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
-    """SIFT, or a network's features and matches, which COLMAP has where it was built with ONNX.
-
-    Raises:
-        RuntimeError: It was not: without this it would end the process.
-    """
+    """Select SIFT or a network; RuntimeError without ONNX, where COLMAP would abort the process."""
     if kind == "sift":
         return
     if not hasattr(options, "aliked"):
@@ -154,18 +132,13 @@ def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
 
 
 def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Match pairs of pictures, and keep those that one motion of the camera explains."""
     with _guesses_told(pycolmap, job):
         return _match(pycolmap, job)
 
 
 @contextlib.contextmanager
 def _guesses_told(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
-    """Let the focal lengths that fisheyes begin with count as told, for a while.
-
-    COLMAP 4.2 keeps no pair of a fisheye whose focal length nobody told, as a fundamental matrix says nothing of it,
-    and places no picture of one. Where mapping begins is near enough to tell matches that fit from others.
-    """
+    """Mark initial fisheye focal lengths as known: COLMAP 4.2 drops pairs and images of fisheyes without one."""
     with pycolmap.Database.open(job["database"]) as database:
         cameras = database.read_all_cameras()
     guessed = [camera for camera in cameras if is_fisheye(camera.model.name) and not camera.has_prior_focal_length]
@@ -183,7 +156,7 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
     matching = pycolmap.FeatureMatchingOptions()
     matching.num_threads, matching.use_gpu = job["threads"], on_gpu(pycolmap, job)
     _choose_kind(pycolmap, matching, job["kind"])
-    # The index for the approximate search is drawn by chance.
+    # The index of the approximate search is random.
     matching.sift.cpu_brute_force_matcher = False
     verification = pycolmap.TwoViewGeometryOptions()
     verification.compute_relative_pose = True
@@ -199,18 +172,15 @@ def _match(pycolmap: Any, job: dict[str, Any]) -> dict[str, Any]:
         pycolmap.match_image_pairs(job["database"], pairing_options=listed, **common)
         return {"gpu": matching.use_gpu}
     pairing = pycolmap.SequentialPairingOptions()
-    pairing.overlap, pairing.quadratic_overlap = job["overlap"], True  # 1, 2, 4, 8, ... apart, and none between
-    pairing.loop_detection = False  # it fetches its vocabulary from the network, and aborts where there is none
+    pairing.overlap, pairing.quadratic_overlap = job["overlap"], True  # 1, 2, 4, 8, ... apart only
+    pairing.loop_detection = False  # downloads a vocabulary, and aborts without a network
     pairing.num_threads = job["threads"]
     pycolmap.match_sequential(job["database"], pairing_options=pairing, **common)
     return {"gpu": matching.use_gpu}
 
 
 def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Place pictures and points, one picture after the other, and write the model with the most pictures.
-
-    What its cameras are worth is asked before it is written: it may get several, or EXIF's focal length.
-    """
+    """Map, check the cameras (several cameras, EXIF's focal length), and write the largest model."""
     models = _mapped(pycolmap, job, answers)
     done: dict[str, Any] = {"sizes": [model.num_reg_images() for model in models], "cameras": {}}
     if models:
@@ -223,15 +193,13 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
 
 
 def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
-    """The models that COLMAP makes of a database, the one with the most pictures first."""
     with _guesses_told(pycolmap, job):
         found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
-    # The number of a model settles which of two of one size it is.
+    # The model number breaks ties of equal size.
     return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
 def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
-    """All pictures at once: rotations, then positions (GLOMAP, Pan et al. 2024)."""
     options = pycolmap.GlobalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = job["seed"]
@@ -243,7 +211,6 @@ def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[
 
 
 def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
-    """One picture after the other (Schoenberger and Frahm 2016)."""
     options = pycolmap.IncrementalPipelineOptions()
     options.num_threads = options.mapper.num_threads = job["threads"]
     options.random_seed = options.mapper.random_seed = options.triangulation.random_seed = job["seed"]
@@ -273,11 +240,7 @@ def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> 
 
 
 def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Points of matches between pictures whose poses are known, and stay as they are.
-
-    The job's file of arrays has the places of features as a camera without distortion has them (its middle at zero, the
-    middle of a pixel at whole numbers), so that each picture's camera is known by its focal length alone.
-    """
+    """Triangulate matches with fixed poses; feature positions are undistorted, relative to the principal point."""
     import numpy as np
 
     with np.load(job["arrays"]) as given:
@@ -303,7 +266,6 @@ def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[st
 
 
 def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[str, Any]) -> None:
-    """Pictures with poses into a model, and with features and matches into a database; numbered from 1."""
     for i, pose in enumerate(given["poses"]):
         width, height = (int(side) for side in given["sizes"][i])
         params = [given["focals"][i], given["focals"][i], 0.5, 0.5]
@@ -331,7 +293,7 @@ def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[
 
 
 def _own_output() -> IO[str]:
-    """Standard output for our lines alone: what libraries print there goes to standard error."""
+    """Standard output for JSON only: library output is redirected to standard error."""
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     return answers

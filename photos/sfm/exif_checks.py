@@ -13,26 +13,21 @@ from ...files.pictures.photo_files import plain_number, read_exif
 from .picture_folder import ORIENTATION, read_header
 from .picture_writing import counted, some_of
 
-# Focal lengths over the longer side that a lens may have: a fisheye of half a sphere has 0.3, and mapping takes none
-# beyond 10, a telephoto of 360 mm on 35 mm film.
+# Plausible focal lengths over the longer side: a hemispherical fisheye has 0.3, mapping accepts up to 10 (360 mm on 35
+# mm film).
 SHORTEST, LONGEST = 0.2, 10.0
 SMALLEST_SENSOR, LARGEST_SENSOR = 2.0, 60.0  # [mm] across
-MOST_APART = 1.6  # factor between what two tags say: crops and ways to count film come to less
+MOST_APART = 1.6  # maximum factor between two tags: crops and 35 mm conventions differ by less
 FILM_DIAGONAL = math.hypot(36.0, 24.0)  # [mm]
 
 _EXIF, _FOCAL, _FILM, _ZOOM = 0x8769, 0x920A, 0xA405, 0xA404
 _ACROSS, _UNIT, _WIDTH, _HEIGHT = 0xA20E, 0xA210, 0xA002, 0xA003
-_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # of a resolution's unit: inch, cm, mm, um
+_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # resolution units: inch, cm, mm, um
 _TURNED = range(5, 9)  # orientations that swap width and height
 
 
 def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
-    """Why the focal length of EXIF is rejected; None if it is accepted or missing.
-
-    Args:
-        path: A picture.
-        size: Its width and height [px].
-    """
+    """Why EXIF's focal length is rejected for an image of this size [px]; None if accepted or missing."""
     inner = _inner(path)
     focal, film, zoom = (_number(inner, tag) for tag in (_FOCAL, _FILM, _ZOOM))
     longer, diagonal = max(size), math.hypot(*size)
@@ -43,7 +38,7 @@ def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
     if focal is None or sensor is None:
         return None
     is_sensor = SMALLEST_SENSOR <= sensor <= LARGEST_SENSOR
-    if not is_sensor:  # the film's says enough
+    if not is_sensor:  # the 35 mm equivalent suffices
         return None if by_film is not None else f"the sensor would be {sensor:.3g} mm wide"
     by_sensor = focal / sensor * longer
     if by_film is None:
@@ -55,14 +50,12 @@ def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
 
 
 def _sensor_of(inner: dict[int, Any]) -> float | None:
-    """The width of the sensor [mm]; None where it is not told."""
     across, width, unit = _number(inner, _ACROSS), _number(inner, _WIDTH), _number(inner, _UNIT)
     step = _MILLIMETRES.get(int(unit)) if unit is not None else 25.4
     return None if across is None or width is None or step is None else width / across * step
 
 
 def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
-    """What is to be told of pictures whose EXIF contradicts itself, or makes no sense, on how they lie."""
     unknown, swapped = [], []
     for path in paths:
         exif = read_exif(path)
@@ -86,13 +79,11 @@ def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
 
 
 def _inner(path: FilePath) -> dict[int, Any]:
-    """EXIF's table of the lens; empty where it makes no sense."""
     with ignored_errors():
         return dict(read_exif(path).get_ifd(_EXIF))
     return {}
 
 
 def _number(inner: dict[int, Any], tag: int) -> float | None:
-    """A number above 0 of a table; None where it is none."""
     text = plain_number(inner.get(tag))
     return float(text) if text else None

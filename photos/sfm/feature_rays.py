@@ -1,4 +1,4 @@
-"""Features of COLMAP's database as rays of cameras that are known, all pictures in one table."""
+"""Features of COLMAP's database as rays of known cameras."""
 
 from __future__ import annotations
 
@@ -14,20 +14,13 @@ from ...cameras.camera_models import CameraModel
 from ...core.errors import FileError
 from .colmap_jobs import open_database
 
-DESCRIPTOR = 128  # numbers of one
-WIDEST = np.tan(np.radians(75.0))  # off the axis, at z = 1: beyond it a pixel of a fisheye's is many of a pinhole's
+DESCRIPTOR = 128  # numbers per descriptor
+WIDEST = np.tan(np.radians(75.0))  # tan of 75 degrees: beyond it a fisheye pixel spans many pinhole pixels
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FeatureRays:
-    """What was found in pictures, and where each of it lies before its camera.
-
-    Args:
-        firsts: The first feature of each picture, and the number of all, [n + 1].
-        pixels: Where each is in its picture, float64 [m, 2] [px], pixel centres being whole numbers.
-        rays: x and y at z = 1, float64 [m, 2]; NaN where the lens has none.
-        descriptors: uint8 [m, 128].
-    """
+    """Features of all images: offsets [n + 1], pixels [m, 2], rays at z = 1 (or NaN), descriptors uint8 [m, 128]."""
 
     firsts: NDArray[np.int64]
     pixels: NDArray[np.float64]
@@ -35,16 +28,10 @@ class FeatureRays:
     descriptors: NDArray[np.uint8]
 
     def of(self, picture: int) -> slice:
-        """The rows of a picture."""
         return slice(int(self.firsts[picture]), int(self.firsts[picture + 1]))
 
 
 def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[CameraModel]) -> FeatureRays:
-    """The features of some of a database's pictures, in this order.
-
-    Raises:
-        FileError: A picture that the database does not have, or features that are not SIFT's.
-    """
     pixels, descriptors = [], []
     with open_database(database) as connection:
         numbers = dict(connection.execute("SELECT name, image_id FROM images").fetchall())
@@ -57,7 +44,7 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
         if len(places) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
             raise FileError(database, "holds features that are not SIFT's", remedy="sfm.find_features makes one")
     firsts = np.concatenate([[0], np.cumsum([len(each) for each in pixels])]).astype(np.int64)
-    at = [each.astype(np.float64) - 0.5 for each in pixels]  # COLMAP has the middle of the first pixel at a half
+    at = [each.astype(np.float64) - 0.5 for each in pixels]  # COLMAP's first pixel center is at 0.5
     rays = [camera.unproject(each)[:, :2] for camera, each in zip(cameras, at, strict=True)]
     joined = np.concatenate(rays) if rays else np.zeros((0, 2))
     with np.errstate(invalid="ignore"):
@@ -67,7 +54,6 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
 
 
 def table_of(connection, name: str, number: int, kind: type, database: Path) -> NDArray:
-    """The rows of a picture in a table of numbers."""
     row = connection.execute(f"SELECT rows, cols, data FROM {name} WHERE image_id = ?", (number,)).fetchone()
     rows, columns, data = row if row is not None else (0, 2, b"")
     if not rows:
@@ -78,13 +64,13 @@ def table_of(connection, name: str, number: int, kind: type, database: Path) -> 
 
 
 def focal_of(camera: CameraModel) -> float:
-    """Pixels of a camera's picture in one of a ray at z = 1, about its middle."""
+    """Pixels per ray unit at z = 1 near the center."""
     straight = pinhole_of(camera)
     return float(np.sqrt(straight.fx * straight.fy))
 
 
 def pinhole_of(camera: CameraModel) -> PinholeCameraIntrinsic:
-    """The camera without distortion whose pixels are as large as this one's in the middle of its picture."""
+    """The undistorted camera with the same pixel size in the center."""
     if camera.is_pinhole:
         return camera.intrinsic
     middle = np.array([(camera.width - 1) / 2, (camera.height - 1) / 2])

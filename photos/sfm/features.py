@@ -1,4 +1,4 @@
-"""What can be recognised in each picture: SIFT features, found by COLMAP, in a database of its kind."""
+"""SIFT feature extraction with COLMAP into its database."""
 
 from __future__ import annotations
 
@@ -24,7 +24,6 @@ from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
 from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
 
-# Those of COLMAP's whose numbers can be found from pictures alone.
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
     *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
@@ -35,24 +34,24 @@ MAX_FEATURES = 4096
 
 _LONGEST_SIDE = 2**16
 _MOST_FEATURES = 2**17
-_BYTES_A_PIXEL = 360  # of a picture in which features are found: SIFT's first octave is of twice its size
-_FEW = 50  # features, below which a picture is hardly ever placed
+_BYTES_A_PIXEL = 360  # per pixel of the scaled image: SIFT's first octave has twice its size
+_FEW = 50  # features below which an image is hardly ever registered
 
 
 @dataclasses.dataclass(frozen=True)
 class FeatureReport:
-    """What was found in the pictures.
+    """Result of `find_features`.
 
     Args:
-        database: Where it lies.
-        names: Of the pictures, in the order of their numbers.
-        counts: Features of each.
-        sizes: How many pictures there are of each (width, height) [px].
-        seconds: Time it took [s].
-        peak_bytes: The most memory that COLMAP was seen to hold [B].
-        camera_count: Cameras that the pictures are taken for: one for each size and lens that EXIF tells.
-        on_gpu: Whether COLMAP found them on a GPU.
-        notes: Lenses of EXIF that are rejected.
+        database: Path of the database.
+        names: Image names, by number.
+        counts: Features of each image.
+        sizes: Number of images of each (width, height) [px].
+        seconds: Run time [s].
+        peak_bytes: Peak memory of COLMAP [B].
+        camera_count: Number of cameras: one for each size and EXIF lens.
+        on_gpu: True if COLMAP used a GPU.
+        notes: Rejected EXIF lenses.
     """
 
     database: str
@@ -67,11 +66,9 @@ class FeatureReport:
 
     @property
     def poor_names(self) -> tuple[str, ...]:
-        """Pictures with fewer than 50 features: blank, out of focus, or of something without any pattern."""
         return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
         lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
         fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
@@ -95,41 +92,36 @@ def find_features(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> FeatureReport:
-    """Find SIFT features (Lowe 2004) in each picture of a folder.
+    """Find SIFT features (Lowe 2004) in each image of a folder.
 
     Args:
-        pictures: A folder of upright 8-bit PNG or JPEG pictures, as `choose_frames` writes them.
-        database: The file to write, COLMAP's; one that is there is replaced.
-        camera_model: COLMAP's name of how the lens draws; its numbers are found later. Pictures of one size, of which
-            EXIF says the same make, model and focal length, are taken for those of one camera.
-        intrinsic: A camera that is known: all pictures are its, and `camera_model` is not looked at. One of pictures
-            of another size, of the same shape, is scaled. Give `fix_intrinsic=True` to `map_pictures` to keep it.
-        max_size: The longer side is scaled down to this to find features [px].
-        max_features: Of a picture.
-        masks: A folder of masks, as `choose_frames` writes them: IMG_1.jpg.png of IMG_1.jpg, without features where it
-            is black. A picture without a mask is taken whole.
-        kind: "sift", or "aliked" (Zhao et al. 2023) where pycolmap was built with ONNX and finds its weights; that
-            of PyPI was not.
-        use_gpu: Whether COLMAP works on a GPU: that wants the package pycolmap-cuda12 in place of pycolmap. None takes
-            one where that is there. Its features are not those of the CPU.
-        seed: Of random numbers.
-        max_seconds: It is given up after this time [s]; None for no limit.
-        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
-        progress: Called with "features", how many pictures are done, and how many there are.
+        pictures: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
+        database: Output file (COLMAP database); replaced if it exists.
+        camera_model: COLMAP camera model; its parameters are estimated later. Images with the same size and the same
+            EXIF make, model and focal length share a camera.
+        intrinsic: Known camera of all images, scaled to their size. `map_pictures(..., fix_intrinsic=True)` keeps it.
+        max_size: Maximum image side for feature extraction [px].
+        max_features: Maximum number per image.
+        masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black; images
+            without a mask are used completely.
+        kind: "sift", or "aliked" (Zhao et al. 2023) if pycolmap was built with ONNX (not that of PyPI).
+        use_gpu: Use a GPU (requires pycolmap-cuda12); None: if available. Features differ from the CPU's.
+        seed: Random seed.
+        max_seconds: Time limit [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with ("features", done, all).
 
     Returns:
-        How many features each picture has.
+        The number of features of each image.
 
     Raises:
-        FileError: Fewer than two pictures, one that is damaged, lies on its side or has 16 bits; a mask of
-            another size, one that hides all, no mask at all; pycolmap is missing (`pip install "pointloom[sfm]"`);
-            COLMAP failed or passed a limit; a full disk.
-        TypeError, ValueError: An argument out of range, a camera of pictures of another shape.
+        FileError: Fewer than two images; a damaged, rotated or 16-bit image; a mask that is missing, of another size or
+            that hides all; pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed; a full disk.
+        TypeError, ValueError: An argument out of range, or a camera of another aspect ratio.
 
     Notes:
-        The same features from run to run, with any number of cores. All are used, as far as the memory goes: 360 B
-        for each pixel of a picture at its scaled size on each, 0.6 GB at 1600 x 1067. COLMAP runs in a process of its
-        own, which is killed where we are interrupted.
+        Reproducible for any number of cores. Uses as many cores as memory allows: 360 B per pixel of the scaled image
+        and core, 0.6 GB at 1600 x 1067. COLMAP runs in a separate process, which is killed on interruption.
 
     Example:
         >>> import pointloom as loom
@@ -172,7 +164,6 @@ def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
 
 
 def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
-    """Why EXIF's focal length is rejected, by the first image of each group with such a one."""
     found = {names[0]: doubt_of_focal(folder / names[0], size) for (size, _), names in groups.items()}
     return {name: reason for name, reason in found.items() if reason is not None}
 
@@ -188,7 +179,6 @@ def _job_of(
 
 
 def _masks_beside(database: Path, pictures: Path, masks: dict[str, Path]) -> str:
-    """A mask for each picture, in a new folder beside the database that is being made."""
     folder = database.with_name("masks")
     complete_masks(list_pictures(pictures), masks, folder)
     return os.fspath(folder)
@@ -202,31 +192,16 @@ def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]
 
 
 def check_camera_model(camera_model: Any) -> None:
-    """One of COLMAP's lenses.
-
-    Raises:
-        TypeError, ValueError: None of them.
-    """
     if check_name("camera_model", camera_model) not in CAMERA_MODELS:
         raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
 
 
 def check_use_gpu(use_gpu: Any) -> None:
-    """Whether COLMAP works on a GPU.
-
-    Raises:
-        TypeError: None of True, False and None.
-    """
     if use_gpu is not None and not isinstance(use_gpu, bool):
         raise TypeError(f"use_gpu: expected True, False or None, got {type(use_gpu).__name__}")
 
 
 def check_max_features(max_features: Any) -> None:
-    """How many features a picture may have.
-
-    Raises:
-        TypeError, ValueError: Out of range.
-    """
     check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
 
 
@@ -238,12 +213,10 @@ def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
 
 
 def usable_cores() -> int:
-    """The cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:
-    """How many pictures are looked at at once: one a core, as far as the memory [B] goes."""
     pixels = max(width * height for width, height in (scaled_size(size, max_size) for size in sizes))
     return max(1, min(usable_cores(), int(memory // (_BYTES_A_PIXEL * pixels))))
 
@@ -260,11 +233,7 @@ Group = tuple[tuple[int, int], tuple[str, ...]]
 
 
 def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
-    """The names of the pictures of each size, and of each lens that EXIF tells, those of the first picture first.
-
-    Raises:
-        FileError: Too few, or one that COLMAP would take for another than it is.
-    """
+    """Image names by size and EXIF lens, the group of the first image first; FileError if unsuitable for COLMAP."""
     paths = sorted(list_pictures(folder), key=lambda path: path.name)
     if len(paths) < 2:
         raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")
@@ -284,7 +253,6 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
 def _group(
     size: tuple[int, int], names: list[str], camera_model: str, intrinsic: PinholeCameraIntrinsic | CameraModel | None
 ) -> dict[str, Any]:
-    """What COLMAP is told of the pictures of one size."""
     if intrinsic is None:
         return {"names": names, "model": camera_model, "params": ""}
     factor = size[0] / intrinsic.width

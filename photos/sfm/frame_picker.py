@@ -1,11 +1,7 @@
-"""Which frames of a video to take: sharp ones, each of which shows the scene from another place than the last.
+"""Selection of sharp video frames with sufficient motion, in one pass with constant memory.
 
-Frames are looked at once, one after the other, at a reduced size. Kept are a number for each frame, and small copies of
-the last few: a video of hours needs no more memory than one of seconds.
-
-A frame is blurred where the variance of its Laplacian (Pech-Pacheco et al. 2000) is below 0.6 of the median of its
-neighbours: an absolute bar would depend on what is seen. How far the picture moved is the peak of the phase
-correlation (Kuglin and Hines 1975) of small copies of two frames.
+Blurred: variance of the Laplacian (Pech-Pacheco et al. 2000) below 0.6 of the median of neighboring frames. Motion:
+peak of the phase correlation (Kuglin and Hines 1975) of thumbnails.
 """
 
 from __future__ import annotations
@@ -17,38 +13,26 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-ANALYSIS_SIZE = 640  # [px], the longer side of frames that are looked at; blur that is not seen there does not matter
-THUMBNAIL_SIZE = 80  # [px], likewise, of the copies whose movement is measured
+ANALYSIS_SIZE = 640  # [px] longer side for analysis; finer blur is irrelevant
+THUMBNAIL_SIZE = 80  # [px] longer side of thumbnails
 
-NEIGHBOURS = 7  # frames on both sides whose median sharpness is the measure
-BLURRED = 0.6  # of that median
-NEAR = 2  # frames on both sides of a place among which the sharpest is taken
-FAST = 1.5  # times the movement wanted: a camera that moves on so far in one frame is at another place in the next
-LAG = NEIGHBOURS + NEAR  # frames that must be known beyond a place before it is judged
+NEIGHBOURS = 7  # frames on both sides for the median sharpness
+BLURRED = 0.6  # fraction of that median
+NEAR = 2  # frames on both sides searched for the sharpest
+FAST = 1.5  # times the requested movement: faster cameras are elsewhere in the next frame
+LAG = NEIGHBOURS + NEAR  # look-ahead frames
 
-STILL = 0.004  # of the longer side: what a tripod's phase correlation gives, a third of a pixel of a thumbnail
-_SAME = 0.25  # of a block's contrast: by which the median block of a picture that is the same may differ, by noise
+STILL = 0.004  # of the longer side: tripod noise, a third of a thumbnail pixel
+_SAME = 0.25  # relative change of a block by noise
 _BLOCK = 8  # [px] of a thumbnail
 
-_BLACK = 16  # brightness that a twentieth of the pixels of a frame passes unless it is black
-_BLANK = 2.0  # standard deviation of the brightness of a frame without anything in it
+_BLACK = 16  # brightness exceeded by 5% of the pixels unless the frame is black
+_BLANK = 2.0  # standard deviation of a uniform frame
 _BRIGHT = 95  # percentile
 _LEAST = 1e-12
 
 
 def sharpness(grey: NDArray[np.uint8]) -> float:
-    """The variance of a picture's Laplacian; grows with the contrast of its finest detail.
-
-    Args:
-        grey: Shape [h, w].
-
-    Example:
-        >>> import numpy as np
-        >>> sharp = np.tile(np.repeat([0, 200], 8), (16, 4)).astype(np.uint8)
-        >>> soft = np.tile(np.abs(np.arange(-8, 8)) * 25, (16, 4)).astype(np.uint8)
-        >>> sharpness(sharp) > 10 * sharpness(soft)
-        True
-    """
     if min(grey.shape) < 3:
         return 0.0
     z = grey.astype(np.int16)
@@ -57,7 +41,6 @@ def sharpness(grey: NDArray[np.uint8]) -> float:
 
 
 def thumbnail(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """A small copy, each pixel the mean of those that it covers."""
     height, width = grey.shape
     factor = min(1.0, THUMBNAIL_SIZE / max(height, width))
     size = (max(1, round(width * factor)), max(1, round(height * factor)))
@@ -65,26 +48,11 @@ def thumbnail(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def is_blank(small: NDArray[np.uint8]) -> bool:
-    """Whether nothing is seen: black, or all of one brightness."""
     return bool(np.percentile(small, _BRIGHT) < _BLACK or small.std() < _BLANK)
 
 
 def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
-    """How far a picture moved, as a share of its longer side.
-
-    Args:
-        first: A thumbnail, shape [h, w].
-        second: Another of the same size.
-
-    Returns:
-        The length of the shift that fits best; 0 of blank pictures, 1 of pictures of different sizes.
-
-    Example:
-        >>> import numpy as np
-        >>> scene = np.random.default_rng(0).integers(0, 256, (60, 100)).astype(np.uint8)
-        >>> round(movement(scene[:, 5:85], scene[:, 10:90]), 2)
-        0.06
-    """
+    """Image shift between two thumbnails relative to the longer side; 0 if blank, 1 if sizes differ."""
     if first.shape != second.shape:
         return 1.0
     height, width = first.shape
@@ -99,17 +67,7 @@ def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
 
 
 def is_still(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> bool:
-    """Whether a camera stood still between two thumbnails, also where something moved before it.
-
-    A camera that goes ahead, zooms or rolls leaves the middle where it is, and changes most blocks of the picture;
-    noise and who walks by change few.
-
-    Example:
-        >>> import numpy as np
-        >>> scene = np.random.default_rng(0).integers(0, 256, (60, 100)).astype(np.uint8)
-        >>> is_still(scene, scene), is_still(scene[:, 5:85], scene[:, 6:86])
-        (True, False)
-    """
+    """True if the camera did not move: forward motion, zoom and roll change most blocks, noise and objects few."""
     if first.shape != second.shape or movement(first, second) >= STILL:
         return False
     height, width = (side // _BLOCK * _BLOCK for side in first.shape)
@@ -123,13 +81,13 @@ def is_still(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> bool:
     seen = contrast >= _BLANK
     if not seen.any():
         return True
-    # a lamp that flickers changes the brightness of a whole block, and moves nothing
+    # a flickering lamp changes the mean brightness of a block without motion
     difference = (two - one).std(axis=(1, 3), dtype=np.float64)
     return bool(np.median(difference[seen] / contrast[seen]) < _SAME)
 
 
 def _peak(values: NDArray[np.float64], place: int) -> float:
-    """The shift at a peak, between two pixels where its neighbours say so; negative beyond the half."""
+    """Subpixel peak position; negative beyond the half."""
     count = len(values)
     left, middle, right = values[place - 1], values[place], values[(place + 1) % count]
     bend = left - 2 * middle + right
@@ -139,27 +97,17 @@ def _peak(values: NDArray[np.float64], place: int) -> float:
 
 
 class FramePicker:
-    """Takes frames as they come, and says in the end which to keep.
+    """Selects frames of a stream; `end` completes the selection.
 
     Args:
-        min_movement: How far the picture moves from one frame that is kept to the next, as a share of its longer side.
-        max_gap: At most so many frames from one to the next, where the camera does not stand still.
+        min_movement: Minimum image shift between selected frames, relative to the longer side.
+        max_gap: Maximum number of frames between selected ones unless the camera is still.
 
     Attributes:
-        chosen: Numbers of the frames to keep, from 0; complete once `end` was called.
-        still: How many times a frame was due after `max_gap` and the camera had not moved.
-        blank: Numbers of black frames and of those that show nothing.
-        blurred: How many of the others were blurred.
-
-    Example:
-        >>> import numpy as np
-        >>> scene = np.random.default_rng(0).integers(0, 256, (60, 200)).astype(np.uint8)
-        >>> picker = FramePicker()
-        >>> for number in range(30):
-        ...     picker.add(scene[:, 2 * number : 2 * number + 80])
-        >>> picker.end()
-        >>> 8 <= len(picker.chosen) <= 15, picker.blurred, picker.blank
-        (True, 0, [])
+        chosen: Numbers of the selected frames, from 0.
+        still: How often `max_gap` was reached without camera motion.
+        blank: Numbers of black or uniform frames.
+        blurred: Number of blurred frames among the others.
     """
 
     def __init__(self, *, min_movement: float = 0.04, max_gap: int = 30):
@@ -167,14 +115,13 @@ class FramePicker:
         self.chosen: list[int] = []
         self.blank: list[int] = []
         self.blurred = self.still = 0
-        self._sharpness: list[float] = []  # of all frames; NaN of blank ones
+        self._sharpness: list[float] = []  # of all frames; NaN if blank
         self._small: collections.deque[NDArray[np.uint8]] = collections.deque(maxlen=LAG + NEAR + 1)
         self._last: NDArray[np.uint8] | None = None
         self._judged = 0
-        self._skipped = 0  # frames since the last one taken in which the camera stood still
+        self._skipped = 0  # frames since the last selected one with a still camera
 
     def add(self, grey: NDArray[np.uint8]) -> None:
-        """Look at the next frame, shape [h, w]."""
         small = thumbnail(grey)
         if is_blank(small):
             self.blank.append(len(self._sharpness))
@@ -186,7 +133,6 @@ class FramePicker:
             self._judge()
 
     def end(self) -> None:
-        """Judge the last frames."""
         while self._judged < len(self._sharpness):
             self._judge()
 
@@ -226,12 +172,7 @@ class FramePicker:
 
 
 def spaced(numbers: list[int], count: int) -> list[int]:
-    """At most `count` of some numbers, evenly among them, with the first and the last.
-
-    Example:
-        >>> spaced([3, 7, 20, 21, 30], 3)
-        [3, 20, 30]
-    """
+    """At most `count` of some numbers, evenly spaced, with the first and the last."""
     if len(numbers) <= count:
         return numbers
     if count == 1:

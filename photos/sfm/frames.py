@@ -1,4 +1,4 @@
-"""The pictures that structure from motion works on, from a video or from a folder of photographs."""
+"""Selection of SfM images from a video or a folder of photographs."""
 
 from __future__ import annotations
 
@@ -27,11 +27,6 @@ _DIGITS = 6
 def choose_video_frames(
     video: VideoFile, picker: FramePicker, wanted: Wanted, limits: dict[str, Any], say: ReportProgress
 ) -> FrameChoice:
-    """Write the frames of a video that are worth it.
-
-    Raises:
-        FileError: The video cannot be decoded, nothing is to be seen in it, or the place cannot be written.
-    """
     count, said, peak = _look(video, picker, limits, say)
     numbers = spaced(picker.chosen, wanted.max_count)
     if not numbers:
@@ -55,7 +50,7 @@ def choose_video_frames(
 
 
 def _look(video: VideoFile, picker: FramePicker, limits: dict[str, Any], say: ReportProgress) -> tuple[int, str, int]:
-    """Show the picker each frame; gives their number, what the decoder complained of, and its memory [B]."""
+    """Feed all frames to the picker; returns their number, the decoder's messages, and its memory [B]."""
     with VideoFrames(video, max_size=ANALYSIS_SIZE, grey=True, **limits) as frames:
         for grey in frames:
             picker.add(grey)
@@ -83,7 +78,7 @@ def _write(
 def _notes(video: VideoFile, picker: FramePicker, count: int, chosen: int, said: str) -> list[str]:
     notes, said = [], said.split(" / ")[0]
     promised = video.promised or 0
-    # A duration times a mean rate is off by a frame or two in videos that are whole.
+    # Duration times mean rate is off by a frame or two in intact videos.
     if count < promised - (0 if video.is_counted else 2):
         complaint = f" ({said})" if said else ""
         notes.append(f"the video is damaged or cut off: {count} of {promised} frames came{complaint}")
@@ -120,43 +115,39 @@ def choose_frames(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> FrameChoice:
-    """Take frames of a video that show the scene sharply and from different places, and write them as pictures.
+    """Select sharp video frames from different positions, and write them as images.
 
-    A folder of photographs is taken as it is: in natural order, turned as EXIF says, 16-bit grey made 8-bit; what is
-    in order already is copied. Names are kept where they sort as the pictures do, else a number comes before them.
+    Folders of photographs are taken completely: in natural order, rotated by EXIF, 16-bit gray converted to 8 bit,
+    copied if possible. A number is prepended to names that would not sort in this order.
 
     Args:
-        source: A video that ffmpeg or OpenCV can read, or a folder of PNG, JPEG, TIFF and WebP pictures, of HEIC and
-            DNG with `pip install "pointloom[photos]"`.
-        folder: Where to write; new, or empty. Frames are called frame_000012.jpg after their number in the video.
-        max_frames: At most so many; where more fit, they are taken evenly.
-        max_size: The longer side is scaled down to this [px]; None keeps the size.
-        min_movement: Of a video: how far the picture moves from one frame to the next, as a share of its longer side.
-        max_gap: Of a video: at most so many frames from one to the next, unless the camera stands still.
-        kind: Of files: "jpg" (quality 95, 4:4:4) or "png", which loses nothing and takes several times the space.
-        reader: What decodes a video: "ffmpeg" and "ffprobe" on the path, "opencv" (opencv-python-headless), or "auto"
-            for the first of them that is there. Both run in a process of their own.
-        masks: What of pictures is left out: a folder of masks (IMG_1.jpg.png or IMG_1.png of IMG_1.jpg, black is left
-            out, of the picture's size), "alpha" for what is transparent in the pictures themselves, or a function of a
-            picture's RGB [h, w, 3], upright, and its name that gives a mask [h, w], bool or uint8, or None. They are
-            written beside `folder`, under its name with _masks behind. Pictures that theirs hide are left out.
-        max_seconds: Each of the two passes over a video is given up after this time [s]; None for no limit.
-        max_memory: Of the process that decodes [B]; None for nine tenths of what is free.
-        progress: Called with the stage ("look", "write"), how many of its steps are done, and how many there are.
+        source: A video for ffmpeg or OpenCV, or a folder of PNG, JPEG, TIFF and WebP images, and HEIC and DNG with `pip
+            install "pointloom[photos]"`.
+        folder: Output folder, new or empty. Frames are named frame_000012.jpg by their number in the video.
+        max_frames: Maximum number, evenly selected.
+        max_size: Maximum image side [px]; None: original size.
+        min_movement: Video: minimum image shift between frames, relative to the longer side.
+        max_gap: Video: maximum number of frames between selected ones, unless the camera is still.
+        kind: "jpg" (quality 95, 4:4:4) or "png" (lossless, several times larger).
+        reader: "ffmpeg" (with "ffprobe"), "opencv" (opencv-python-headless), or "auto": the first available.
+        masks: Excluded pixels: a folder of masks of the image size (IMG_1.jpg.png or IMG_1.png for IMG_1.jpg, black is
+            excluded), "alpha" for transparency, or a function of an upright RGB image [h, w, 3] and its name that
+            returns a mask [h, w], bool or uint8, or None. Written to `folder` + "_masks".
+        max_seconds: Time limit per pass over a video [s]; None: no limit.
+        max_memory: Memory limit of the decoder [B]; None: nine tenths of the free memory.
+        progress: Called with (stage, steps done, steps in all), stages "look" and "write".
 
     Returns:
-        What was taken, what was left out and why, and notes: a video with fewer frames than it promises, black
-        frames, pictures of several sizes.
+        The selected and the excluded images with reasons, and notes: missing or black frames, several image sizes.
 
     Raises:
-        FileError: No video or no picture, nothing to read it with, nothing in it to be seen, a folder that is not
-            empty, a disk that is full. What was written until then is removed.
-        TypeError, ValueError: An argument out of range.
+        FileError: No video or image, no decoder, only blank frames, a folder that is not empty, or a full disk.
+        TypeError, ValueError: An argument is out of range.
 
     Notes:
-        A video is decoded twice: small and grey to choose, then the frames that are kept. Memory does not grow with
-        its length. The same files from run to run with one build of ffmpeg. Laplacian variance below 0.6 of the
-        median of the 7 frames on both sides counts as blurred; movement is measured by phase correlation.
+        A video is decoded twice: small and gray for the selection, then the selected frames; memory is constant.
+        Reproducible with one build of ffmpeg. Blurred: Laplacian variance below 0.6 of the median of the 7 frames on
+        both sides; movement by phase correlation.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -198,7 +189,6 @@ def choose_frames(
 
 
 def check_option(name: str, value: Any, known: tuple[str, ...]) -> str:
-    """One of a few words."""
     if not isinstance(value, str) or value not in known:
         raise (ValueError if isinstance(value, str) else TypeError)(
             f"{name}: expected one of {', '.join(known)}, got {shown(value)}"

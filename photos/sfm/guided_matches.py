@@ -1,4 +1,4 @@
-"""Features matched along the epipolar lines of cameras with known poses, between pictures whose frusta overlap."""
+"""Feature matching along epipolar lines of cameras with known poses and overlapping frusta."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from ...kernels.features.epipolar_matching import LineFeatures, LineSearches, ma
 from ..frusta import shares_in_view
 from .feature_rays import FeatureRays, focal_of, pinhole_of
 
-MOST_PARTNERS = 20  # pictures that each is matched with: those that see most of the same
-LEAST_SHARE = 0.05  # of what a picture may see, below which another one is no partner
-RATIO = 0.8  # of the distances of the nearest and the second feature (Lowe 2004)
-MOST_SQDIST = 123_000  # of two descriptors of length 512: they are 0.7 rad apart, as COLMAP has it
+MOST_PARTNERS = 20  # maximum partners per image, those with most in common
+LEAST_SHARE = 0.05  # minimum fraction of common view of a partner
+RATIO = 0.8  # ratio of nearest to second nearest distance (Lowe 2004)
+MOST_SQDIST = 123_000  # descriptors of norm 512 are 0.7 rad apart, as in COLMAP
 PAIRS_AT_ONCE = 32
 
 Pairs = NDArray[np.int64]
@@ -28,31 +28,23 @@ Pairs = NDArray[np.int64]
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class PairMatches:
-    """Matches of pairs of pictures.
-
-    Args:
-        pairs: First and second picture of each pair, int64 [p, 2], the first being the lower.
-        firsts: The first match of each pair, and the number of all, int64 [p + 1].
-        matches: Numbers of the feature in the first and the second picture, int64 [k, 2].
-    """
+    """Matches int64 [k, 2] of image pairs [p, 2] (lower index first), with offsets `firsts` [p + 1]."""
 
     pairs: Pairs
     firsts: NDArray[np.int64]
     matches: NDArray[np.int64]
 
     def of(self, pair: int) -> NDArray[np.int64]:
-        """The matches of a pair, [k, 2]."""
         return self.matches[self.firsts[pair] : self.firsts[pair + 1]]
 
     @classmethod
     def of_lists(cls, pairs: Pairs, lists: Sequence[NDArray[np.int64]]) -> PairMatches:
-        """Those of each pair, one after the other."""
         firsts = np.concatenate([[0], np.cumsum([len(each) for each in lists])]).astype(np.int64)
         return cls(pairs, firsts, np.concatenate([np.zeros((0, 2), np.int64), *lists]))
 
 
 def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) -> Pairs:
-    """Pairs of pictures that may see the same: each with up to 20 others, [p, 2] in ascending order."""
+    """Image pairs with common view: each with up to 20 others, [p, 2], ascending."""
     shares = shares_in_view([pinhole_of(camera) for camera in cameras], poses)
     pairs = set()
     for i, row in enumerate(shares):
@@ -64,19 +56,7 @@ def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) ->
 def match_guided(
     features: FeatureRays, model: SfmModel, pairs: Pairs, *, distance: float, device: Any, progress: ReportProgress
 ) -> PairMatches:
-    """Match the features of pairs, each with those on its line that are no farther from it than `distance`.
-
-    Args:
-        features: Of the model's pictures.
-        model: The cameras and their poses.
-        pairs: Which pictures.
-        distance: From the lines, in both pictures [px].
-        device: Where to compute.
-        progress: Called with "matches", how many pairs are done, and how many there are.
-
-    Returns:
-        Pairs of features that are each other's nearest on their lines, clearly nearer than the next.
-    """
+    """Mutual nearest features within `distance` [px] of the epipolar lines in both images, with a ratio test."""
     on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
     limits = np.array([(distance / focal_of(camera)) ** 2 for camera in model.cameras])
     found: list[NDArray[np.int64]] = []
@@ -95,7 +75,7 @@ def match_guided(
 
 
 def essential_of(poses: NDArray[np.float64], pairs: Pairs) -> NDArray[np.float64]:
-    """E of pairs of cameras, [p, 3, 3]: rays x of the first and y of the second have y E x = 0."""
+    """Essential matrices [p, 3, 3]: y E x = 0 for rays x of the first and y of the second camera."""
     first, second = poses[pairs[:, 0]], poses[pairs[:, 1]]
     R = second[:, :3, :3] @ first[:, :3, :3].transpose(0, 2, 1)
     t = second[:, :3, 3] - np.einsum("pij,pj->pi", R, first[:, :3, 3])
@@ -106,7 +86,7 @@ def essential_of(poses: NDArray[np.float64], pairs: Pairs) -> NDArray[np.float64
 
 
 def _mutual(nearest: NDArray[np.int32], starts: NDArray[np.int64], count: int) -> Iterator[NDArray[np.int64]]:
-    """Of searches there and, `count` further on, back: the matches that both ways agree on, pair by pair."""
+    """The mutual matches of each pair, from searches forward and, `count` further on, backward."""
     with np.errstate(invalid="ignore"):
         clear = (nearest[:, 0] >= 0) & (nearest[:, 1] <= MOST_SQDIST)
         clear &= nearest[:, 1] < RATIO**2 * nearest[:, 2].astype(np.float64)
@@ -120,12 +100,10 @@ def _mutual(nearest: NDArray[np.int32], starts: NDArray[np.int64], count: int) -
 
 
 def write_matches(path: Path, matches: PairMatches) -> None:
-    """Keep matches as a file."""
     with path.open("wb") as file:
         np.savez(file, pairs=matches.pairs, firsts=matches.firsts, matches=matches.matches)
 
 
 def read_matches(path: Path) -> PairMatches:
-    """What `write_matches` kept."""
     with np.load(path) as read:
         return PairMatches(read["pairs"], read["firsts"], read["matches"])

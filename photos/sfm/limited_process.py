@@ -1,8 +1,6 @@
-"""Programs that are run beside ours: with a limit of time and of memory, and never left behind.
+"""Child processes with time and memory limits that never outlive this process.
 
-A program leads a process group of its own, and the whole group is killed (SIGKILL) where a limit is passed, where
-whoever waits for it is interrupted, and where it is left for any other reason. So Ctrl-C ends what runs at once, and a
-library that hangs or eats the memory takes nothing with it.
+Each leads its own process group, which is killed (SIGKILL) at a limit, on interruption (Ctrl-C), or on any exit.
 """
 
 from __future__ import annotations
@@ -24,16 +22,15 @@ from ...core.checks import check_count, check_positive
 from ...core.wording import format_bytes
 
 _WATCH_INTERVAL = 0.1  # [s]
-_LAST_LINES = 6  # of what a program says that errors quote
+_LAST_LINES = 6  # quoted lines of program output
 _LAST_BYTES = 16384
 _LINE_LENGTH = 300
-_ADDRESS = re.compile(r"\s*(@ .*|\*\*\* .*|PC: .*)?$")  # a line of a stack, or an empty one
-_MEMORY_SHARE = 0.9  # of what is free when a program starts
+_ADDRESS = re.compile(r"\s*(@ .*|\*\*\* .*|PC: .*)?$")  # a stack line, or an empty one
+_MEMORY_SHARE = 0.9  # fraction of the free memory at start
 _KIBIBYTE = 1024
 
 
 def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
-    """The limits of time [s] and memory [B] of a program, as users give them and as `LimitedProcess` takes them."""
     seconds = float("inf") if max_seconds is None else check_positive("max_seconds", max_seconds, allow_infinite=True)
     if max_memory is not None:
         check_count("max_memory", max_memory, minimum=2**20, maximum=2**60, because="no machine has more")
@@ -41,20 +38,7 @@ def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
 
 
 class LimitedProcess:
-    """A program that runs, in a `with` block that ends it.
-
-    Args:
-        command: The program and its arguments.
-        max_seconds: It is killed after this time [s].
-        max_memory: It is killed when it holds more than this [B]; None for nine tenths of what is free now. Linux
-            alone tells how much that is; elsewhere there is no limit.
-        stdin: What it reads.
-
-    Attributes:
-        stdout: What it writes, to be read; None before and after the block.
-        peak_bytes: The most memory that it was seen to hold [B].
-        killed_for: "time" or "memory" where it passed a limit, else "".
-    """
+    """A child process in a `with` block that ends it; `max_memory` [B] is only enforced on Linux."""
 
     def __init__(
         self,
@@ -94,19 +78,16 @@ class LimitedProcess:
         self._end()
 
     def wait(self) -> int:
-        """Wait for its end; gives its exit status, below zero for the number of a signal."""
         assert self._process is not None
         return self._process.wait()
 
     def last_words(self) -> str:
-        """The end of what it said on standard error, in one line, without the addresses of a crash."""
         size = os.fstat(self._said.fileno()).st_size
         text = os.pread(self._said.fileno(), _LAST_BYTES, max(size - _LAST_BYTES, 0)).decode(errors="replace")
         lines = [line.strip()[:_LINE_LENGTH] for line in text.splitlines() if not _ADDRESS.match(line)]
         return " / ".join(lines[-_LAST_LINES:])
 
     def why_ended(self) -> str:
-        """How it ended, in words: by a limit, by a signal, by itself."""
         if self.killed_for == "time":
             return f"was stopped after {self.max_seconds:g} s, its limit (max_seconds)"
         if self.killed_for == "memory":
@@ -122,7 +103,7 @@ class LimitedProcess:
         return f"was ended by signal {-status}"
 
     def _watch(self) -> None:
-        """Kill it where it passes a limit; the thread that uses it then sees the end of what it writes."""
+        """Kill the process at a limit, which closes its output."""
         assert self._process is not None
         end = time.monotonic() + min(self.max_seconds, threading.TIMEOUT_MAX)
         while not self._over.wait(_WATCH_INTERVAL) and self._process.poll() is None:
@@ -152,7 +133,6 @@ class LimitedProcess:
 
 
 def _memory_of(pid: int) -> int:
-    """The memory that a process has held at most [B]; 0 where nobody tells."""
     with contextlib.suppress(OSError, ValueError, IndexError):
         for line in Path(f"/proc/{pid}/status").read_text().splitlines():
             if line.startswith("VmHWM:"):
@@ -161,7 +141,7 @@ def _memory_of(pid: int) -> int:
 
 
 def free_memory() -> float:
-    """What a program may take of the memory that is free [B]; infinite where nobody tells."""
+    """Memory that a child may use [B]; infinite if unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError):
             for line in Path("/proc/meminfo").read_text().splitlines():

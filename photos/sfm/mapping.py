@@ -1,4 +1,4 @@
-"""Pictures placed in the world, one after the other, with the points that they see: incremental mapping by COLMAP."""
+"""Structure from motion: poses and points from matches, by COLMAP."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ from .picture_folder import check_place
 from .picture_writing import new_folder
 
 MAPPERS = ("auto", "incremental", "global")
-MANY_PICTURES = 150  # up to which adjusting all after each few costs about as much as placing all at once
+MANY_PICTURES = 150  # up to here incremental mapping costs about as much as global mapping
 
 
 @dataclasses.dataclass(frozen=True)
 class SfmResult(Assessed):
-    """What became of a set of pictures.
+    """Result of `map_pictures`.
 
     Args:
-        model: The largest model that was found; None where there is none.
-        folder: Where it lies, in COLMAP's format.
+        model: The largest model; None if there is none.
+        folder: Its folder, in COLMAP's format.
         quality: Its quality.
-        missing: Names of pictures without a pose.
+        missing: Names of images without a pose.
         seconds: Time of each stage [s].
-        peak_bytes: The most memory that COLMAP was seen to hold in each [B].
+        peak_bytes: Peak memory of COLMAP in each [B].
     """
 
     model: SfmModel | None
@@ -49,11 +49,9 @@ class SfmResult(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.quality.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the model in JSON's types."""
         fields = {"folder": self.folder, "missing": list(self.missing), "seconds": self.seconds}
         return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_dict(), **quality(self)}
 
@@ -70,33 +68,30 @@ def map_pictures(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> SfmResult:
-    """Place the pictures and the points that they see, from matches.
+    """Estimate camera poses and points from matches.
 
     Args:
-        pictures: Their folder, for the colours of points.
-        matches: The database of `match`; it is not changed.
-        folder: Where to write the model, in COLMAP's binary format; new, or empty.
-        fix_intrinsic: Keep the cameras as `find_features` was given them.
-        mapper: "incremental" places one picture after the other (Schoenberger and Frahm 2016), "global" all at once, by
-            rotations, then positions (GLOMAP, Pan et al. 2024); "auto" takes the first of up to 150 pictures, else the
-            second (docs/sfm.md has what was measured).
-        seed: Of random numbers.
-        max_seconds: It is given up after this time [s]; None for no limit.
-        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
-        progress: Called with "model", how many pictures are placed, and how many there are; the count begins anew
-            with each model.
+        pictures: Image folder, for the point colors.
+        matches: Database of `match`; not modified.
+        folder: Output folder of the model (COLMAP binary), new or empty.
+        fix_intrinsic: Keep the cameras given to `find_features`.
+        mapper: "incremental" (Schoenberger and Frahm 2016), "global" (GLOMAP, Pan et al. 2024), or "auto": incremental
+            up to 150 images (measured in docs/sfm.md).
+        seed: Random seed.
+        max_seconds: Time limit [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with ("model", images registered, all); restarts with each model.
 
     Returns:
-        The largest model and its quality. An unreliable model, or none at all, is a result, not an error.
+        The largest model and its quality. An unreliable model, or none, is a result, not an error.
 
     Raises:
-        FileError: No such files, a folder that is not empty; pycolmap is missing; COLMAP failed or passed a limit; a
-            full disk.
-        TypeError, ValueError: An argument out of range.
+        FileError: Missing files, a folder that is not empty, pycolmap is missing, COLMAP failed, or a full disk.
+        TypeError, ValueError: An argument is out of range.
 
     Notes:
-        Mapping (Schoenberger and Frahm 2016) runs on one core, which makes it the same from run to run: with two, the
-        last bits of a model differ, and with them now and then which points it has. The unit is arbitrary.
+        Runs on one core for reproducibility: with two, the last bits and sometimes the points differ. The unit is
+        arbitrary. Schoenberger and Frahm, "Structure-from-motion revisited", CVPR 2016.
 
     Example:
         >>> import pointloom as loom
@@ -131,12 +126,6 @@ def map_pictures(
 
 
 def choose_mapper(picture_count: int) -> str:
-    """Which mapper "auto" takes.
-
-    Example:
-        >>> choose_mapper(150), choose_mapper(151)
-        ('incremental', 'global')
-    """
     return "global" if picture_count > MANY_PICTURES else "incremental"
 
 
@@ -152,10 +141,9 @@ def _names_of(database: Path) -> list[str]:
 def _map(
     job: dict[str, Any], database: Path, target: Path, names: list[str], say: ReportProgress, limits: dict[str, Any]
 ) -> tuple[dict[str, Any], int]:
-    """Have COLMAP make models beside the target, and move the files of the largest there."""
     with scratch_beside(target) as place:
         copy, scratch, model = (place / name for name in ("database.db", "scratch", "model"))
-        shutil.copyfile(database, copy)  # COLMAP writes to what it opens
+        shutil.copyfile(database, copy)  # COLMAP writes to databases that it opens
         scratch.mkdir()
         model.mkdir()
         job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}

@@ -1,8 +1,4 @@
-"""Masks of pictures: what of each is to be left out, as a file beside each picture that COLMAP reads too.
-
-A mask is a grey PNG of the picture's size, black where the picture is left out, under COLMAP's name: IMG_1.jpg.png of
-IMG_1.jpg.
-"""
+"""Image masks for COLMAP: gray PNG files of the image size, black where excluded; IMG_1.jpg.png for IMG_1.jpg."""
 
 from __future__ import annotations
 
@@ -25,22 +21,16 @@ from .picture_folder import UPRIGHT, list_photographs, read_orientation, read_st
 from .picture_writing import counted, some_of
 
 ALPHA = "alpha"
-FOLDER = "_masks"  # behind the name of the folder of pictures
+FOLDER = "_masks"  # appended to the image folder's name
 
 MakeMask = Callable[[NDArray[np.uint8], str], Any]
-KEPT = 128  # brightness from which a pixel of a mask counts as white
-_LEAST = 0.001  # of a picture that has to be left of it
+KEPT = 128  # brightness threshold of masks
+_LEAST = 0.001  # minimum unmasked fraction of an image
 _ENDINGS = (".png", ".jpg", ".jpeg")
-_BACK = {6: 8, 8: 6}  # EXIF's orientations that undo each other; the others undo themselves
+_BACK = {6: 8, 8: 6}  # inverse EXIF orientations; the others are self-inverse
 
 
 def check_masks(masks: Any) -> FilePath | MakeMask | None:
-    """Masks as they may be given.
-
-    Raises:
-        TypeError: Neither a path, "alpha" nor a function.
-        DatasetError: No folder.
-    """
     if masks is None or callable(masks):
         return masks
     if not isinstance(masks, str | os.PathLike):
@@ -51,36 +41,23 @@ def check_masks(masks: Any) -> FilePath | MakeMask | None:
 
 
 def mask_folder(pictures: Path) -> Path:
-    """Where the masks of a folder of chosen pictures lie."""
     return pictures.with_name(pictures.name + FOLDER)
 
 
 def mask_file(folder: Path, name: str) -> Path:
-    """Where the mask of a picture lies, as COLMAP looks for it."""
     return folder / f"{name}.png"
 
 
 def masks_in(folder: Path, names: Iterable[str]) -> list[Path | None]:
-    """The mask of each picture in a folder of masks; None where it has none."""
     places = (mask_file(folder, name) for name in names)
     return [place if place.is_file() else None for place in places]
 
 
 def write_mask(folder: Path, name: str, kept: NDArray[np.bool_]) -> None:
-    """Write the mask of a picture, white where that counts."""
     write_png(mask_file(folder, name), np.where(kept, 255, 0).astype(np.uint8))
 
 
 def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
-    """Which pixels of a picture count, shape [h, w].
-
-    Args:
-        path: A PNG or JPEG file; white counts.
-        size: Width and height of the picture [px].
-
-    Raises:
-        FileError: Damaged, or of another size.
-    """
     header = read_picture_header(path)
     if (header.width, header.height) != size:
         reason = f"is {header.width} x {header.height}, its picture {size[0]} x {size[1]} pixels"
@@ -89,20 +66,7 @@ def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
 
 
 def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePath | MakeMask) -> FrameChoice:
-    """Write the masks of chosen pictures, and take away the pictures that theirs hide.
-
-    Args:
-        choice: What was chosen.
-        source: The video or folder that it was chosen from.
-        pictures: Where the chosen pictures lie; the masks go beside it.
-        masks: As of `choose_frames`.
-
-    Returns:
-        The choice without the pictures that are hidden, with a remark where masks are missing.
-
-    Raises:
-        FileError: No picture has a mask, one is of another size, or all pictures are hidden.
-    """
+    """Write the masks of the selected images, and remove images that are completely masked."""
     folder = mask_folder(pictures)
     places = list_photographs(source)[0] if source.is_dir() else []
     kept, hidden, missing = [], {}, []
@@ -144,7 +108,6 @@ def _check_found(source: Path, masks: Any, missing: list[str], count: int) -> No
 
 
 def told_of_masks(hidden: list[str], missing: list[str]) -> list[str]:
-    """That masks hide pictures wholly, and that pictures have none."""
     notes = []
     if hidden:
         notes.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(hidden)}")
@@ -154,23 +117,17 @@ def told_of_masks(hidden: list[str], missing: list[str]) -> list[str]:
 
 
 def hides_all(mask: NDArray[np.bool_]) -> bool:
-    """Whether next to nothing of a picture is left."""
     return bool(mask.mean() < _LEAST)
 
 
 def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[str], kept: int) -> None:
-    """Hold that masks leave pictures, and that there are masks.
-
-    Raises:
-        FileError: They hide all, or there is none.
-    """
     if not kept:
         raise FileError(source, f"none of {counted(len(hidden), 'picture')} is left: masks hide all of them")
     _check_found(source, masks, missing, kept)
 
 
 def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-    """The mask of a picture as it was written; None where there is none."""
+    """The mask of an image as it was written; None if missing."""
     if callable(masks):
         return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
     if masks == ALPHA:
@@ -181,17 +138,7 @@ def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, in
 
 
 def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-    """The mask of a picture that is taken as it is stored, and not turned; None where there is none.
-
-    Args:
-        masks: As of `choose_frames`; a function is given the picture as it is stored.
-        picture: A photograph.
-        size: Width and height of it [px].
-
-    Raises:
-        FileError: A mask of another size.
-        TypeError, ValueError: A function that gives no mask of this picture.
-    """
+    """The mask of a photograph in stored orientation; None if missing. A mask function gets the image as stored."""
     if callable(masks):
         return _of_function(masks, read_stored(picture), picture.name, size)
     if masks == ALPHA:
@@ -201,7 +148,7 @@ def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, i
     if place is None:
         return None
     mask = read_color(place).max(axis=2) >= KEPT
-    if (mask.shape[1], mask.shape[0]) != size:  # one that is drawn on the picture upright
+    if (mask.shape[1], mask.shape[0]) != size:  # drawn on the upright image
         mask = upright(mask, _BACK.get(turn := read_orientation(picture), turn))
     return _fitted(place, mask, None, size)
 
@@ -229,7 +176,6 @@ def _of_function(
 
 
 def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
-    """How opaque a picture is, as it is stored; None where it does not say."""
     if is_photo(path):
         return read_alpha(path)
     header = read_picture_header(path)
@@ -239,11 +185,7 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
 
 
 def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
-    """A mask as its picture was written: turned as that, and scaled as that.
-
-    One that is drawn on the stored picture is turned with it; one that has the shape of the picture upright alone is
-    taken for one of that.
-    """
+    """Rotate and scale a mask like its image; one that only fits the upright shape is taken as upright."""
     orientation = UPRIGHT if origin is None else read_orientation(origin)
     turned = upright(mask, orientation)
     for each in (turned, mask):
@@ -258,12 +200,6 @@ def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tup
 
 
 def check_mask_files(pictures: Sequence[Path], folder: Path) -> dict[str, Path]:
-    """The masks of pictures by the pictures' names, of those that have one.
-
-    Raises:
-        DatasetError: None of them has one.
-        FileError: A mask is of another size than its picture, or hides all of it.
-    """
     found: dict[str, Path] = {}
     for path in pictures:
         place = mask_file(folder, path.name)
@@ -280,7 +216,7 @@ def check_mask_files(pictures: Sequence[Path], folder: Path) -> dict[str, Path]:
 
 
 def complete_masks(pictures: Sequence[Path], masks: dict[str, Path], folder: Path) -> None:
-    """Write a mask for each picture, white where there is none: COLMAP passes over pictures without."""
+    """Write a white mask for each image without one, since COLMAP ignores images without masks."""
     folder.mkdir()
     for path in pictures:
         place = mask_file(folder, path.name)

@@ -1,12 +1,7 @@
-"""Which pictures see the same: features matched in pairs, and held against one motion of the camera, by COLMAP.
+"""Feature matching of image pairs with geometric verification by COLMAP, and image retrieval.
 
-Which pictures look alike: by how their features fall around words learnt from the set itself (VLAD). Words are the
-centres of k-means over a sample of the descriptors. A picture is described by the sum of what its descriptors are off
-their nearest word, for each word (Jegou et al. 2010), with the square root of each number, its sign kept, and each
-word's part brought to length one (Arandjelovic and Zisserman 2013).
-
-All that is summed are whole numbers below 2^24 in float32, or 2^53 in float64, so that products of matrices are exact:
-the same bits from run to run, for any number of threads and any BLAS.
+Retrieval uses VLAD (Jegou et al. 2010) with words learned from the images, and the normalization of Arandjelovic and
+Zisserman 2013. All sums are integers below 2^24 in float32 or 2^53 in float64, hence exact and bitwise reproducible.
 """
 
 from __future__ import annotations
@@ -36,20 +31,15 @@ from .picture_folder import check_place
 
 Descriptors = NDArray[np.uint8]
 WORDS = 64
-NEIGHBOURS = 10  # pictures that each is matched to
-LENGTH = 128  # of a SIFT descriptor
-TURNS = 12  # of k-means: words move by less than a step of a byte after
-SAMPLE = 30_000  # descriptors that words are learnt of, over all pictures
-AT_ONCE = 1 << 15  # descriptors whose distances are held at a time
-FINE = 4095  # steps of a number of a picture's description
+NEIGHBOURS = 10  # partners per image
+LENGTH = 128  # length of a SIFT descriptor
+TURNS = 12  # k-means iterations: words then move by less than one integer step
+SAMPLE = 30_000  # descriptors for k-means over all images
+AT_ONCE = 1 << 15  # descriptors per distance block
+FINE = 4095  # quantization steps of a description
 
 
 def read_descriptors(database: Path) -> dict[int, Descriptors]:
-    """The descriptors of the pictures of a database, uint8 [n, 128], by the pictures' numbers.
-
-    Raises:
-        FileError: No such database.
-    """
     query = "SELECT image_id, rows, data FROM images LEFT JOIN descriptors USING (image_id) ORDER BY image_id"
     with open_database(database) as connection:
         rows = connection.execute(query).fetchall()
@@ -60,7 +50,7 @@ def read_descriptors(database: Path) -> dict[int, Descriptors]:
 
 
 def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.int64]:
-    """The nearest word of each descriptor, the first of several; exact."""
+    """The nearest word of each descriptor, the first of ties; exact."""
     w = words.astype(np.float32)
     lengths = (w * w).sum(axis=1, dtype=np.float32)
     found = [
@@ -71,14 +61,7 @@ def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.in
 
 
 def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descriptors:
-    """Centres of k-means (Lloyd 1982) over a sample of descriptors, rounded to bytes: uint8 [up to count, length].
-
-    Example:
-        >>> import numpy as np
-        >>> two = np.repeat([[10] * 4, [200] * 4], 50, axis=0).astype(np.uint8)
-        >>> sorted(learn_words([two], 2, seed=0)[:, 0].tolist())
-        [10, 200]
-    """
+    """k-means centers (Lloyd 1982) of a sample of descriptors, rounded to uint8 [up to count, length]."""
     rng = np.random.default_rng(seed)
     share = max(1, SAMPLE // max(len(sets), 1))
     taken = [each[np.sort(rng.permutation(len(each))[:share])] for each in sets]
@@ -95,24 +78,17 @@ def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descripto
 
 
 def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64]:
-    """A picture's description as whole numbers, float64 [words * length]; zero of a picture without features."""
+    """VLAD description of an image as integers, float64 [words * length]; zero without features."""
     mine = nearest_words(descriptors, words)
     off = _sums(descriptors, mine, len(words)) - np.bincount(mine, minlength=len(words))[:, None] * words.astype(int)
     rooted = np.sign(off) * np.sqrt(np.abs(off).astype(np.float64))
-    # of a word's whole numbers the sum is exact, and so the rounding below is of the same number everywhere
+    # integer sums per word are exact, so the rounding below is the same everywhere
     lengths = np.sqrt(np.abs(off).sum(axis=1).astype(np.float64))[:, None]
     return np.rint(FINE * rooted / np.maximum(lengths, 1.0)).ravel()
 
 
 def alike_pictures(sets: Sequence[Descriptors], neighbours: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
-    """For each picture the others that look most like it, the most alike first.
-
-    Args:
-        sets: The descriptors of each picture, uint8 [n, length]; a picture without any has no others.
-        neighbours: How many others, at most.
-        seed: Of the words.
-        words: How many are learnt.
-    """
+    """Up to `neighbours` most similar other images for each, by descriptors uint8 [n, length], the best first."""
     learnt = learn_words(sets, words, seed)
     if not len(learnt):
         return [[] for _ in sets]
@@ -126,11 +102,6 @@ def alike_pictures(sets: Sequence[Descriptors], neighbours: int, *, seed: int, w
 
 
 def pairs_that_look_alike(database: Path, neighbours: int, *, seed: int) -> list[tuple[int, int]]:
-    """Pairs of pictures of which one is among the most alike of the other, by their numbers, each once.
-
-    Raises:
-        FileError: No such database.
-    """
     found = read_descriptors(database)
     numbers = list(found)
     alike = alike_pictures(list(found.values()), neighbours, seed=seed)
@@ -150,27 +121,27 @@ def _sums(values: Descriptors, groups: NDArray[np.int64], count: int) -> NDArray
 PAIRS = ("auto", "sequential", "exhaustive", "retrieval")
 MIXED = "sequential and retrieval"
 OVERLAP = 10
-FEW_PICTURES = 40  # of which all 780 pairs are matched: less work than 150 pictures in a row
+FEW_PICTURES = 40  # maximum for exhaustive matching (780 pairs): less work than 150 sequential images
 
-_PAIR = 2147483647  # COLMAP numbers the pair (a, b) as _PAIR a + b
-_SIFT = 0  # COLMAP's number of that kind
+_PAIR = 2147483647  # COLMAP's id of the pair (a, b) is _PAIR a + b
+_SIFT = 0  # COLMAP's id of the feature type
 _MOST_NEIGHBOURS = 10_000
 _MOST_OVERLAP = 30  # powers of two
 
 
 @dataclasses.dataclass(frozen=True)
 class MatchReport:
-    """Which pairs of pictures see the same.
+    """Result of `match`.
 
     Args:
-        database: Where it lies.
+        database: Path of the database.
         pairs: "sequential", "exhaustive", "retrieval", or "sequential and retrieval".
-        pair_count: Pairs that were tried.
-        verified_count: Pairs of which one motion of the camera explains the matches.
-        match_count: Matches of these.
-        isolated: Names of pictures that are in none of them.
-        seconds: Time it took [s].
-        peak_bytes: The most memory that COLMAP was seen to hold [B].
+        pair_count: Number of pairs tried.
+        verified_count: Pairs with geometrically verified matches.
+        match_count: Verified matches.
+        isolated: Names of images without a verified pair.
+        seconds: Run time [s].
+        peak_bytes: Peak memory of COLMAP [B].
     """
 
     database: str
@@ -183,7 +154,6 @@ class MatchReport:
     peak_bytes: int
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         return dataclasses.asdict(self) | {"isolated": list(self.isolated)}
 
 
@@ -200,33 +170,31 @@ def match(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> MatchReport:
-    """Match the features of pairs of pictures, and keep what one motion of the camera explains.
+    """Match the features of image pairs, with geometric verification.
 
     Args:
-        database: Of `find_features`; it is not changed.
-        matches: The file to write: the same database, with matches. One that is there is replaced.
-        pairs: "sequential" for pictures in the order in which they were taken, as those of a video: each with some
-            later ones; "exhaustive" for all pairs; "retrieval" for each with those that look most like it, whatever the
-            order; "auto" for all pairs of up to 40 pictures, else sequential and by retrieval.
-        overlap: Sequential: each picture is matched to so many later ones, those that are 1, 2, 4, 8, ... further on.
-        neighbours: Retrieval: each picture is matched to so many that look most like it.
+        database: Of `find_features`; not modified.
+        matches: Output file: the database with matches; replaced if it exists.
+        pairs: "sequential" for images in capture order (video); "exhaustive" for all pairs; "retrieval" for the most
+            similar images; "auto": exhaustive up to 40 images, else sequential and retrieval.
+        overlap: Sequential: number of later images per image, at distances 1, 2, 4, 8, ...
+        neighbours: Retrieval: number of most similar images per image.
         use_gpu: As of `find_features`.
-        seed: Of random numbers.
-        max_seconds: It is given up after this time [s]; None for no limit.
-        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
-        progress: Called with "pairs", how many are done, and how many there are.
+        seed: Random seed.
+        max_seconds: Time limit [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with ("pairs", done, all).
 
     Returns:
-        How many pairs see the same, and which pictures are in none.
+        The number of verified pairs, and the images without any.
 
     Raises:
-        FileError: No such database; pycolmap is missing; COLMAP failed or passed a limit; a full disk.
-        TypeError, ValueError: An argument out of range.
+        FileError: No such database, pycolmap is missing, COLMAP failed or passed a limit, or the disk is full.
+        TypeError, ValueError: An argument is out of range.
 
     Notes:
-        The same matches from run to run, with any number of cores. Loops (a video that comes back to where it was)
-        are found through the pictures of powers of two, and by looks: words are learnt from the features of the set
-        itself (VLAD, Jegou et al. 2010), so that nothing has to be fetched.
+        Reproducible for any number of cores. Loops of a video are found through the distant images and by retrieval
+        (VLAD, Jegou et al. 2010), whose words are learned from the images, so nothing is downloaded.
 
     Example:
         >>> import pointloom as loom
@@ -268,11 +236,6 @@ def match(
 
 
 def _settled(pairs: str, kind: str, count: int) -> str:
-    """Which pairs "auto" means; words are learnt of SIFT's bytes, so that retrieval goes by these alone.
-
-    Raises:
-        ValueError: Retrieval by other features.
-    """
     if pairs == "auto" and count <= FEW_PICTURES:
         return "exhaustive"
     if pairs == "auto":
@@ -292,7 +255,6 @@ def _kind_of(database: Path) -> str:
 
 
 def _listed_pairs(database: Path, pairs: str, overlap: int, neighbours: int, seed: int) -> NDArray[np.int64]:
-    """The numbers of the pictures of all pairs, [p, 2]."""
     if pairs not in ("retrieval", MIXED):
         return pairs_of(database, pairs, overlap)
     chosen = set(pairs_that_look_alike(database, neighbours, seed=seed))
@@ -302,7 +264,7 @@ def _listed_pairs(database: Path, pairs: str, overlap: int, neighbours: int, see
 
 
 def pairs_of(database: Path, pairs: str, overlap: int) -> NDArray[np.int64]:
-    """Numbers of the pictures of all pairs, or of those that are 1, 2, 4, ... apart in the order of names: [p, 2]."""
+    """Image numbers of all pairs, or of those 1, 2, 4, ... apart in the order of names: [p, 2]."""
     with open_database(database) as connection:
         rows = connection.execute("SELECT image_id FROM images ORDER BY name").fetchall()
     numbers = np.array([number for (number,) in rows], np.int64)
@@ -315,7 +277,7 @@ def pairs_of(database: Path, pairs: str, overlap: int) -> NDArray[np.int64]:
 
 @contextlib.contextmanager
 def _named_by_numbers(database: Path) -> Iterator[None]:
-    """Pictures are called by their numbers while COLMAP reads a list of pairs, which cannot hold names with blanks."""
+    """Rename images to numbers while COLMAP reads a pair list, which does not support names with blanks."""
     with contextlib.closing(sqlite3.connect(database)) as connection:
         names = connection.execute("SELECT name, image_id FROM images").fetchall()
         connection.execute("UPDATE images SET name = image_id")
@@ -327,7 +289,6 @@ def _named_by_numbers(database: Path) -> Iterator[None]:
 
 
 def _verified_pairs(database: Path) -> tuple[int, int, tuple[str, ...]]:
-    """How many pairs have matches that agree, how many those are, and the pictures that are in no such pair."""
     with open_database(database) as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries WHERE rows > 0").fetchall()
         names = dict(connection.execute("SELECT image_id, name FROM images ORDER BY image_id").fetchall())

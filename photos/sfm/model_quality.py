@@ -1,10 +1,7 @@
-"""Quality of a model of structure from motion: `assess_model`.
+"""Quality of SfM models: triangulation angles, and whether a purely rotating camera explains the images.
 
-How well the pictures of a model fix the depth of its points: angles between rays, and what turning alone explains. The
-angle under which a point is seen from two places says how well its depth is known, if the model is right. A camera that
-only turned may well give a model that is not: with a focal length that is wrong by a third and some distortion, motion
-is made up that explains the pictures to a tenth of a pixel, with angles of many degrees. So it is asked whether turning
-alone explains them as well, by a focal length and a distortion of its choice: then nothing is known of depth.
+A rotating camera with a wrong focal length can yield a false model with large angles and small residuals. So a pure
+rotation with free focal length and radial distortion is fitted: if it explains the images, depth is undetermined.
 """
 
 from __future__ import annotations
@@ -25,29 +22,18 @@ from .pose_check import PoseCheck
 
 Array = NDArray[np.float64]
 
-_MOST_RAYS = 1 << 20  # that are compared at once: 24 MB, and the products of those of a point
-_MOST_PAIRS = 40  # of pictures that are tried for turning
-_MOST_SHARED = 120  # points of a pair
+_MOST_RAYS = 1 << 20  # rays compared at once: 24 MB, and the products of a point
+_MOST_PAIRS = 40  # image pairs tested for pure rotation
+_MOST_SHARED = 120  # points per pair
 _FEW_SHARED = 20
-_LOG_FACTORS = (-np.log(2.0), np.log(2.0))  # of the focal length that turning may choose
+_LOG_FACTORS = (-np.log(2.0), np.log(2.0))  # focal length factors of the rotation test
 _MOST_DISTORTION = 0.5
-_STEPS, _ROUNDS = 9, 5  # values of both a round, and rounds, each in a third of the range of the one before
+_STEPS, _ROUNDS = 9, 5  # values of both per round, and rounds, each with a third of the previous range
 _NARROWING = 3.0
 
 
 def triangulation_angles(model: SfmModel) -> Array:
-    """The widest angle between two rays to each point, shape [m] [degrees]; 0 of points that are seen once.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
-        >>> poses = np.tile(np.eye(4), (2, 1, 1))
-        >>> poses[1, 0, 3] = -1.0
-        >>> seen = {"observations": [[0, 0], [1, 0]], "pixels": [[319.5, 239.5], [-180.5, 239.5]]}
-        >>> model = loom.SfmModel(["a", "b"], [camera] * 2, poses, points=[[0, 0, 1.0]], **seen)
-        >>> triangulation_angles(model).round(3).tolist()
-        [45.0]
-    """
+    """The widest angle between two rays of each point, shape [m] [degrees]; 0 for a single ray."""
     angles = np.zeros(len(model.points))
     order = np.argsort(model.observations[:, 1], kind="stable")
     pictures, points = model.observations[order].T
@@ -65,18 +51,7 @@ def triangulation_angles(model: SfmModel) -> Array:
 
 
 def parallax(model: SfmModel, *, fixed: bool = False) -> float:
-    """How far from where they are points would be seen by a camera that only turns [px].
-
-    Each picture is compared with a far one that sees the same points. One turn for each pair, and for all of
-    them one focal length (up to twice that of the model, or half of it) and one radial distortion are fitted.
-
-    Args:
-        model: With what was seen where.
-        fixed: The cameras are known: nothing but turns is fitted.
-
-    Returns:
-        The median over pairs of the root mean square distance; NaN where no two pictures share 20 points.
-    """
+    """Parallax that no pure rotation explains [px], with a common focal length and distortion unless `fixed`."""
     pairs = _far_pairs(model)
     if not pairs:
         return float("nan")
@@ -97,17 +72,16 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
 
 
 def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
-    """For some pictures, spread over all, another one that is far away and sees many of the same points."""
     count = max(len(model.points), 1)
     at = np.sort(model.observations @ (count, 1))
-    pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may stand twice in a picture
+    pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may be observed twice in an image
     pairs = set()
     for picture in np.unique(np.linspace(0, len(model) - 1, _MOST_PAIRS).round().astype(int)) if len(model) else ():
         seen = np.zeros(len(model.points), bool)
         seen[points[pictures == picture]] = True
         shared = np.bincount(pictures[seen[points]], minlength=len(model))
         distances = np.linalg.norm(model.centers - model.centers[picture], axis=1)
-        # The farthest one of all shares a corner, in which all points may be equally far.
+        # The farthest of all may share only a corner, whose points may be equally distant.
         worth = np.where(shared < _FEW_SHARED, -1.0, distances * np.sqrt(shared))
         worth[picture] = -1.0
         other = int(np.argmax(worth))
@@ -117,7 +91,7 @@ def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
 
 
 def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Array, Array]:
-    """Where both pictures of each pair see shared points, at z = 1: shapes [p, s, 2] twice, and weights [p, s]."""
+    """Normalized positions of the shared points of each pair, twice [p, s, 2], and weights [p, s]."""
     first = np.zeros((len(pairs), _MOST_SHARED, 2))
     second, weights = first.copy(), np.zeros(first.shape[:2])
     for k, pair in enumerate(pairs):
@@ -128,12 +102,12 @@ def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Arra
         for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
             rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]
         weights[k, : len(some)] = 1.0
-    weights[~np.isfinite(first + second).all(axis=2)] = 0.0  # beyond the reach of the lens
+    weights[~np.isfinite(first + second).all(axis=2)] = 0.0  # outside the valid lens area
     return np.nan_to_num(first), np.nan_to_num(second), weights
 
 
 def _turning_error(first: Array, second: Array, weights: Array, factor: float, distortion: float) -> float:
-    """The median over pairs of how far turns fail, at z = 1 of the model's own cameras."""
+    """Median error over pairs of the best rotations, in normalized coordinates."""
     a, b = (_bent(rays, factor, distortion) for rays in (first, second))
     products = np.einsum("ps,psi,psj->pij", weights, b / _length(b), a / _length(a))
     u, _, vt = np.linalg.svd(products)
@@ -155,12 +129,12 @@ def _length(rays: Array) -> Array:
     return np.linalg.norm(rays, axis=2, keepdims=True)
 
 
-MIN_REGISTERED = 0.6  # share of the pictures
-WHOLE = 0.95  # share of the pictures in the largest model, with which others do not matter: they overlap
-MIN_ANGLE = 2.0  # [degrees] at which the depth of a point is known to a few per cent
-MIN_PARALLAX = 0.002  # of the longer side of a picture: a few pixels, some times what features are off by
-MAX_ERROR = 1.0  # [px] of a picture as large as features are found in: with a lens that fits it is 0.1 to 0.6
-FINDING_SIZE = 1600  # [px] of the longer side of such a picture: larger ones are scaled down
+MIN_REGISTERED = 0.6  # fraction of the images
+WHOLE = 0.95  # fraction in the largest model above which others are ignored: they overlap
+MIN_ANGLE = 2.0  # [degrees] gives point depth within a few per cent
+MIN_PARALLAX = 0.002  # relative to the longer side: a few pixels, several times the feature error
+MAX_ERROR = 1.0  # [px] at feature extraction size; a correct lens gives 0.1 to 0.6
+FINDING_SIZE = 1600  # [px] longer side for feature extraction
 MIN_POINTS = 100
 MIN_POINTS_A_PICTURE = 20
 
@@ -169,20 +143,20 @@ _MOVE = "move, do not only turn: walk sideways around what you film"
 
 @dataclasses.dataclass(frozen=True)
 class ModelQuality(Assessed):
-    """Quality of a model of structure from motion.
+    """Quality of an SfM model.
 
     Args:
-        picture_count: Pictures that there were.
-        registered_count: Those that have a pose.
-        model_sizes: Pictures of each model that was found, the largest first.
+        picture_count: Number of images.
+        registered_count: Images with a pose.
+        model_sizes: Images of each model, the largest first.
         point_count: Points.
-        points_a_picture: Median over pictures of the points that they see.
-        angle: Median over points of the widest angle between two of its rays [degrees]; NaN without points.
-        parallax: How far off points would be seen by a camera that only turned [px]; NaN where nobody can tell.
+        points_a_picture: Median number of points per image.
+        angle: Median over points of the widest triangulation angle [degrees]; NaN without points.
+        parallax: Parallax that a pure rotation does not explain [px]; NaN if unknown.
         error: Median reprojection error [px]; NaN without points.
         warnings: Failed quality checks, each with its remedy; empty if the model is reliable.
-        focal: What the pictures say of the focal length; None where nobody asked.
-        poses: What they say of poses that were given; None where they were found.
+        focal: Check of the focal length; None if not done.
+        poses: Check of given poses; None if they were estimated.
     """
 
     picture_count: int
@@ -199,11 +173,10 @@ class ModelQuality(Assessed):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is to be known of a result though it is good: cameras that differ, a focal length that is EXIF's."""
+        """Remarks that do not affect reliability, such as differing cameras or a focal length from EXIF."""
         return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.notes())
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
         asked = {"focal": self.focal, "poses": self.poses}
         fields |= {name: None if check is None else check.to_dict() for name, check in asked.items()}
@@ -213,16 +186,11 @@ class ModelQuality(Assessed):
 
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> ModelQuality:
-        """What `to_dict` gave, read again; other keys are passed over.
-
-        Raises:
-            KeyError: A figure is missing.
-        """
         names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
         found: dict[str, Any] = {name: told[name] for name in names}
         found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
         found |= {name: tuple(found[name]) for name in ("model_sizes", "warnings")}
-        focal, poses = told.get("focal"), told.get("poses")  # older records have none
+        focal, poses = told.get("focal"), told.get("poses")  # missing in older records
         found["focal"] = None if focal is None else CameraCheck.from_json(focal)
         return cls(**found, poses=None if poses is None else PoseCheck.from_json(poses))
 
@@ -239,25 +207,20 @@ def assess_model(
     """Assess a model: how many images have a pose, and how well they determine the depth of its points.
 
     Args:
-        model: What was found; None for nothing.
-        picture_count: Pictures that there were.
-        model_sizes: Pictures of each model that was found, this one first; None for this one alone.
-        fix_intrinsic: The cameras were known before; else whether the camera only turned is asked with any.
-        focal: What the pictures say of the focal length, as `map_pictures` has asked; None where nobody has.
-        poses: What they say of poses that were given, as `triangulate` has asked.
+        model: The model; None if there is none.
+        picture_count: Number of images.
+        model_sizes: Images of each model, this one first; None: only this one.
+        fix_intrinsic: The cameras were known; otherwise pure rotation is tested with free intrinsics.
+        focal: Focal length check of `map_pictures`; None if not done.
+        poses: Pose check of `triangulate`.
 
     Returns:
-        The figures, and a warning for each failed check: fewer than 60 % of the pictures are placed; others form
-        models of their own, and this one has less than 95 %; points are seen under less than 2 degrees, or as a camera
-        would see them that only turns; they are more than a pixel off (median; of larger pictures, of 1600 of a side);
-        the focal length is not what the pictures ask for, or they fix none; too few points.
+        The measures, and a warning for each failed check: fewer than 60% of the images have a pose; less than 95% with
+        other models present; angles below 2 degrees, or pure rotation; a median error above one pixel (of larger
+        images, one at 1600 px); a contradicted or undetermined focal length; too few points.
 
     Raises:
-        TypeError, ValueError: No model, or counts that do not fit it.
-
-    Notes:
-        Any SfmModel will do, such as one of `read_colmap_model`. Turning is judged by what is left when one turn is
-        fitted for each pair of pictures, and one focal length and radial distortion for all.
+        TypeError, ValueError: Not a model, or counts that do not fit it.
 
     Example:
         >>> import pointloom as loom

@@ -1,13 +1,8 @@
-"""The process in which OpenCV decodes a video, where there is no ffmpeg.
+"""Worker process that decodes a video with OpenCV if there is no ffmpeg: `opencv_worker.py < job.json > frames.ppm`.
 
-OpenCV's wheels bring their own copies of libraries that others bring too, and its decoders crash on some files. So
-this program imports cv2 and nothing of ours; it is run, never imported:
-
-    python opencv_worker.py < job.json > frames.ppm
-
-A job is one JSON object on standard input: "path" and "container" (ffmpeg's name of it), and "probe": true for one JSON
-object that describes the video, or "max_size", "grey" and "numbers" (null for all) for frames as PGM or PPM pictures,
-one after the other.
+It only imports cv2, whose decoders crash on some files and whose libraries conflict with others. The JSON job has
+"path", "container" (ffmpeg's name), and "probe": true for a JSON description of the video, or "max_size", "grey" and
+"numbers" (null: all) for frames as PGM or PPM images.
 """
 
 from __future__ import annotations
@@ -19,14 +14,13 @@ from typing import Any
 
 
 def main() -> int:
-    """Do the job on standard input."""
     job = json.load(sys.stdin)
     try:
         import cv2
     except ImportError as error:
         print(f"missing: {error}", file=sys.stderr)
         return 3
-    name = job["container"]  # neither guessed nor left for another file
+    name = job["container"]  # never guessed, so that no other file is opened
     if not name:
         return 1
     options = f"input_format;{name}|format_whitelist;{name}|protocol_whitelist;file"
@@ -45,7 +39,6 @@ def main() -> int:
 
 
 def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
-    """Write the frames that were asked for, scaled down by the mean of what each pixel covers."""
     numbers = None if job["numbers"] is None else set(job["numbers"])
     last = None if numbers is None else max(numbers, default=-1)
     number, aspect = -1, pixel_aspect(cv2, video)
@@ -66,7 +59,7 @@ def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
 
 
 def pixel_aspect(cv2: Any, video: Any) -> float:
-    """Width of a pixel over its height, of frames that are turned as the file says."""
+    """Pixel width over height, after rotation by the file's tag."""
     width, height = video.get(cv2.CAP_PROP_SAR_NUM), video.get(cv2.CAP_PROP_SAR_DEN)
     if not (width > 0 and height > 0):
         return 1.0

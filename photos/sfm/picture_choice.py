@@ -1,4 +1,4 @@
-"""A folder of photographs, made ready for structure from motion."""
+"""Preparation of a folder of photographs for structure from motion."""
 
 from __future__ import annotations
 
@@ -33,20 +33,15 @@ from .picture_folder import (
 )
 from .picture_writing import Wanted, counted, some_of, write_bytes, write_picture
 
-_GREY = np.array([77, 150, 29], np.uint32)  # BT.601's weights, in 256ths
+_GREY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
 _BITS = 8
-_TABLES = (0x8769, 0x8825)  # EXIF's tags of the lens, and of GPS
+_TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
 _TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
-_LONGEST_EXIF = 65_000  # bytes: a JPEG holds 65533
+_LONGEST_EXIF = 65_000  # bytes; a JPEG segment holds 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
 
 def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameChoice:
-    """Write the pictures of a folder, upright and in 8 bits.
-
-    Raises:
-        FileError: None can be used, or the place cannot be written.
-    """
     paths, second = list_photographs(source)
     chosen = spaced(list(range(len(paths))), wanted.max_count)
     headers, left_out = _headers(paths, chosen)
@@ -91,11 +86,7 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
 
 
 def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, PictureHeader], dict[str, str]]:
-    """The headers of the pictures that have one, and why the others have none.
-
-    Raises:
-        FileError: A package that reads some of them is missing: the others alone would be another set.
-    """
+    """The image headers, and the reasons for missing ones; FileError if a package is missing."""
     headers, left_out = {}, {}
     for number in numbers:
         try:
@@ -114,7 +105,6 @@ def _grey(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _write(
     path: Path, header: PictureHeader, pixels: NDArray[np.uint8], stem: str, wanted: Wanted
 ) -> tuple[str, tuple[int, int]]:
-    """Write a picture; one that is upright, of 8 bits and not too large is copied as it is."""
     before = (pixels.shape[1], pixels.shape[0])
     size = scaled_size(before, wanted.max_size)
     is_plain = not is_photo(path) and header.bits == _BITS and header.channels in (1, 3)
@@ -130,19 +120,18 @@ def _write(
 
 
 def _exif_upright(path: Path) -> bytes:
-    """What EXIF says of a picture (its focal length helps), but that it lies on its side."""
+    """EXIF data (with the focal length) without the orientation."""
     exif, kept = read_exif(path), Image.Exif()
     exif.pop(ORIENTATION, None)
-    for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # the rest of a DNG lays out its pixels
+    for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # other DNG tags describe the pixel layout
         kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
-    with ignored_errors():  # EXIF that makes no sense is no loss
+    with ignored_errors():  # invalid EXIF is ignored
         told = kept.tobytes() if len(kept) else b""
         return told if len(told) <= _LONGEST_EXIF else b""
     return b""
 
 
 def told_twice(paths: list[Path]) -> list[str]:
-    """That a photograph lies there twice."""
     if not paths:
         return []
     return [f"of photographs that lie there as JPEG or PNG as well: {some_of([path.name for path in paths])}"]
@@ -166,6 +155,5 @@ def _notes(
 
 
 def _lenses(paths: list[Path]) -> list[str]:
-    """What EXIF tells of the cameras of pictures, where it is not the same of all."""
     count = len({read_lens(path) for path in paths})
     return [f"EXIF tells of {count} cameras or focal lengths, each taken for a camera of its own"] if count > 1 else []

@@ -1,4 +1,4 @@
-"""Folders of photographs: which pictures, in which order, how they lie, and how they become 8-bit RGB."""
+"""Folders of photographs: listing, order, orientation, and conversion to 8-bit RGB."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from ...files.pictures.photo_files import (
 )
 from ...files.points.scan_files import natural_key
 
-SUFFIXES = (".jpg", ".jpeg", ".png")  # what COLMAP is given
-PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # what is made such pictures of
-# Pictures that cameras and telephones write and that have to be converted first: told, not passed over in silence.
+SUFFIXES = (".jpg", ".jpeg", ".png")  # formats for COLMAP
+PHOTO_SUFFIXES = (*SUFFIXES, *KINDS)  # accepted input formats
+# Formats that must be converted first; reported instead of ignored.
 OTHER_SUFFIXES = (".bmp", ".gif", ".jp2", ".avif", ".cr2", ".cr3", ".nef", ".arw", ".raf", ".orf", ".rw2")
 
-ORIENTATION = 0x0112  # EXIF's tag
+ORIENTATION = 0x0112  # EXIF tag
 UPRIGHT = 1
 _MAKE, _MODEL, _EXIF, _FOCAL, _FOCAL_35, _DIGITAL_ZOOM = 0x010F, 0x0110, 0x8769, 0x920A, 0xA405, 0xA404
 _LARGEST_12_BIT = 4095
@@ -43,12 +43,6 @@ _LARGEST_8_BIT = 255
 
 
 def check_place(name: str, value: Any) -> Path:
-    """The path of a file or a folder, as users give it.
-
-    Raises:
-        TypeError: No path.
-        ValueError: One that no system takes.
-    """
     path = path_of(value, name)
     if not os.fspath(value) or "\0" in str(path):
         raise ValueError(f"{name}: expected the path of a file or folder, got {shown(value)}")
@@ -56,15 +50,6 @@ def check_place(name: str, value: Any) -> Path:
 
 
 def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Path]:
-    """The pictures of a folder in natural order: numbers in names count as numbers, so 2.jpg comes before 10.jpg.
-
-    Args:
-        folder: Where they lie.
-        suffixes: The endings of their names that count.
-
-    Raises:
-        DatasetError: No folder, or no picture in it.
-    """
     place = path_of(folder, "folder")
     restore_folder(place)
     if not place.is_dir():
@@ -82,11 +67,7 @@ def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[
 
 
 def list_photographs(folder: FilePath) -> tuple[list[Path], list[Path]]:
-    """The photographs of a folder in natural order, and those that are another's second file (IMG_1.DNG of IMG_1.JPG).
-
-    Raises:
-        DatasetError: No folder, or no picture in it.
-    """
+    """The photographs of a folder in natural order, and the second files of others (IMG_1.DNG of IMG_1.JPG)."""
     paths = list_pictures(folder, PHOTO_SUFFIXES)
     plain = {path.stem.casefold() for path in paths if not is_photo(path)}
     second = [path for path in paths if is_photo(path) and path.stem.casefold() in plain]
@@ -94,16 +75,10 @@ def list_photographs(folder: FilePath) -> tuple[list[Path], list[Path]]:
 
 
 def read_header(path: FilePath) -> PictureHeader:
-    """The size and kind of a photograph of any kind that is read.
-
-    Raises:
-        FileError: Damaged, of another kind, too large, or the package for its kind is missing.
-    """
     return read_photo_header(path) if is_photo(path) else read_picture_header(path)
 
 
 def unread_pictures(folder: FilePath) -> list[str]:
-    """Names of pictures of kinds that are not read."""
     return sorted(path.name for path in path_of(folder, "folder").iterdir() if path.suffix.lower() in OTHER_SUFFIXES)
 
 
@@ -112,17 +87,14 @@ def _counted(kinds: Counter[str]) -> str:
 
 
 def read_orientation(path: FilePath) -> int:
-    """How a picture lies, as EXIF numbers it: 1 upright (or unknown), 6 to be turned right by 90 degrees, and so on."""
+    """EXIF orientation: 1 upright (or unknown), 6 to be rotated right by 90 degrees, and so on."""
     return orientation_of(read_exif(path))
 
 
 def read_lens(path: FilePath) -> tuple[str, ...]:
-    """What EXIF says of the lens: make, model, focal length, that on 35 mm film, digital zoom; "" where it is silent.
-
-    Pictures of one size with the same are taken for those of one camera.
-    """
+    """EXIF's make, model, focal length, 35 mm equivalent, digital zoom ("" if missing), which identify a camera."""
     exif = read_exif(path)
-    with ignored_errors():  # EXIF that makes no sense says nothing
+    with ignored_errors():  # invalid EXIF is ignored
         inner = exif.get_ifd(_EXIF)
         names = [str(exif.get(tag, "")).strip("\0 ") for tag in (_MAKE, _MODEL)]
         return (*names, *(plain_number(inner.get(tag)) for tag in (_FOCAL, _FOCAL_35, _DIGITAL_ZOOM)))
@@ -130,31 +102,17 @@ def read_lens(path: FilePath) -> tuple[str, ...]:
 
 
 def upright(pixels: NDArray, orientation: int) -> NDArray:
-    """The picture as it is to be seen, of pixels as they are stored."""
-    turns = {3: 2, 4: 2, 5: 3, 6: 3, 7: 1, 8: 1}.get(orientation, 0)  # quarters to the left
+    turns = {3: 2, 4: 2, 5: 3, 6: 3, 7: 1, 8: 1}.get(orientation, 0)  # quarter turns to the left
     turned = np.rot90(pixels, turns)
     return np.ascontiguousarray(turned[:, ::-1] if orientation in (2, 4, 5, 7) else turned)
 
 
 def is_grey_16(header: PictureHeader) -> bool:
-    """Whether this is a picture of 16-bit grey."""
     return header.channels == 1 and header.bits == 16
 
 
 def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -> NDArray[np.uint8]:
-    """A picture as 8-bit RGB, upright.
-
-    Args:
-        path: A photograph.
-        header: Its own.
-        white: Which value of 16-bit grey becomes 255.
-
-    Returns:
-        Shape [h, w, 3].
-
-    Raises:
-        FileError: Damaged.
-    """
+    """Read an image as upright 8-bit RGB [h, w, 3]; `white` of 16-bit gray becomes 255."""
     if is_photo(path):
         pixels, orientation = read_photo(path)
     else:
@@ -166,11 +124,7 @@ def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -
 
 
 def read_stored(path: FilePath) -> NDArray[np.uint8]:
-    """A colour picture of any kind as it is stored: not turned, but HEIC and TIFF, whose decoders do so.
-
-    Raises:
-        FileError: Damaged, or 16-bit grey.
-    """
+    """Read a color image in stored orientation, except HEIC and TIFF, whose decoders rotate."""
     if not is_photo(path):
         return read_color(path)
     pixels, _ = read_photo(path)
@@ -180,17 +134,16 @@ def read_stored(path: FilePath) -> NDArray[np.uint8]:
 
 
 def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
-    """The value that becomes white in all 16-bit grey pictures of a set: that of 12 bits where none is brighter."""
+    """White level of a set of 16-bit gray images: that of 12 bits if none is brighter."""
     most = 0
     for path, header in zip(paths, headers, strict=True):
         if is_grey_16(header):
-            with contextlib.suppress(FileError):  # said where it is read for good
+            with contextlib.suppress(FileError):  # reported when the file is read
                 most = max(most, int((read_photo(path)[0] if is_photo(path) else read_depth(path)).max()))
     return _LARGEST_12_BIT if 0 < most <= _LARGEST_12_BIT else 65535
 
 
 def scaled_size(size: tuple[int, int], max_size: int | None) -> tuple[int, int]:
-    """Width and height with the longer side at most `max_size`."""
     longest = max(size)
     if max_size is None or longest <= max_size:
         return size
@@ -199,13 +152,10 @@ def scaled_size(size: tuple[int, int], max_size: int | None) -> tuple[int, int]:
 
 
 def ordered_names(paths: Sequence[Path]) -> list[str]:
-    """A name for each picture, in whose sorted order they stay; COLMAP goes by the order of names.
-
-    Names are kept where they sort as they should, are text and differ; else a number comes before them.
-    """
+    """Unique names that sort in this order, as COLMAP requires; numbers are prepended if necessary."""
     names = [unicodedata.normalize("NFC", path.stem) for path in paths]
     plain = [name if name.isprintable() and _is_text(name) else "" for name in names]
-    in_order = names == sorted(names, key=lambda name: f"{name}.")  # as they sort with their suffixes
+    in_order = names == sorted(names, key=lambda name: f"{name}.")  # sorted with suffixes
     if all(plain) and in_order and len({name.casefold() for name in names}) == len(names):
         return names
     digits = max(4, len(str(len(names))))
@@ -215,6 +165,6 @@ def ordered_names(paths: Sequence[Path]) -> list[str]:
 def _is_text(name: str) -> bool:
     try:
         name.encode()
-    except UnicodeEncodeError:  # bytes that are no UTF-8
+    except UnicodeEncodeError:  # not UTF-8
         return False
     return True

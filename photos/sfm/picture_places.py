@@ -1,12 +1,8 @@
-"""Where photographs were taken, as EXIF and the XMP of drones say: latitude, longitude, altitude, attitude.
+"""Camera positions and attitudes from EXIF (2.32, section 4.6.6) and the XMP of drones; implausible values are
+rejected.
 
-What makes no sense is left out and named, with the reason; nothing is guessed. Source: EXIF 2.32, section 4.6.6 (GPS).
-
-What the XMP of drones says: altitudes, how well GNSS was fixed, and how the camera hung. XMP is looked through for
-attributes and elements by name, not parsed as XML: no entity of it is ever expanded.
-
-Names as they are found in files of DJI (`drone-dji:`), Parrot (`drone-parrot:`), and in the `Camera:` namespace of
-Pix4D, which senseFly and Parrot write: there a pitch of 0 looks straight down, in the others -90 does.
+XMP is searched by name, not parsed as XML, so no entity is expanded. Namespaces: `drone-dji:`, `drone-parrot:`, and
+Pix4D's `Camera:`, where a pitch of 0 looks straight down (in the others -90).
 """
 
 from __future__ import annotations
@@ -30,7 +26,7 @@ from ...pcd.geodesy import WorldFrame
 from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
 from .picture_writing import counted, some_of
 
-MOST_BYTES = 1 << 20  # of XMP that is looked through
+MOST_BYTES = 1 << 20  # searched part of XMP
 _ENTRY = re.compile(
     r"(?:drone-dji|drone-parrot|Camera):(?P<name>\w+)\s*(?:=\s*[\"'](?P<a>[^\"'<>]{1,40})[\"']|>\s*(?P<b>[^<>]{1,40})<)"
 )
@@ -41,15 +37,7 @@ _RTK = {50: "fixed", 34: "float", 16: "single", 0: "none"}  # DJI's RtkFlag
 
 @dataclass(frozen=True)
 class Xmp:
-    """What XMP says; None where it is silent.
-
-    Attributes:
-        altitude, relative_altitude: Absolute, and above the place of take-off [m].
-        horizontal_sigma, vertical_sigma: Of the position [m].
-        rtk: "fixed", "float", "single" or "none".
-        attitude: Yaw clockwise from north, pitch up from level and roll to the right of the camera [degrees].
-        heading: Of the aircraft, clockwise from north [degrees].
-    """
+    """Values of XMP, None if missing: altitudes and sigmas [m], (yaw, pitch, roll) and aircraft heading [degrees]."""
 
     altitude: float | None = None
     relative_altitude: float | None = None
@@ -61,7 +49,6 @@ class Xmp:
 
 
 def parse_xmp(data: bytes | str | None) -> Xmp:
-    """What XMP says of the place and the attitude of a camera; numbers that make no sense say nothing."""
     if not data:
         return Xmp()
     text = data if isinstance(data, str) else data[:MOST_BYTES].decode("utf-8", "replace")
@@ -86,7 +73,7 @@ def parse_xmp(data: bytes | str | None) -> Xmp:
 
 
 def _sigma(*values: float | None) -> float | None:
-    """The largest of standard deviations, where all are told and above 0."""
+    """The largest standard deviation if all are given and positive."""
     kept = [value for value in values if value is not None and 0 < value < 1e4]
     return max(kept) if len(kept) == len(values) else None
 
@@ -105,30 +92,30 @@ def _attitude(found: dict[str, float]) -> tuple[float, float, float] | None:
     return None
 
 
-FARTHEST = 1e5  # [m] from the middle of the others: no set of pictures that show one thing is larger
-LOWEST, HIGHEST = -500.0, 20000.0  # [m] altitudes that are accepted
-WORST_SIGMA = 1000.0  # [m] of a position that says anything
+FARTHEST = 1e5  # [m] maximum distance from the median
+LOWEST, HIGHEST = -500.0, 20000.0  # [m] accepted altitudes
+WORST_SIGMA = 1000.0  # [m] maximum standard deviation
 
 _GPS, _XMP_KEYS = 0x8825, ("xmp", "XML:com.adobe.xmp")
 _NS, _LATITUDE, _EW, _LONGITUDE, _BELOW, _ALTITUDE = range(1, 7)
 _STATUS, _DIRECTION_FROM, _DIRECTION, _ERROR = 9, 16, 17, 31
-_NO_FIX = "V"  # of GPSStatus: measurement void
+_NO_FIX = "V"  # GPSStatus: measurement void
 
 
 @dataclass(frozen=True)
 class PicturePlace:
-    """Where a picture was taken, as the picture says.
+    """Position of an image from its metadata.
 
     Attributes:
-        name: Of its file.
-        latitude, longitude: [degrees] of WGS 84.
-        altitude: [m], from the sea or the ellipsoid as the camera counts; None where it is not told.
-        relative_altitude: Above the place of take-off [m], of DJI.
-        horizontal_sigma, vertical_sigma: How sure that is [m]; None where it is not told.
-        rtk: "fixed", "float", "single" or "none", of DJI.
-        attitude: Yaw clockwise from north, pitch up from level and roll to the right of the camera [degrees], of XMP.
-        direction: The way that the picture looks, clockwise from true north [degrees], of EXIF.
-        heading: Of the aircraft [degrees], of DJI.
+        name: File name.
+        latitude, longitude: WGS 84 [degrees].
+        altitude: Above sea or ellipsoid, depending on the camera [m]; None if missing.
+        relative_altitude: Above the take-off point [m] (DJI).
+        horizontal_sigma, vertical_sigma: Standard deviations [m]; None if missing.
+        rtk: "fixed", "float", "single" or "none" (DJI).
+        attitude: Yaw clockwise from north, pitch up, roll to the right of the camera [degrees] (XMP).
+        direction: Viewing direction, clockwise from true north [degrees] (EXIF).
+        heading: Aircraft heading [degrees] (DJI).
     """
 
     name: str
@@ -146,14 +133,14 @@ class PicturePlace:
 
 @dataclass(frozen=True)
 class PicturePlaces:
-    """Where the pictures of a set were taken.
+    """Positions of a set of images.
 
     Attributes:
-        places: Of the pictures that say so sensibly, in their order.
-        attitudes: Yaw, pitch and roll by name, of pictures without a place too.
-        refused: Why the position of an image is rejected, by its name.
-        picture_count: How many pictures there are.
-        altitudes_refused: Altitudes that are rejected [m], by name; the place of such a picture counts without.
+        places: Valid positions, in image order.
+        attitudes: Yaw, pitch and roll by name, also of images without a position.
+        refused: Reason of each rejected position, by image name.
+        picture_count: Number of images.
+        altitudes_refused: Rejected altitudes [m], by name; the position is used without.
     """
 
     places: tuple[PicturePlace, ...]
@@ -163,7 +150,6 @@ class PicturePlaces:
     altitudes_refused: dict[str, float] = field(default_factory=dict)
 
     def __len__(self) -> int:
-        """How many pictures say where they were taken."""
         return len(self.places)
 
     def __repr__(self) -> str:
@@ -172,11 +158,7 @@ class PicturePlaces:
 
     @property
     def frame(self) -> WorldFrame:
-        """Metres about the median place; its altitude is the median of those that are told.
-
-        Raises:
-            ValueError: No picture says where it was taken.
-        """
+        """Local frame [m] at the median position and the median known altitude; raises ValueError without positions."""
         if not self.places:
             raise ValueError("places: no picture says where it was taken")
         turns = _unwrapped([place.longitude for place in self.places])
@@ -186,7 +168,6 @@ class PicturePlaces:
         return WorldFrame(latitude, longitude, float(np.median(altitudes)) if altitudes else 0.0)
 
     def notes(self) -> list[str]:
-        """Remarks on images whose position is rejected."""
         said = [f"{name} ({reason})" for name, reason in self.refused.items()]
         notes = [f"GPS of {counted(len(said), 'picture')} is rejected: {some_of(said)}"] if said else []
         said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
@@ -195,7 +176,6 @@ class PicturePlaces:
         return notes
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types."""
         return {
             "places": [asdict(place) for place in self.places],
             "attitudes": {name: list(angles) for name, angles in self.attitudes.items()},
@@ -206,23 +186,21 @@ class PicturePlaces:
 
 
 def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
-    """Where photographs were taken, as EXIF and XMP say.
+    """Read the positions of photographs from EXIF and XMP.
 
     Args:
-        source: A folder of pictures, or the files.
+        source: A folder of images, or the files.
 
     Returns:
-        The places, and why those of other pictures are rejected: latitudes beyond 90 degrees, numbers over zero,
-        the 0, 0 of cameras without a fix, hemispheres that are not told, a place 100 km from the median of the others.
+        The positions, and the reason for each rejected one: latitude beyond 90 degrees, division by zero, the 0, 0 of
+        cameras without a fix, missing hemispheres, or more than 100 km from the median.
 
     Raises:
-        TypeError: No path, and no list of them.
-        DatasetError: No folder, or no picture in it.
-        FileError: A file that is not there.
+        TypeError: Not a path or a list of paths.
+        DatasetError, FileError: No such folder, no image in it, or a missing file.
 
     Notes:
-        Headers alone are read. Which way EXIF says that a picture lies decides nothing about its place; attitudes of
-        pictures that EXIF turns are left out.
+        Only headers are read. Attitudes of images with an EXIF rotation are ignored.
 
     Example:
         >>> import pointloom as loom
@@ -258,10 +236,10 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
 
 
 def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
-    """GPS of EXIF, XMP, and whether EXIF says that the picture is to be turned."""
+    """EXIF's GPS tags, XMP, and whether EXIF rotates the image."""
     if not path.is_file():
         raise FileError(path, "does not exist")
-    with ignored_errors(), Image.open(path) as picture:  # what cannot be read says nothing
+    with ignored_errors(), Image.open(path) as picture:  # unreadable metadata is ignored
         xmp = next((picture.info[key] for key in _XMP_KEYS if picture.info.get(key)), None)
         exif = picture.getexif()
         gps: dict[int, Any] = {}
@@ -272,11 +250,6 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
 
 
 def _place_of(name: str, gps: dict[int, Any], xmp: Xmp, *, turned: bool) -> PicturePlace | None:
-    """The place of a picture; None where it says none.
-
-    Raises:
-        ValueError: It says one that makes no sense.
-    """
     if _LATITUDE not in gps and _LONGITUDE not in gps:
         return None
     if _text(gps.get(_STATUS)) == _NO_FIX:
@@ -332,7 +305,6 @@ def _altitude(gps: dict[int, Any], xmp: Xmp) -> float | None:
 
 
 def _number(value: Any) -> float | None:
-    """A number of EXIF; None where it is none, such as 0 over 0."""
     try:
         number = float(value)
     except (TypeError, ValueError, ZeroDivisionError, OverflowError):
@@ -341,13 +313,11 @@ def _number(value: Any) -> float | None:
 
 
 def _text(value: Any) -> str:
-    """One letter of EXIF; "?" where there is none."""
     text = value.decode("ascii", "replace") if isinstance(value, bytes) else str(value or "")
     return text.strip("\0 ").upper()[:1] or "?"
 
 
 def _without_far(places: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
-    """The places near the median of all; the others are told."""
     if len(places) < 3:
         return places
     metres = metres_about_median(places)
@@ -359,7 +329,7 @@ def _without_far(places: list[PicturePlace], refused: dict[str, str]) -> list[Pi
 
 
 def metres_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
-    """Roughly where places lie about their median, [n, 2] [m]."""
+    """Approximate positions about their median, [n, 2] [m]."""
     degrees = np.array([[place.latitude, place.longitude] for place in places])
     degrees[:, 1] = _unwrapped(degrees[:, 1].tolist())
     middle = np.median(degrees, axis=0)
@@ -368,6 +338,6 @@ def metres_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
 
 
 def _unwrapped(longitudes: list[float]) -> NDArray[np.float64]:
-    """Longitudes about the first, so that a set over the 180th meridian is no wide one."""
+    """Longitudes about the first, continuous across the 180th meridian."""
     values = np.array(longitudes)
     return values[0] + (values - values[0] + 180) % 360 - 180

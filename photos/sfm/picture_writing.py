@@ -1,4 +1,4 @@
-"""Pictures into a folder of their own: each whole or not at all, and none where the work fails."""
+"""Atomic image output into a folder that is cleaned up on errors."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from ...core.errors import FileError
 
 KINDS = ("jpg", "png")
 
-_QUALITY = 95  # of JPEG: at 4:4:4 what is lost is below the noise of a camera
+_QUALITY = 95  # JPEG quality: losses at 4:4:4 are below camera noise
 _SHOWN_NUMBERS = 6
 
 
 @dataclasses.dataclass(frozen=True)
 class Wanted:
-    """Which pictures are wanted: where, how many at most, how large at most [px], of which kind."""
+    """Output options: folder, maximum number, maximum size [px], format."""
 
     folder: Path
     max_count: int
@@ -33,11 +33,7 @@ class Wanted:
 
 @contextlib.contextmanager
 def new_folder(folder: Path) -> Iterator[None]:
-    """A folder to be filled, whose files are removed again where that fails.
-
-    Raises:
-        FileError: It cannot be made, or holds something.
-    """
+    """A new or empty folder, cleaned up if the block fails."""
     existed = folder.is_dir()
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -48,7 +44,7 @@ def new_folder(folder: Path) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        with contextlib.suppress(OSError):  # the error that is on its way says more
+        with contextlib.suppress(OSError):  # the propagating error is more informative
             for path in folder.iterdir():
                 path.unlink(missing_ok=True)
             if not existed:
@@ -57,7 +53,6 @@ def new_folder(folder: Path) -> Iterator[None]:
 
 
 def write_picture(path: Path, pixels: NDArray[np.uint8], exif: bytes = b"") -> None:
-    """Write a picture as JPEG or PNG, whole or not at all."""
     buffer = io.BytesIO()
     if path.suffix == ".png":
         Image.fromarray(pixels).save(buffer, "PNG", compress_level=1, **({"exif": exif} if exif else {}))
@@ -68,17 +63,14 @@ def write_picture(path: Path, pixels: NDArray[np.uint8], exif: bytes = b"") -> N
 
 
 def write_bytes(path: Path, data: bytes) -> None:
-    """Write a file, whole or not at all."""
     with atomic_write(path) as file:
         file.write(data)
 
 
 def some_of(names: list[str]) -> str:
-    """A few of some names, and how many more there are."""
     more = len(names) - _SHOWN_NUMBERS
     return ", ".join(names[:_SHOWN_NUMBERS]) + (f" and {more} more" if more > 0 else "")
 
 
 def counted(count: int, noun: str) -> str:
-    """ "1 frame", "2 frames"."""
     return f"{count} {noun}{'' if count == 1 else 's'}"

@@ -1,9 +1,7 @@
-"""What pictures say of camera poses that were given: whether features agree with them, and if not, what would.
+"""Check of given camera poses against the images.
 
-Features are matched by their looks alone, between pictures that the poses have overlap and between neighbours by name.
-Right poses have most of these matches on their epipolar lines and before both cameras. Where they do not, usual
-mistakes are tried: poses the other way round, other axes of the camera, another order of the pictures, another focal
-length. What explains the matches by far better is told.
+Features are matched by appearance only, between overlapping images and neighbors by name. If they contradict the poses,
+common errors are tested: inverted poses, camera axes, image order, focal length.
 """
 
 from __future__ import annotations
@@ -24,14 +22,14 @@ from ...files.points.scan_files import natural_key
 from .feature_rays import FeatureRays, focal_of
 from .guided_matches import MOST_SQDIST, RATIO, PairMatches, Pairs, essential_of
 
-MOST_PAIRS = 40  # that overlap by the poses, and as many neighbours by name
-MOST_FEATURES = 1000  # of a picture whose matches are looked for
-MOST_MATCHES = 200  # of a pair: all pairs should have a say
-FEWEST_MATCHES = 12  # of a pair that says something
-FEWEST = 60  # of all
-NEAR = 0.004  # of the longer side of a picture: from a line that a match lies on, if poses are rough
-FITTING = 0.4  # share of matches that fit right poses at least: of pairs of a room, a fountain, a temple it is 0.6 on
-PLAINLY = 2.0  # times as many that fit poses with a usual mistake mended
+MOST_PAIRS = 40  # overlapping pairs, and as many neighbors by name
+MOST_FEATURES = 1000  # features per image
+MOST_MATCHES = 200  # matches per pair, for equal influence
+FEWEST_MATCHES = 12  # minimum per pair
+FEWEST = 60  # minimum in total
+NEAR = 0.004  # epipolar distance relative to the longer side, for rough poses
+FITTING = 0.4  # minimum fraction for correct poses: 0.6 in a room, a fountain, a temple
+PLAINLY = 2.0  # ratio of fitting matches with a corrected error
 
 AXES = {
     "": (1, 1, 1),
@@ -44,24 +42,24 @@ QUARTERS = {
     "the pictures are turned by 90 degrees to the right": np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]),
 }
 FOCAL_REACH, FOCAL_STEPS = math.log(2.0), 41
-FOCAL_OFF = 0.02  # of a focal length, by which calibrations of one lens may differ
-FOCAL_BETTER = 0.8  # times the cost, where another focal length is plainly right
+FOCAL_OFF = 0.02  # relative difference of calibrations of one lens
+FOCAL_BETTER = 0.8  # cost ratio of a clearly better focal length
 
 Array = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True)
 class PoseCheck:
-    """How poses that were given agree with the pictures.
+    """Agreement of given poses with the images.
 
     Args:
-        match_count: Matches, by looks alone, that were held against the poses.
-        share: Which share of them fits.
-        distance: Median distance of those that fit from their epipolar lines [px].
-        cause: What is likely wrong; "" where nothing is known.
-        cause_share: Share of the matches that fits once that is mended.
-        focal: The focal length that the pictures ask for, as a factor of what was given; NaN where it was not asked.
-        strays: Pictures whose matches do not fit, where those of most do.
+        match_count: Number of matches by appearance.
+        share: Fraction that fits.
+        distance: Median epipolar distance of those that fit [px].
+        cause: Likely error; "" if unknown.
+        cause_share: Fraction of matches that fits after its correction.
+        focal: Preferred factor of the focal length; NaN if not tested.
+        strays: Images whose matches do not fit although most others do.
     """
 
     match_count: int
@@ -73,29 +71,24 @@ class PoseCheck:
     strays: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
-        """The same in JSON's types; NaN becomes None."""
         fields = dataclasses.asdict(self) | {"strays": list(self.strays)}
         return {key: None if value != value else value for key, value in fields.items()}
 
     @classmethod
     def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
-        """What `to_dict` gave, read again."""
         found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
         found["strays"] = tuple(told["strays"])
         return cls(**found)
 
     @property
     def are_wrong(self) -> bool:
-        """Whether the poses are not those of the pictures, so that nothing can come of them."""
         return self.match_count < FEWEST or not self.share >= FITTING
 
     @property
     def is_focal_wrong(self) -> bool:
-        """Whether the pictures ask for another focal length."""
         return abs(math.log(self.focal)) > FOCAL_OFF if self.focal == self.focal else False
 
     def reasons(self, picture_count: int) -> list[str]:
-        """Failed checks of the poses, with the likely cause."""
         if self.match_count < FEWEST:
             return [
                 f"no two pictures that overlap by the poses, or follow one another, show the same ({self.match_count} "
@@ -123,20 +116,12 @@ class PoseCheck:
         return reasons
 
     def notes(self) -> list[str]:
-        """Remarks on poses that passed the checks."""
         if self.strays and not self.are_wrong:
             return [f"poses that do not fit the others: {', '.join(self.strays[:8])}"]
         return []
 
 
 def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseCheck:
-    """Hold poses against what pictures share by looks alone.
-
-    Args:
-        features: Of the pictures of the model.
-        model: With the poses.
-        pairs: That overlap by the poses.
-    """
     found = match_by_looks(features, _sample(pairs, model))
     matches = _Matches.of(features, model, found)
     if len(matches.first) < FEWEST:
@@ -152,7 +137,6 @@ def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseChe
 
 
 def _sample(pairs: Pairs, model: SfmModel) -> Pairs:
-    """Some of the pairs, spread over all, and neighbours by name, one and two apart."""
     some = pairs[np.unique(np.linspace(0, len(pairs) - 1, MOST_PAIRS).round().astype(int))] if len(pairs) else pairs
     order = _natural_order(model)
     near = [(order[k], order[k + step]) for step in (1, 2) for k in range(len(order) - step)]
@@ -166,10 +150,7 @@ def _natural_order(model: SfmModel) -> list[int]:
 
 
 def match_by_looks(features: FeatureRays, pairs: Pairs) -> PairMatches:
-    """Match the features of pairs by their descriptors alone: mutually nearest, and clearly nearer than the next.
-
-    Sums of products of descriptors are whole numbers below 2^24, which float32 holds exactly in any order.
-    """
+    """Mutual nearest descriptors with a ratio test; products are integers below 2^24, exact in float32."""
     tables: dict[int, tuple[NDArray[np.int64], NDArray[np.float32]]] = {}
 
     def table(picture: int) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
@@ -203,7 +184,7 @@ def _nearest_mutual(p: Any, q: Any, chosen: Any, mine: Any, theirs: Any) -> NDAr
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class _Matches:
-    """Matches as rays: pair of each, the pairs' pictures, rays in the first and second [k, 2], pixels a ray's unit."""
+    """Matches as normalized rays [k, 2] of image pairs, with pixels per unit."""
 
     pair: NDArray[np.int64]
     pairs: Pairs
@@ -229,7 +210,7 @@ class _Matches:
         return cls(np.concatenate(pair), found.pairs[kept], first, second, focals, NEAR * longer)
 
     def off(self, poses: Array, factor: float = 1.0) -> tuple[Array, NDArray[np.bool_]]:
-        """How far matches lie from their lines [px], the farther of both, and which lie before both cameras."""
+        """Epipolar distances [px], the larger of both, and the mask of matches before both cameras."""
         x, y = (np.concatenate([rays / factor, np.ones((len(rays), 1))], axis=1) for rays in (self.first, self.second))
         E = essential_of(poses, self.pairs)[self.pair]
         there, back = np.einsum("kij,kj->ki", E, x), np.einsum("kji,kj->ki", E, y)
@@ -243,22 +224,19 @@ class _Matches:
         return np.nan_to_num(off, nan=np.inf), _before_both(poses[self.pairs[self.pair]], x, y)
 
     def fits(self, poses: Array) -> tuple[NDArray[np.bool_], Array]:
-        """Which matches fit, and how far all are from their lines [px]."""
+        """Mask of the matches that fit, and all epipolar distances [px]."""
         off, before = self.off(poses)
         return (off <= self.near) & before, off
 
     def share(self, fits: NDArray[np.bool_]) -> float:
-        """The share that fits."""
         return float(np.mean(fits))
 
     def by_pair(self, fits: NDArray[np.bool_]) -> Array:
-        """The share of each pair."""
         return np.bincount(self.pair, fits, len(self.pairs)) / np.maximum(
             np.bincount(self.pair, minlength=len(self.pairs)), 1
         )
 
     def strays(self, fits: NDArray[np.bool_], count: int) -> list[int]:
-        """Pictures of which no pair fits, though there are two or more."""
         shares = self.by_pair(fits)
         best, tried = np.zeros(count), np.zeros(count, int)
         for (a, b), share in zip(self.pairs.tolist(), shares.tolist(), strict=True):
@@ -267,7 +245,6 @@ class _Matches:
         return [i for i in range(count) if tried[i] >= 2 and best[i] < FITTING / 2]
 
     def focal(self, poses: Array) -> float:
-        """The factor of the focal length that fits by far better, or 1."""
         cost = lambda log: float(np.minimum(self.off(poses, math.exp(log))[0] / self.near, 1.0).mean())  # noqa: E731
         logs = np.linspace(-FOCAL_REACH, FOCAL_REACH, FOCAL_STEPS)
         costs = [cost(log) for log in logs]
@@ -279,7 +256,7 @@ class _Matches:
 
 
 def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
-    """Whether rays of two cameras come nearest to one another before both; those about parallel do, far away."""
+    """True if rays intersect before both cameras; nearly parallel ones do, far away."""
     first, second = poses[:, 0], poses[:, 1]
     a = np.einsum("kji,kj->ki", first[:, :3, :3], x)
     b = np.einsum("kji,kj->ki", second[:, :3, :3], y)
@@ -288,17 +265,13 @@ def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
     a /= np.linalg.norm(a, axis=1, keepdims=True)
     b /= np.linalg.norm(b, axis=1, keepdims=True)
     ab, a_step, b_step = (a * b).sum(axis=1), (a * step).sum(axis=1), (b * step).sum(axis=1)
-    along_a, along_b = a_step - ab * b_step, ab * a_step - b_step  # times 1 - ab^2, which is no less than 0
+    along_a, along_b = a_step - ab * b_step, ab * a_step - b_step  # times 1 - ab^2 >= 0
     length = np.linalg.norm(step, axis=1)
     slack = 0.01 * length * np.sqrt(np.maximum(1 - ab * ab, 0.0))
     return (ab > 0) & (along_a > -slack) & (along_b > -slack)
 
 
-# ------------------------------------------------------------------------------------------------ usual mistakes
-
-
 def _likely_cause(matches: _Matches, model: SfmModel, share: float) -> tuple[str, float]:
-    """What explains the matches plainly better than the poses as they are; "" where nothing does."""
     best, most = "", max(PLAINLY * share, FITTING)
     for said, poses in itertools.chain(_other_conventions(model), _other_orders(model)):
         found = matches.share(matches.fits(poses)[0])
@@ -308,7 +281,7 @@ def _likely_cause(matches: _Matches, model: SfmModel, share: float) -> tuple[str
 
 
 def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
-    """The poses as they would be had somebody read them amiss, and how."""
+    """The poses under common misreadings, with their names."""
     T = model.T_world_camera
     R, t = T[:, :3, :3], T[:, :3, 3]
     turned, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)

@@ -1,4 +1,4 @@
-"""Pictures and the cameras that were given for them, brought together by their names."""
+"""Association of images with given cameras by name."""
 
 from __future__ import annotations
 
@@ -18,15 +18,7 @@ FEWEST = 2
 
 @dataclasses.dataclass(frozen=True)
 class PosedPictures:
-    """Pictures with a camera each.
-
-    Args:
-        model: The cameras of the pictures that are there, by the names of the pictures' files.
-        paths: The pictures, in the order of the model.
-        picture_count: All pictures that there were.
-        without_pose: Names of pictures without a camera.
-        without_picture: Names of cameras without a picture.
-    """
+    """Images with cameras (`model`, `paths` in its order), and the names without a partner."""
 
     model: SfmModel
     paths: tuple[Path, ...]
@@ -36,7 +28,6 @@ class PosedPictures:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What has no partner, in words."""
         said = []
         for names, what in (
             (self.without_pose, "pictures have no pose"),
@@ -48,20 +39,7 @@ class PosedPictures:
 
 
 def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> PosedPictures:
-    """Pictures and their cameras.
-
-    A camera's name is the picture's, with or without folders and without the ending, as Metashape labels are; where
-    several would fit none is taken.
-
-    Args:
-        folder: What errors call the matter.
-        paths: The pictures.
-        cameras: Those that were given.
-
-    Raises:
-        FileError: Fewer than two pictures with a camera; a name that means several; a picture of another size than
-            its camera.
-    """
+    """Match cameras to images by name, with or without folders and extension; ambiguous names never match."""
     chosen: dict[int, Path] = {}
     missing = []
     by_name, by_stem = _places(paths, "name"), _places(paths, "stem")
@@ -100,7 +78,6 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
 
 
 def _stem(name: str) -> str:
-    """A camera's name without the ending of a picture; of a label such as "IMG_1.2" it is all."""
     path = Path(name)
     return path.stem if path.suffix.lower() in (*PHOTO_SUFFIXES, *OTHER_SUFFIXES) else path.name
 

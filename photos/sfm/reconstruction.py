@@ -1,4 +1,4 @@
-"""Structure from motion in one call: features, matches and the model of a folder of pictures."""
+"""Structure from motion of a folder of images in one call."""
 
 from __future__ import annotations
 
@@ -35,36 +35,33 @@ def reconstruct(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> SfmResult:
-    """Find where pictures were taken, and the points that they see: `find_features`, `match` and `map_pictures`.
+    """Run structure from motion: `find_features`, `match` and `map_pictures`.
 
     Args:
-        pictures: A folder of upright 8-bit pictures, as `choose_frames` writes them.
-        work: A folder for features.db, matches.db and sparse/, the model in COLMAP's format; made where there is none.
-        camera_model: COLMAP's name of how the lens draws.
-        intrinsic: A camera that is known, and kept.
-        max_size: The longer side is scaled down to this to find features [px].
-        max_features: Of a picture.
-        masks: A folder of masks, as `find_features` takes it.
-        pairs: "sequential", "exhaustive", "retrieval" or "auto", as `match` has them.
-        overlap: Later pictures that each is matched to, where pairs are sequential.
-        mapper: "incremental", "global" or "auto", as `map_pictures` has them.
-        kind: Of features, as `find_features` has it.
-        use_gpu: Whether features are found and matched on a GPU, likewise.
-        seed: Of random numbers.
-        max_seconds: Of each stage [s]; None for no limit.
-        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
-        progress: Called with the stage ("features", "pairs", "model"), how many of its steps are done, and how many
-            there are.
+        pictures: Folder of upright 8-bit images, as from `choose_frames`.
+        work: Folder for features.db, matches.db and sparse/ (COLMAP model); created if missing.
+        camera_model: COLMAP camera model.
+        intrinsic: Known camera, kept fixed.
+        max_size: Maximum image side for feature extraction [px].
+        max_features: Maximum number per image.
+        masks: Folder of masks, as of `find_features`.
+        pairs, overlap: As of `match`.
+        mapper: As of `map_pictures`.
+        kind, use_gpu: As of `find_features`.
+        seed: Random seed.
+        max_seconds: Time limit per stage [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with (stage, steps done, steps in all), stages "features", "pairs", "model".
 
     Returns:
-        The model with the most images and its quality; times and memory of all stages.
+        The largest model and its quality; times and memory of all stages.
 
     Raises:
-        FileError: As of the three; there is a model in `work` already.
-        TypeError, ValueError: An argument out of range.
+        FileError: As of the three; or `work` already has a model.
+        TypeError, ValueError: An argument is out of range.
 
     Notes:
-        The same model from run to run, on one version of pycolmap.
+        Reproducible with one version of pycolmap.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Pictures of all directions, cut into faces of a cube that structure from motion takes for pictures of six cameras."""
+"""Panoramas as cube faces, which structure from motion treats as images of six cameras."""
 
 from __future__ import annotations
 
@@ -21,21 +21,7 @@ from .picture_writing import write_picture
 def cut_spheres(
     spheres: Path, names: Sequence[str], pictures: Path, masks: tuple[Path, Path] | None, say: ReportProgress
 ) -> list[str]:
-    """Write the faces of pictures of all directions, IMG_1_front.jpg and so on of IMG_1.jpg; blank ones are left out.
-
-    Args:
-        spheres: The folder of the pictures.
-        names: Theirs.
-        pictures: A new folder for the faces.
-        masks: Folders of the masks of the pictures, and for those of the faces.
-        say: Told how many are cut.
-
-    Returns:
-        The names of the faces.
-
-    Raises:
-        FileError: A picture that is not twice as wide as high.
-    """
+    """Write the cube faces (IMG_1_front.jpg and so on) of panoramas and masks without blank ones; their names."""
     pictures.mkdir()
     if masks is not None:
         masks[1].mkdir()
@@ -67,18 +53,7 @@ def cut_spheres(
 
 
 def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, list[str]]:
-    """The model with the faces that were not placed, of pictures of which another was: how they stand is known.
-
-    A face that looks straight down shares little with those of other pictures. It takes its place from the one that
-    sees most points, and sees none itself.
-
-    Args:
-        model: Of faces, by the names that `cut_spheres` gives.
-        names: All faces that there are.
-
-    Returns:
-        The model, and the names of those that were added.
-    """
+    """Add unregistered faces, such as those straight down, from the registered face with most points; their names."""
     counts = np.bincount(model.observations[:, 0], minlength=len(model))
     best: dict[str, int] = {}
     for k in np.argsort(-counts, kind="stable").tolist():

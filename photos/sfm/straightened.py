@@ -1,4 +1,4 @@
-"""A model of structure from motion as pictures without distortion show it."""
+"""SfM models with undistorted images."""
 
 from __future__ import annotations
 
@@ -13,19 +13,12 @@ from ...files.models.sfm_model import SfmModel
 
 
 def straightened_model(model: SfmModel, names: Sequence[str], cameras: Sequence[PinholeCameraIntrinsic]) -> SfmModel:
-    """The model as the straightened pictures show it.
-
-    Args:
-        model: As the lenses saw it.
-        names: Of the straightened pictures, in the order of the model's.
-        cameras: Theirs.
-    """
     pixels = np.empty_like(model.pixels)
     for k, (before, after) in enumerate(zip(model.cameras, cameras, strict=True)):
         mine = model.observations[:, 0] == k
         rays = before.unproject(model.pixels[mine])
         pixels[mine] = rays[:, :2] * (after.fx, after.fy) + (after.cx, after.cy)
-    seen = np.isfinite(pixels).all(axis=1)  # a lens that was fitted to few points may have no inverse at its rim
+    seen = np.isfinite(pixels).all(axis=1)  # a lens fitted to few points may not be invertible near the border
     pinholes = tuple(CameraModel.from_intrinsic(camera) for camera in cameras)
     kept = {"observations": model.observations[seen], "pixels": pixels[seen]}
     return replace(model, names=tuple(names), cameras=pinholes, **kept)

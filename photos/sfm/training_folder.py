@@ -1,7 +1,4 @@
-"""A folder that gsplat, the 3DGS of Inria and nerfstudio train from.
-
-Straight pictures, COLMAP's model and transforms.json.
-"""
+"""Export of undistorted images and poses for 3DGS training: gsplat, Inria's 3DGS and nerfstudio."""
 
 from __future__ import annotations
 
@@ -35,19 +32,13 @@ from .picture_folder import UPRIGHT, check_place, is_grey_16, read_header, read_
 from .picture_writing import write_bytes
 from .straightened import straightened_model
 
-LEAST_UNSEEN = 0.001  # of a straightened picture: fewer blank pixels are no reason for masks
+LEAST_UNSEEN = 0.001  # fraction of blank pixels below which no mask is written
 _SUFFIXES = {"jpeg": (".jpg", ".jpeg"), "png": (".png",)}
 
 Pixels = NDArray[np.uint8]
 
 
 def find_pictures(pictures: Any, model: SfmModel) -> list[Path | Pixels]:
-    """The picture of each name of a model; of files the headers alone are read.
-
-    Raises:
-        TypeError, ValueError: No pictures, not as many as the model has, an array of another shape.
-        FileError: One is missing, damaged, or of another size than its camera.
-    """
     if isinstance(pictures, str | os.PathLike):
         folder = check_place("pictures", pictures)
         given: list[Any] = [folder / name for name in model.names]
@@ -84,12 +75,6 @@ def _checked_array(name: str, value: Any, size: tuple[int, int]) -> Pixels:
 
 
 def find_masks(masks: Any, model: SfmModel) -> list[NDArray[np.bool_] | Path | None]:
-    """The mask of each picture of a model, None where it has none.
-
-    Raises:
-        TypeError, ValueError: Not as many as pictures, an array of another kind or shape.
-        FileError: No folder, or no mask in it.
-    """
     if masks is None:
         return [None] * len(model)
     if isinstance(masks, str | os.PathLike):
@@ -117,12 +102,11 @@ def find_masks(masks: Any, model: SfmModel) -> list[NDArray[np.bool_] | Path | N
 
 
 def is_straight(camera: CameraModel, lens: Undistortion) -> bool:
-    """Whether a picture of this camera is one of the straight one too."""
     return camera.is_pinhole and (camera.width, camera.height) == (lens.intrinsic.width, lens.intrinsic.height)
 
 
 def is_copied(picture: Path | Pixels, camera: CameraModel, lens: Undistortion) -> bool:
-    """Whether a picture is what trainers read as it is: upright, of 8 bits, straight, of a kind that all know."""
+    """True if an image can be copied unchanged: upright, 8 bit, undistorted, in a common format."""
     if not isinstance(picture, Path) or not is_straight(camera, lens) or is_photo(picture):
         return False
     header = read_header(picture)
@@ -131,7 +115,7 @@ def is_copied(picture: Path | Pixels, camera: CameraModel, lens: Undistortion) -
 
 
 def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:
-    """A name for each picture: without folders where that tells them apart, and .png unless it is a copy."""
+    """Unique image names, without folders if possible, with .png unless copied."""
     plain = [PurePosixPath(name.replace(os.sep, "/")) for name in names]
     bare = [path.name if kept else f"{path.stem}.png" for path, kept in zip(plain, copied, strict=True)]
     if max(Counter(name.casefold() for name in bare).values()) > 1:
@@ -143,14 +127,9 @@ def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:
 
 
 def write_straight(path: Path, picture: Path | Pixels, lens: Undistortion, *, copied: bool) -> None:
-    """Write a picture as the straight camera shows it.
-
-    Raises:
-        FileError: Damaged, or changed since it was looked at.
-    """
     if copied:
         assert isinstance(picture, Path)
-        read_stored(picture)  # a damaged one is told here, and not by the trainer
+        read_stored(picture)  # report damage here, not in the trainer
         write_bytes(path, picture.read_bytes())
         return
     write_png(path, lens.apply(read_stored(picture) if isinstance(picture, Path) else picture))
@@ -159,7 +138,7 @@ def write_straight(path: Path, picture: Path | Pixels, lens: Undistortion, *, co
 def straight_mask(
     mask: NDArray[np.bool_] | Path | None, lens: Undistortion, unseen: NDArray[np.bool_] | None
 ) -> NDArray[np.bool_]:
-    """What of a straightened picture counts: what its mask keeps, and the lens has seen."""
+    """Valid pixels of an undistorted image: inside the mask and seen by the lens."""
     if isinstance(mask, Path):
         mask = read_mask(mask, (lens.camera.width, lens.camera.height))
     if mask is None:
@@ -172,14 +151,14 @@ def straight_mask(
 
 
 def unseen_of(lens: Undistortion) -> NDArray[np.bool_] | None:
-    """What a lens does not see of its straightened picture; None where that is next to nothing."""
+    """Pixels of the undistorted image outside the lens image; None if negligible."""
     if is_straight(lens.camera, lens):
         return None
     unseen = ~lens.seen
     return unseen if unseen.mean() > LEAST_UNSEEN else None
 
 
-TRANSFORMS, IMAGES, MASKS, SPARSE = "transforms.json", "images", "masks", "sparse/0"  # by what a folder is known
+TRANSFORMS, IMAGES, MASKS, SPARSE = "transforms.json", "images", "masks", "sparse/0"  # identify such a folder
 
 Picture = str | os.PathLike[str] | NDArray[np.uint8]
 Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
@@ -187,19 +166,17 @@ Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
 
 @dataclass(frozen=True)
 class TrainingFolder(Report):
-    """What `write_training_folder` wrote.
+    """Result of `write_training_folder`.
 
     Attributes:
-        folder: Where.
-        picture_count: Pictures in it.
-        straightened_count: Of them those that were straightened or made smaller; the others are copies.
-        sizes: Width and height of the pictures, each once [px].
+        folder: Its path.
+        picture_count: Number of images.
+        straightened_count: Undistorted or downscaled images; the others are copies.
+        sizes: Unique image widths and heights [px].
         point_count: Sparse points.
-        mask_count: Masks; of all pictures, or none.
-        origin: What was taken from all coordinates, float64; zeros where nothing was. A place of the folder and this
-            are the place in the model's frame.
-        off_center: How far a principal point is from the middle of its picture, at most [px]: trainers that know
-            focal lengths alone, as that of Inria, are wrong by so much.
+        mask_count: Masks: for all images, or none.
+        origin: Offset subtracted from all coordinates, float64; zeros if none.
+        off_center: Maximum offset of a principal point from the image center [px], which Inria's trainer ignores.
     """
 
     folder: str
@@ -212,7 +189,6 @@ class TrainingFolder(Report):
     off_center: float
 
     def fields(self) -> Fields:
-        """The same as labels and values."""
         sizes = ", ".join(f"{width} x {height}" for width, height in self.sizes)
         straight = f", {self.straightened_count} straightened" if self.straightened_count else ""
         masks = f", {self.mask_count} masks" if self.mask_count else ""
@@ -236,40 +212,36 @@ def write_training_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrainingFolder:
-    """Write a folder that gsplat, the 3DGS of Inria and nerfstudio train from.
+    """Write a training folder for gsplat, Inria's 3DGS and nerfstudio.
 
-    It holds `images/`, without distortion (these trainers want pinholes), `sparse/0` with cameras.bin, images.bin and
-    points3D.bin (colours, and which pictures see a point), `transforms.json` and `sparse_pc.ply` with the same in
-    OpenGL's convention, and `masks/` where there are some.
+    Contains `images/` (undistorted), `sparse/0` with cameras.bin, images.bin and points3D.bin (with colors and tracks),
+    `transforms.json` and `sparse_pc.ply` in OpenGL's convention, and `masks/` if given.
 
     Args:
         folder: A new folder, or one of this kind with `overwrite`.
-        model: Lenses, poses and points: `result.model` of a video, `read_colmap_model`, `read_cameras`, or your own.
-        pictures: The folder of the pictures that the model names, as they came from the lens; or for each of
-            `model.names` a path or an array, uint8 [h, w, 3] or [h, w].
-        masks: A folder of grey masks, IMG_1.jpg.png of IMG_1.jpg, black where the picture is left out; or for each
-            picture a path, an array [h, w], bool or uint8, or None.
-        max_size: Longer pictures are made smaller [px]; None for none.
-        shift: Whether a model whose coordinates are beyond 10 km, as of UTM, comes near zero: trainers hold places in
-            float32, half a metre there. By whole metres; `applied_transform` of transforms.json and the result tell it.
-        device: Where pictures are straightened; None for the CPU.
+        model: Cameras, poses and points: `result.model` of a video, `read_colmap_model`, `read_cameras`, or your own.
+        pictures: Folder of the original images; or for each of `model.names` a path or uint8 [h, w, 3] or [h, w].
+        masks: Folder of gray masks, IMG_1.jpg.png for IMG_1.jpg, black where excluded; or for each image a path, an
+            array [h, w], bool or uint8, or None.
+        max_size: Maximum image side [px]; None: no limit.
+        shift: Move models beyond 10 km (UTM) near zero by whole meters, since trainers use float32 (half a meter
+            there). Recorded in `applied_transform` of transforms.json and in the result.
+        device: Device of the undistortion; None: the CPU.
         overwrite: Replace such a folder.
-        progress: Called with "pictures", how many are written, and how many there are.
+        progress: Called with ("pictures", done, all).
 
     Returns:
-        What was written, with what was taken from the coordinates.
+        A summary, with the coordinate offset.
 
     Raises:
-        TypeError, ValueError: An argument out of range, no picture in the model, not as many pictures as it has.
-        FileError: A picture that is missing, damaged or of another size than its camera, a mask likewise; a place that
-            cannot be written, or that holds something else.
+        TypeError, ValueError: An argument out of range, no image in the model, or a wrong number of images.
+        FileError: An image or mask is missing, damaged or of a wrong size; the folder cannot be written or replaced.
         DeviceError: No such device.
 
     Notes:
-        Whole or not at all. The same bytes from run to run. Pictures without distortion, upright, and not too large are
-        copied as they are; the others are PNG. Folders in names are left out, since the trainer of Inria knows none.
-        What lies outside of the straightened pictures is seen by none of them. Where a lens leaves more than a
-        thousandth of a picture blank, masks hide that. The unit is the model's, and nothing is scaled.
+        Atomic and byte-for-byte reproducible. Suitable images are copied, the others are PNG. Folders in names are
+        removed (Inria). Observations outside the undistorted images are removed. Masks hide blank borders above a
+        thousandth of an image. Coordinates are not scaled.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -289,7 +261,7 @@ def write_training_folder(
     unseen = {camera: unseen_of(lens) for camera, lens in known.items()}
     lenses = [known[camera] for camera in model.cameras]
     copied = [is_copied(picture, lens.camera, lens) for picture, lens in zip(given, lenses, strict=True)]
-    with_masks = any(each is not None for each in (*hidden, *unseen.values()))  # of all or none: nerfstudio wants that
+    with_masks = any(each is not None for each in (*hidden, *unseen.values()))  # all or none, as nerfstudio requires
     names = new_names(model.names, copied)
     with atomic_folder(place, TRANSFORMS, overwrite=overwrite) as part:
         for name in (IMAGES, *([MASKS] if with_masks else [])):
@@ -326,7 +298,7 @@ def _check_given(model: Any, **flags: Any) -> None:
 
 
 def _origin_of(model: SfmModel) -> NDArray[np.float64]:
-    """Where the model lies, in whole metres; zeros where float32 holds it as it is."""
+    """The model's position in whole meters; zeros if float32 suffices."""
     return choose_origin(np.concatenate([model.centers, model.points]))
 
 
@@ -339,7 +311,6 @@ def _write_models(
     *,
     with_masks: bool,
 ) -> None:
-    """The same model in COLMAP's files and in nerfstudio's."""
     T, more = np.eye(4), {}
     if origin.any():
         T[:3, 3] = -origin
@@ -352,7 +323,6 @@ def _write_models(
 
 
 def _as_seen(model: SfmModel) -> SfmModel:
-    """The model without what lies outside of the straightened pictures, and with the errors that points have there."""
     sizes = np.array([(camera.width, camera.height) for camera in model.cameras])[model.observations[:, 0]]
     inside = ((model.pixels >= -0.5) & (model.pixels <= sizes - 0.5)).all(axis=1)
     observations, pixels = model.observations[inside], model.pixels[inside]
@@ -369,5 +339,4 @@ def _as_seen(model: SfmModel) -> SfmModel:
 
 
 def _off_center(camera: PinholeCameraIntrinsic) -> float:
-    """How far the principal point is from the middle of the picture [px]."""
     return max(abs(camera.cx - (camera.width - 1) / 2), abs(camera.cy - (camera.height - 1) / 2))

@@ -1,4 +1,4 @@
-"""Points that pictures with known poses see: features matched along epipolar lines, and triangulated by COLMAP."""
+"""Triangulation with known poses: matching along epipolar lines, and points by COLMAP."""
 
 from __future__ import annotations
 
@@ -29,25 +29,24 @@ from .picture_folder import check_place, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 
-LEAST_DISTANCE = 1.0  # [px] of a picture as features are found in it: those of SIFT are off by a third of that
-FEWEST_VIEWS = 3  # of a point where there are so many pictures: any two rays that meet make one of two
-DISTANCES = 4.0  # times the median distance of matches from their lines: what is farther is no match
-MIN_ANGLE = 1.5  # [degrees] under which a point is seen
-FEWEST_MATCHES = 8  # of a pair
+LEAST_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
+FEWEST_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
+DISTANCES = 4.0  # times the median epipolar distance
+MIN_ANGLE = 1.5  # [degrees] minimum triangulation angle
+FEWEST_MATCHES = 8  # minimum per pair
 
 
 @dataclasses.dataclass(frozen=True)
 class TriangulationResult(Assessed):
-    """What pictures with known poses see.
+    """Result of `triangulate`.
 
     Args:
-        model: The cameras as they were given, of the pictures that are there, and the points; no points where the
-            poses do not fit.
-        quality: Its quality.
-        without_pose: Pictures of the folder without a pose.
-        without_picture: Names of cameras without a picture.
+        model: The given cameras of the images, and the points; no points if the poses do not fit.
+        quality: Quality of the model.
+        without_pose: Images without a pose.
+        without_picture: Names of cameras without an image.
         seconds: Time of each stage [s].
-        peak_bytes: The most memory that COLMAP was seen to hold in each [B].
+        peak_bytes: Peak memory of COLMAP in each [B].
     """
 
     model: SfmModel
@@ -59,11 +58,9 @@ class TriangulationResult(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.quality.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the model in JSON's types."""
         names = {"without_pose": list(self.without_pose), "without_picture": list(self.without_picture)}
         told = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
         return names | told | {"quality": self.quality.to_dict(), **quality(self)}
@@ -81,39 +78,36 @@ def triangulate(
     max_memory: int | None = None,
     progress: ReportProgress | None = None,
 ) -> TriangulationResult:
-    """Find the points that pictures with known poses see.
+    """Triangulate points from images with known poses.
 
-    Pictures whose frusta overlap are matched: features that lie within a few pixels of each other's epipolar lines and
-    look alike. COLMAP makes points of them; poses and lenses stay as they were given. Before, the poses are held
-    against matches by looks alone, so that wrong ones are told and make no points.
+    Images with overlapping frusta are matched near the epipolar lines, and COLMAP triangulates the points; poses and
+    lenses are not changed. First the poses are checked against matches by appearance; wrong ones give no points.
 
     Args:
-        pictures: A folder of upright 8-bit PNG or JPEG pictures.
-        cameras: Lenses and poses, such as of `read_metashape_cameras`, `read_colmap_model`, `read_cameras`; its points
-            are not looked at. Pictures are those of its names, with or without their ending.
-        max_size: The longer side is scaled down to this to find features [px].
-        max_features: Of a picture.
-        seed: Of random numbers.
-        device: Where features are matched; None for the CPU.
-        max_seconds: Each stage of COLMAP's is given up after this time [s]; None for no limit.
-        max_memory: Of COLMAP's process [B]; None for nine tenths of what is free.
-        progress: Called with the stage ("features", "matches"), how many of its steps are done, and how many there are.
+        pictures: Folder of upright 8-bit PNG or JPEG images.
+        cameras: Lenses and poses, such as from `read_metashape_cameras`, `read_colmap_model`, `read_cameras`, without
+            their points; images by name, with or without extension.
+        max_size: Maximum image side for feature extraction [px].
+        max_features: Maximum number per image.
+        seed: Random seed.
+        device: Matching device; None: the CPU.
+        max_seconds: Time limit per COLMAP stage [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with (stage, steps done, steps in all), stages "features" and "matches".
 
     Returns:
-        The model with points, and its quality. That the poses do not fit the pictures is a result, not an error:
-        `quality.poses` has the figures.
+        The model with points, and its quality. Poses that do not fit the images are a result, see `quality.poses`.
 
     Raises:
-        FileError: No such pictures, fewer than two with a camera, one that is damaged or of another size than its
-            camera; pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit.
-        TypeError, ValueError: An argument out of range.
+        FileError: Missing or damaged images, fewer than two with a camera, or of another size than their camera;
+            pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit.
+        TypeError, ValueError: An argument is out of range.
         DeviceError: No such device.
 
     Notes:
-        The same points from run to run, for any number of threads. Features beyond 75 degrees off the axis are left
-        out. The distance from lines that is admitted is 4 times the median of matches by looks, 1 px at least and 0.6 %
-        of the picture's longer side at most; a point is seen by three pictures, where there are so many.
-        Triangulation: Schoenberger and Frahm 2016, section 4.3.
+        Reproducible for any number of threads. Features beyond 75 degrees off the axis are ignored. Maximum epipolar
+        distance: 4 times the median of matches by appearance, between 1 px and 0.6% of the longer side; points need
+        three images if possible. Schoenberger and Frahm, "Structure-from-motion revisited", CVPR 2016, section 4.3.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -148,7 +142,6 @@ def triangulate(
 def match_posed(
     database: Path, model: SfmModel, *, device: Any, progress: ReportProgress
 ) -> tuple[PairMatches, PoseCheck]:
-    """Hold poses against the pictures, and match their features along epipolar lines where they fit."""
     features = read_feature_rays(database, model.names, model.cameras)
     pairs = pairs_in_view(model.cameras, model.T_camera_world)
     check = check_poses(features, model, pairs)
@@ -159,7 +152,7 @@ def match_posed(
 
 
 def admitted_distance(model: SfmModel, check: PoseCheck) -> float:
-    """How far from its epipolar line a match may be [px]: as rough as poses and cameras are."""
+    """Maximum epipolar distance of a match [px], by the accuracy of the poses."""
     longer = max(max(camera.width, camera.height) for camera in model.cameras)
     least = LEAST_DISTANCE * max(1.0, longer / FINDING_SIZE)
     return float(min(max(least, DISTANCES * check.distance), max(least, 1.5 * NEAR * longer)))
@@ -176,7 +169,6 @@ def points_of(
     max_seconds: float | None,
     max_memory: int | None,
 ) -> tuple[SfmModel, int]:
-    """The model with the points of matches, and the most memory that COLMAP took [B]."""
     bare = SfmModel(model.names, model.cameras, model.T_camera_world, left_out=model.left_out)
     if not len(matches.matches):
         return bare, 0
@@ -216,7 +208,6 @@ def _often_seen(
 def _arrays_of(
     model: SfmModel, features: FeatureRays, matches: PairMatches, focals: NDArray[np.float64]
 ) -> dict[str, Any]:
-    """What COLMAP's process is told: pictures without distortion, their poses, features and matches."""
     owner = np.repeat(np.arange(len(model)), np.diff(features.firsts))
     return {
         "sizes": np.array([(camera.width, camera.height) for camera in model.cameras]),
@@ -233,20 +224,18 @@ def _arrays_of(
 def _errors(
     model: SfmModel, points: NDArray[np.float64], seen: NDArray[np.int64], pixels: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """The mean distance between where points are seen and where they should be [px]."""
     off = np.zeros(len(seen))
     for i, (camera, T) in enumerate(zip(model.cameras, model.T_camera_world, strict=True)):
         mine = seen[:, 0] == i
         at = points[seen[mine, 2]] @ T[:3, :3].T + T[:3, 3]
         off[mine] = np.linalg.norm(camera.project(at) - pixels[mine], axis=1)
-    off = np.nan_to_num(off, nan=0.0)  # beyond what a fitted lens has an inverse for
+    off = np.nan_to_num(off, nan=0.0)  # outside the invertible area of a fitted lens
     return np.bincount(seen[:, 2], off, len(points)) / np.maximum(np.bincount(seen[:, 2], minlength=len(points)), 1)
 
 
 def _colors(
     pictures: Path, model: SfmModel, seen: NDArray[np.int64], features: FeatureRays, count: int
 ) -> NDArray[np.uint8]:
-    """The mean colour of points where they are seen."""
     sums = np.zeros((count, 3))
     for i, name in enumerate(model.names):
         mine = seen[seen[:, 0] == i]

@@ -1,12 +1,8 @@
-"""Frames of a video, decoded by a program that is run: ffmpeg where there is one, else OpenCV in its own process.
+"""Video decoding by external programs: ffmpeg, else OpenCV in a separate process.
 
-No decoder is linked. Frames come one after the other, scaled down on their way, as the file holds them: turned as it
-says, none left out and none twice where the rate varies. Both programs pass over what they cannot decode, and end a
-file that was cut off without an error; so frames are counted, and what was promised is told beside what came.
-
-The container of a video by its first bytes. Decoders guess the container of a file, also from text: a playlist named
-.mp4 would make them read any other file of the machine. So the container is found here, among those that contain their
-own frames, and the decoder is given its name.
+Frames are yielded as stored, rotated by the file's tag, none duplicated or dropped at variable rates. Both programs
+skip undecodable data and end truncated files without an error, so frames are counted and compared with the header. The
+container is detected by its first bytes and passed to the decoder, since a playlist named .mp4 could read other files.
 """
 
 from __future__ import annotations
@@ -31,7 +27,7 @@ from ...core.errors import FileError
 from ...core.paths import path_of
 from .limited_process import LimitedProcess
 
-_HEAD = 4096  # [B] that are looked at
+_HEAD = 4096  # [B] inspected header
 _MOV = (b"ftyp", b"moov", b"mdat", b"wide", b"free", b"skip", b"pnot", b"styp", b"uuid")
 _STARTS = {
     b"\x1a\x45\xdf\xa3": "matroska",
@@ -49,16 +45,11 @@ _STARTS = {
     b"nut/multimedia container\x00": "nut",
     b".RMF\x00": "rm",
 }
-_PACKETS = (188, 192, 204)  # [B] of MPEG transport streams: plain, with times, with checksums
-_SYNC, _SYNC_COUNT = 0x47, 5  # the first byte of packets, and in how many of them it must be found
+_PACKETS = (188, 192, 204)  # [B] MPEG transport stream packets: plain, with time stamps, with checksums
+_SYNC, _SYNC_COUNT = 0x47, 5  # first byte of packets, and required number of packets
 
 
 def find_container(path: Path) -> str:
-    """ffmpeg's name of the container; empty if it is not known.
-
-    Raises:
-        FileError: The file cannot be read.
-    """
     try:
         with path.open("rb") as file:
             return _container_of(file.read(_HEAD))
@@ -78,7 +69,7 @@ def _container_of(head: bytes) -> str:
 
 
 def _stream_of(head: bytes) -> str:
-    """Streams without a head, which a recorder may have cut anywhere."""
+    """Detect raw streams, which may start anywhere."""
     for step in _PACKETS:
         for begin in range(step):
             packets = head[begin::step][:_SYNC_COUNT]
@@ -97,28 +88,18 @@ def _stream_of(head: bytes) -> str:
 READERS = ("auto", "ffmpeg", "opencv")
 
 _OPENCV = Path(__file__).with_name("opencv_worker.py")
-_PROBE_SECONDS = 120.0  # to read the head of a file, or the whole of one without an index from a slow disk
+_PROBE_SECONDS = 120.0  # for headers, or complete files without an index on slow disks
 _MISSING = 3  # exit code of opencv_worker
 _INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-python-headless"
 _NO_CONTAINER = "its first bytes are those of no known container of videos"
 _CONVERT = "Convert it to MP4 or MKV. Playlists are not followed: give the video itself"
-_FIRST_FPS_MODE = (5, 1)  # version of ffmpeg that knows -fps_mode
+_FIRST_FPS_MODE = (5, 1)  # first ffmpeg with -fps_mode
 _MOST_PIXELS = 2**28
 
 
 @dataclasses.dataclass(frozen=True)
 class VideoFile:
-    """What the head of a video says.
-
-    Args:
-        path: The file.
-        reader: "ffmpeg" or "opencv".
-        container: ffmpeg's name of its container.
-        promised: How many frames it says there are; None where it says nothing.
-        is_counted: Whether that is a count, not a duration times a rate.
-        fps: Frames a second, on average; 0 where it says nothing.
-        pixel_aspect: Width of a pixel over its height.
-    """
+    """Header of a video: `promised` frame count (None if unknown), exact if `is_counted`; mean `fps` (0 if unknown)."""
 
     path: Path
     reader: str
@@ -130,11 +111,6 @@ class VideoFile:
 
 
 def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFile:
-    """Look at the head of a video.
-
-    Raises:
-        FileError: No such file, no video in it, or nothing to read it with.
-    """
     place = path_of(path)
     if not place.is_file():
         reason = "is no file" if place.exists() else "does not exist"
@@ -202,7 +178,7 @@ def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str
 
 
 def _number(text: Any) -> float:
-    """A number as ffprobe writes it ("30000/1001"); 0 for "N/A" and what makes no sense."""
+    """A number as ffprobe writes it ("30000/1001"); 0 for "N/A" and invalid text."""
     try:
         return float(Fraction(str(text)))
     except (ValueError, ZeroDivisionError):
@@ -210,24 +186,11 @@ def _number(text: Any) -> float:
 
 
 def _without_address(words: str) -> str:
-    """What ffmpeg says, without the addresses of its own structures."""
     return re.sub(r" @ 0x[0-9a-f]+", "", words)
 
 
 class VideoFrames:
-    """The frames of a video, one after the other, in a `with` block; it can be gone through once.
-
-    Args:
-        video: Of `open_video`.
-        max_size: The longer side is scaled down to this [px]; None keeps it.
-        grey: Brightness alone.
-        numbers: Which frames, in rising order; None for all.
-        max_seconds, max_memory: As of `LimitedProcess`.
-
-    Attributes:
-        count: How many frames have come.
-        said: What the program complained of, once all have come.
-    """
+    """Frames of a video in a `with` block, for a single iteration; `numbers` (ascending) selects frames."""
 
     def __init__(
         self,
@@ -257,15 +220,10 @@ class VideoFrames:
 
     @property
     def peak_bytes(self) -> int:
-        """The most memory that the program was seen to hold [B]."""
         return self._process.peak_bytes
 
     def __iter__(self) -> Iterator[NDArray[np.uint8]]:
-        """Each frame, shape [h, w] or [h, w, 3]; a new array, that cannot be written to.
-
-        Raises:
-            FileError: The program passed a limit or was killed, or not one frame came.
-        """
+        """Yield each frame, read-only [h, w] or [h, w, 3]; FileError if the program fails or there is none."""
         stream = self._process.stdout
         assert stream is not None
         while (frame := _read_netpbm(stream)) is not None:
@@ -290,7 +248,7 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers:
     if max_size is not None:
         most = f"w='min({max_size},iw)':h='min({max_size},ih)'"
         filters.append(f"scale={most}:force_original_aspect_ratio=decrease:flags=area")
-    # as the file holds them: none twice, none left out
+    # frames as stored: no duplicates, none dropped
     rate = ["-fps_mode" if _ffmpeg_version() >= _FIRST_FPS_MODE else "-vsync", "passthrough"]
     command = ["ffmpeg", "-nostdin", "-hide_banner", "-v", "error"]
     command += [*_input(video.path, video.container), "-map", "0:v:0", *rate]
@@ -302,12 +260,11 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers:
 
 
 def _input(path: Path, container: str) -> list[str]:
-    """ffmpeg's arguments for a file of a container, from which no other file is opened."""
     return ["-protocol_whitelist", "file", "-format_whitelist", container, "-f", container, "-i", f"file:{path}"]
 
 
 def _any_of(numbers: list[int]) -> str:
-    """ffmpeg's expression for "n is one of these": by halves, as a sum of more than a hundred is refused."""
+    """ffmpeg's expression for "n is one of these", nested, since sums of more than a hundred terms are rejected."""
     if not numbers:
         return "0"
     if len(numbers) == 1:
@@ -318,14 +275,14 @@ def _any_of(numbers: list[int]) -> str:
 
 @cache
 def _ffmpeg_version() -> tuple[int, ...]:
-    """(5, 1) of "ffmpeg version 5.1.9-0+deb12u1"; of builds that only have a date, one that knows all."""
+    """(5, 1) of "ffmpeg version 5.1.9-0+deb12u1"; builds with only a date count as newest."""
     said = subprocess.run(["ffmpeg", "-version"], capture_output=True, text=True, check=False, timeout=60).stdout
     found = re.match(r"ffmpeg version n?(\d+)\.(\d+)", said)
     return (int(found[1]), int(found[2])) if found else (99,)
 
 
 def _read_netpbm(stream: IO[bytes]) -> NDArray[np.uint8] | None:
-    """The next picture of a stream of PGM and PPM pictures; None at its end, and where the last one is cut off."""
+    """The next image of a PGM and PPM stream; None at its end or if truncated."""
     kind, size, most = (stream.readline(40) for _ in range(3))
     if kind not in (b"P5\n", b"P6\n") or most != b"255\n":
         return None

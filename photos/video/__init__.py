@@ -1,10 +1,9 @@
-"""A video, or a folder of pictures, to a mesh: the stages one after the other, each whole or not at all.
+"""Reconstruction of a mesh from a video or a folder of images.
 
-`reconstruct` is the whole chain; `loom.sfm` and `loom.mvs` hold its parts. Each public name is loaded when it is first
-used, as in `pointloom` itself.
+`reconstruct` runs all stages; `loom.sfm` and `loom.mvs` contain them.
 
 Example:
-    What `pointloom video walk.mp4 -o room.ply` does, with what comes out as objects:
+    `pointloom video walk.mp4 -o room.ply` in Python:
 
         result = loom.video.reconstruct("walk.mp4", outputs=loom.video.Outputs(mesh="room.ply"))
         print(result.warnings or result)  # what the command prints

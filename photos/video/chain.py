@@ -1,7 +1,6 @@
-"""The stages from pictures to a mesh as a list: what each is called, and what makes it.
+"""The stages from images to a mesh.
 
-What a stage is made from stands in the signature of what makes it. A parameter by the name of an earlier stage is what
-that one left; any other is one of the settings, of which the stage's record keeps what decides the outcome.
+The parameters of a stage function are its inputs: earlier stages by name, or settings.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from ...core.stages import Chain, Made, Stage
 from . import known_motion, motion, surface
 from .settings import Settings
 
-# In the order in which they run.
+# In execution order.
 STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
     "frames": motion.take_frames,
     "features": motion.find_features,
@@ -30,7 +29,7 @@ STAGES: dict[str, Callable[..., Mapping[str, Any]]] = {
     "mesh": surface.make_mesh,
 }
 
-# Where lenses and poses are known.
+# With known lenses and poses.
 KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
     "frames": known_motion.take_pictures,
     "features": known_motion.find_features,
@@ -38,7 +37,7 @@ KNOWN_STAGES: dict[str, Callable[..., Mapping[str, Any]]] = STAGES | {
     "model": known_motion.triangulate,
 }
 
-# Raised where a stage begins to make something else of the same between two releases.
+# Increased when a stage changes its output between two releases.
 VERSIONS = {"frames": 2, "matches": 2, "model": 2, "depth": 2, "fused": 2}
 OF_COLMAP = ("features", "matches", "model")
 COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
@@ -46,26 +45,13 @@ COLMAP_PACKAGES = ("pycolmap", "pycolmap-cuda12")
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """A setting of stages.
-
-    Attributes:
-        value: What they are called with.
-        recorded: What their records keep of it, in JSON's types; nothing where it does not change their files.
-    """
+    """A stage setting: its `value`, and its `recorded` form (JSON types; nothing if it does not affect the files)."""
 
     value: Any
     recorded: Mapping[str, Any]
 
 
 def settings_of_stages(source: Any, content: str, settings: Settings, device: Any) -> dict[str, Given]:
-    """What the stages take beside each other's files, by the names of their parameters.
-
-    Args:
-        source: The video or folder.
-        content: Digest of what it holds.
-        settings: Of the job.
-        device: Where to compute; the files are the same wherever that is.
-    """
     lens = settings.read_camera()
     camera = None if lens is None else [lens.width, lens.height, lens.fx, lens.fy, lens.cx, lens.cy]
     return {
@@ -90,11 +76,7 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
 def run_to(
     last: str, chain: Chain, given: Mapping[str, Given], stages: Mapping[str, Callable[..., Mapping[str, Any]]] = STAGES
 ) -> Made:
-    """Run the stages up to one of them that have not run yet, or keep what they left; gives what the last one left.
-
-    Raises:
-        FileError: As `Chain.run`. Whatever a stage raises; what was finished before stays.
-    """
+    """Run the stages up to `last` or reuse them; returns the record of the last."""
     for name, make in stages.items():
         if name not in chain.made:
             chain.run(stage_of(name, make, chain.made, given))
@@ -106,7 +88,6 @@ def run_to(
 def stage_of(
     name: str, make: Callable[..., Mapping[str, Any]], made: Mapping[str, Made], given: Mapping[str, Given]
 ) -> Stage:
-    """A stage with all that its parameters ask for: what earlier stages left, and settings."""
     _folder, _say, *wanted = inspect.signature(make).parameters
     goes_on = "going" in wanted
     wanted = [each for each in wanted if each != "going"]
@@ -119,7 +100,6 @@ def stage_of(
 
 
 def code_of(name: str) -> dict[str, str]:
-    """The versions of the packages that make a stage: another one may make something else of the same."""
     packages = {"pointloom": ("pointloom",)} | ({"pycolmap": COLMAP_PACKAGES} if name in OF_COLMAP else {})
     return {package: _version_of(names) for package, names in packages.items()}
 

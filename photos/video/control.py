@@ -1,8 +1,7 @@
-"""A model's place in the world by ground control: points and lengths that are known and that pictures show.
+"""Georeferencing of a model by ground control points and known lengths.
 
-Marked points are triangulated, and one similarity brings them to their places, each weighed by how sure both are.
-Points that contradict the others are left out and named. Check points are measured against alone, and so is GPS.
-Nothing bends the model: what a similarity cannot mend is left in the residuals.
+Marked points are triangulated and aligned by one weighted similarity without deformation of the model; outliers are
+removed and reported. Check points and GPS are only compared.
 """
 
 from __future__ import annotations
@@ -30,11 +29,11 @@ from .scale_bars import Bars, fit_bars
 
 Array = NDArray[np.float64]
 
-TURNS = 4  # of weights that follow from the turn of the fit before
-LARGE = 1e4  # [m] from which on coordinates without a system lose an origin, since meshes are float32
-ROUND = 100.0  # [m] of that origin
-TOLD = 2.0  # times farther off than points are told to be sure: that is said
-FAR = 300.0  # [m] between control and GPS: no satellite errs so much, and a wrong zone errs more
+TURNS = 4  # iterations of reweighting
+LARGE = 1e4  # [m] coordinates beyond this lose an origin, since meshes are float32
+ROUND = 100.0  # [m] rounding of that origin
+TOLD = 2.0  # ratio of actual to stated errors that is reported
+FAR = 300.0  # [m] between control and GPS: larger than GNSS errors, smaller than wrong zones
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,19 +44,6 @@ class _Coordinates:
 
 
 def fit_control(model: SfmModel, control: GroundControl, places: PicturePlaces | None = None) -> ControlFit:
-    """Bring a model to ground control.
-
-    Args:
-        model: The model, with the lenses of the pictures that were marked.
-        control: The points, their marks, and lengths.
-        places: What pictures tell of their place, to be measured against alone.
-
-    Returns:
-        The fit; with too few points and lengths that can be used, `is_placed` is False and the similarity a scale.
-
-    Raises:
-        NotSettledError: Too few points, or on a line, and no length that can be used.
-    """
     found = locate_marks(model, control.marks)
     bars = Bars.of(control, found)
     used = [point for point in control.fitted if _place_of(point, found) is not None]
@@ -78,7 +64,6 @@ def _place_of(point: ControlPoint, found: dict[str, MarkedPoint]) -> Array | Non
 
 
 def _why_open(control: GroundControl, used: list[ControlPoint], found: dict[str, MarkedPoint]) -> str:
-    """Why the points that can be used settle nothing, or ""."""
     lost = [f"{p.name}: {_why_lost(p, found)}" for p in control.fitted if _place_of(p, found) is None]
     told = f" ({'; '.join(lost)})" if lost else ""
     if len(used) < FEWEST:
@@ -97,7 +82,6 @@ def _why_lost(point: ControlPoint, found: dict[str, MarkedPoint]) -> str:
 
 
 def _coordinates(control: GroundControl) -> _Coordinates:
-    """The points in metres, about the median of those that are no check points where they lie on the Earth."""
     places, names = control.positions, [point.name for point in control.points]
     fitted = [name not in control.checks for name in names]
     if not control.crs:
@@ -106,7 +90,7 @@ def _coordinates(control: GroundControl) -> _Coordinates:
         return _Coordinates(None, origin, dict(zip(names, places - origin, strict=True)))
     places = to_geodetic(places, control.crs, control.path)
     turn = places[0, 1]
-    places[:, 1] = turn + (places[:, 1] - turn + 180) % 360 - 180  # a median across the date line
+    places[:, 1] = turn + (places[:, 1] - turn + 180) % 360 - 180  # wraps around the date line
     latitude, longitude, height = np.median(places[fitted], axis=0).tolist()
     frame = WorldFrame(latitude, (longitude + 180) % 360 - 180, height)
     return _Coordinates(frame, np.zeros(3), dict(zip(names, frame.to_enu(places), strict=True)))
@@ -141,11 +125,10 @@ def _by_points(
 def _fitted(
     used: list[ControlPoint], found: dict[str, MarkedPoint], source: Array, target: Array
 ) -> tuple[WeightedFit, NDArray[np.bool_], Array]:
-    """By least squares of the points that agree, with weights that the turn before decides."""
     T = fit_pose(source, target, with_scaling=True)
     kept = agreeing(source, target, _sigmas(used, found, T))
     T = fit_pose(source[kept], target[kept], with_scaling=True)
-    kept = agreeing(source, target, _sigmas(used, found, T))  # by weights that no wrong point has spoilt
+    kept = agreeing(source, target, _sigmas(used, found, T))  # with weights from inliers only
     sigma = _sigmas(used, found, T)
     fit = fit_rows(Rows(source[kept], target[kept], sigma[kept]), T)
     for _ in range(TURNS - 1):
@@ -155,7 +138,7 @@ def _fitted(
 
 
 def _sigmas(points: list[ControlPoint], found: dict[str, MarkedPoint], T: Array) -> Array:
-    """Standard deviations of each coordinate: of what is known, and of where the marks say that the points are."""
+    """Standard deviations of each coordinate, from the known position and the triangulation."""
     M = T[:3, :3]
     of_marks = [np.diag(M @ found[point.name].covariance @ M.T) for point in points]
     return np.sqrt(np.array([np.asarray(point.sigma) for point in points]) ** 2 + np.array(of_marks))
@@ -197,7 +180,7 @@ def _off(rows: tuple[ControlResidual, ...], worse: float) -> str:
 
 
 def _why_off(rows: tuple[ControlResidual, ...], worse: float, count: int) -> str:
-    """Whether the points that were used contradict each other, and nobody knows which is wrong."""
+    """Whether the used points contradict each other without a clear outlier."""
     if not worse > ROUGH:
         return ""
     more = f"; {FEWEST_TO_TELL} or more points tell which is wrong" if count < FEWEST_TO_TELL else ""
@@ -223,7 +206,6 @@ def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:
 
 
 def _by_lengths(control: GroundControl, found: dict[str, MarkedPoint], bars: Bars, reason: str) -> ControlFit:
-    """A scale alone, with a warning if the points should have determined more."""
     T, sigma, bars = fit_bars(bars)
     remark = "scale bars set the size alone"
     rows = tuple(

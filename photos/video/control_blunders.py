@@ -1,10 +1,7 @@
-"""Which points of ground control contradict the others.
+"""Outlier detection in ground control by least trimmed squares.
 
-Least trimmed squares: the similarity for which most of the points are least off, from three points each, then again
-and again by those that agree best. Points far beyond what that leaves, and beyond how sure the similarity is where they
-lie, are wrong. Three points contradict nothing but their own triangle, four do not tell which of them is wrong.
-
-Source: Rousseeuw and Van Driessen 2006 (FAST-LTS); Rousseeuw and Leroy 1987 (the medians of few points are too small).
+FAST-LTS over triples (Rousseeuw and Van Driessen 2006), with the small sample correction of Rousseeuw and Leroy 1987.
+Three points only check their own triangle; four do not identify a wrong one.
 """
 
 from __future__ import annotations
@@ -21,22 +18,15 @@ from .ground_control import FEWEST, is_straight
 
 Array = NDArray[np.float64]
 
-TRIPLES = 300  # that are tried, where there are more
+TRIPLES = 300  # random triples if there are more
 TURNS = 10
-AS_TOLD = 1.25  # times the told standard deviations that the best of the points leave
-ROUGH = 5.0  # standard deviations beyond which a point is wrong
-FEWEST_TO_TELL = 5  # points that tell which of them is wrong
+AS_TOLD = 1.25  # ratio of actual to stated errors of the inliers
+ROUGH = 5.0  # standard deviations of an outlier
+FEWEST_TO_TELL = 5  # minimum points to identify a wrong one
 
 
 def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> NDArray[np.bool_]:
-    """Which points agree with most of the others, shape [n].
-
-    Args:
-        source: In the model, shape [n, 3].
-        target: In the world, shape [n, 3] [m].
-        sigma: Standard deviation of each coordinate, shape [n, 3] [m].
-        seed: Of the triples that are tried.
-    """
+    """Mask [n] of the inliers among model and world positions [n, 3] [m] with standard deviations `sigma` [m]."""
     count = len(source)
     kept = np.ones(count, bool)
     if count < FEWEST_TO_TELL:
@@ -56,21 +46,21 @@ def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> ND
     except UndeterminedError:
         return kept
     spread = math.sqrt(best / max(3 * most - 7, 1))
-    if spread > AS_TOLD:  # the model is bent, or points are worse than they are told to be
+    if spread > AS_TOLD:  # the model is deformed, or the stated sigmas are too small
         spread *= 1 + FEWEST_TO_TELL / (count - FEWEST)
     kept = deviations(fit, source, target, sigma) <= ROUGH * max(1.0, spread)
     return kept if kept.sum() > FEWEST and not is_straight(target[kept]) else np.ones(count, bool)
 
 
 def deviations(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> Array:
-    """How far each point is from where a fit brings it, in standard deviations of both, shape [n]."""
+    """Residuals in standard deviations of point and fit, [n]."""
     gaps = fit.of(source) - target
     spread = fit.covariance_of(source) + sigma[:, :, None] ** 2 * np.eye(3)
     return np.sqrt(np.einsum("ni,ni->n", gaps, np.linalg.solve(spread, gaps[:, :, None])[:, :, 0]))
 
 
 def misfit(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> float:
-    """How many times farther off points are than they are told to be sure: 1 is expected."""
+    """Ratio of actual to stated errors: 1 is expected."""
     freedom = max(3 * len(source) - 7, 1)
     return math.sqrt(float((((fit.of(source) - target) / sigma) ** 2).sum()) / freedom)
 
@@ -85,7 +75,7 @@ def _triples(count: int, seed: int) -> list[NDArray[np.int64]]:
 def _concentrated(
     source: Array, target: Array, sigma: Array, rows: NDArray[np.int64], most: int
 ) -> tuple[float, NDArray[np.int64]] | None:
-    """What the best of the points leave, and which they are, from three of them; None where those lie on a line."""
+    """Cost and indices of the best points from a triple; None if collinear."""
     off = np.zeros(len(source))
     for _ in range(TURNS):
         if is_straight(target[rows]) or is_straight(source[rows]):

@@ -1,13 +1,9 @@
-"""Files of ground control and of scale bars: points, where pictures show them, and lengths between them.
+"""Files of ground control and scale bars.
 
-Two forms, each for both. Lists of words: a first line with the coordinate system ("local" for none), then
-`x y z column row picture [name]` for each mark, which is ODM's `gcp_list.txt`; lines of one place are one point. And a
-CSV with a head: `name,x,y,z,picture,column,row`, in any order, with `sigma` and `sigma_z` [m] and `use` (control,
-check) where they are known; places are told once or on each line, `# crs EPSG:25832` says in which system.
-In both `bar A B metres [sigma]` is a known length between two points, and `mark NAME picture column row` shows a point
-without a place. Points named "check" or, as in ODM, "CHK", with no letter behind, are check points.
-
-Columns and rows count from the upper left corner of the picture, so that the middle of the first pixel is 0.5, 0.5.
+Either ODM's `gcp_list.txt`: coordinate system ("local" for none), then `x y z column row picture [name]` lines; or CSV
+with `name,x,y,z,picture,column,row` and optional `sigma`, `sigma_z` [m] and `use` (control, check), `# crs EPSG:25832`.
+Both allow `bar A B metres [sigma]` and `mark NAME picture column row`. Points named "check" or "CHK" are check points.
+Columns and rows start at the upper left corner: the center of the first pixel is 0.5, 0.5.
 """
 
 from __future__ import annotations
@@ -24,8 +20,8 @@ from ...registration.stations.observations import ControlPoint
 from ..sfm.picture_folder import check_place
 from .ground_control import ControlMark, GroundControl, ScaleBar
 
-CONTROL_SIGMA = 0.02  # [m] where nothing is told
-SIGMAS = (1e-6, 1e3)  # [m] that make sense
+CONTROL_SIGMA = 0.02  # [m] default
+SIGMAS = (1e-6, 1e3)  # [m] valid range
 MOST_BYTES = 1 << 24
 HALF_PIXEL = 0.5
 LOCAL = ("", "local", "none")
@@ -36,18 +32,16 @@ _FORM = "Lines are `x y z column row picture [name]`, after a first one with the
 
 
 def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = None) -> GroundControl:
-    """Points whose place is known, where pictures show them, and known lengths.
+    """Read known points, their image observations, and known lengths.
 
     Args:
-        path: ODM's `gcp_list.txt`, or a CSV with the columns name, x, y, z, picture, column, row (docs/video.md); None
-            with scale bars alone.
-        scale_bars: A file with lengths, `bar A B metres [sigma]`, and marks of their ends that the other lacks.
+        path: ODM's `gcp_list.txt`, or a CSV with name, x, y, z, picture, column, row (docs/video.md); or None.
+        scale_bars: File of lengths, `bar A B metres [sigma]`, and marks of their ends.
 
     Raises:
-        TypeError: No path.
-        ValueError: Neither is given.
-        FileError: Unreadable, a line of another form, a point at two places or marked twice in a picture, a bar to a
-            point that nothing shows, a coordinate system that is none, or places that cannot be in it.
+        TypeError, ValueError: Not a path, or neither is given.
+        FileError: Unreadable, a malformed line, a point with two positions or two marks in an image, a bar to an
+            unmarked point, or an invalid coordinate system or position.
 
     Example:
         >>> from pathlib import Path
@@ -68,12 +62,6 @@ def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = 
 
 
 def ground_of(control: Any, scale_bars: Any) -> GroundControl | None:
-    """Ground control of what `Units` is given, once it can settle something; None of nothing.
-
-    Raises:
-        TypeError, ValueError: No path, bars beside GroundControl, or too few points.
-        FileError: As `read_ground_control`, or too few points.
-    """
     if control is None and scale_bars is None:
         return None
     if isinstance(control, GroundControl):
@@ -168,7 +156,7 @@ class _Found:
         self.marks[name, picture] = ControlMark(name, picture, pixel, where)  # pyright: ignore[reportArgumentType]
 
     def add_word_line(self, line: int, words: list[str]) -> bool:
-        """Take `bar` and `mark` lines; says whether it was one."""
+        """Parse `bar` and `mark` lines; True if it was one."""
         word = words[0].lower()
         if word == "bar":
             if len(words) not in (4, 5):

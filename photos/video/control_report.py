@@ -1,4 +1,4 @@
-"""How ground control fits: residuals of points and scale bars, how sure the similarity is, in JSON and in words."""
+"""Residuals of ground control and scale bars, and the uncertainty of the similarity."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ CONTROL, CHECK, UNUSED = "control", "check", "unused"
 
 @dataclass(frozen=True, eq=False)
 class ControlResidual:
-    """How a point of ground control fits.
+    """Residual of a ground control point.
 
     Attributes:
-        name: Its name.
+        name: Point name.
         use: "control", "check", or "unused".
-        residual: Found less known, shape [3] [m], east, north and up; None without a place.
-        sigma: Standard deviation that this is expected to have, of mark, known place and similarity, shape [3] [m].
-        pixels: Root mean square distance of its marks [px]; NaN without a place.
-        views: Pictures whose marks it rests on.
-        remark: Why it is not used, or which marks are not.
+        residual: Estimated minus known position, shape [3] [m], east, north and up; None if not triangulated.
+        sigma: Its expected standard deviation, shape [3] [m].
+        pixels: Root mean square reprojection error of its marks [px]; NaN if not triangulated.
+        views: Images whose marks are used.
+        remark: Why it or some marks are unused.
     """
 
     name: str
@@ -43,7 +43,6 @@ class ControlResidual:
     remark: str = ""
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures in JSON's types."""
         return {
             "name": self.name,
             "use": self.use,
@@ -64,14 +63,14 @@ class ControlResidual:
 
 @dataclass(frozen=True, eq=False)
 class BarResidual:
-    """How a scale bar fits.
+    """Residual of a scale bar.
 
     Attributes:
         bar: The bar.
-        found: Its length after the fit [m]; NaN where an end has no place.
-        sigma: Standard deviation of found less known, of marks and known length [m].
+        found: Estimated length [m]; NaN if an end is not triangulated.
+        sigma: Standard deviation of estimated minus known length [m].
         use: "control", "check", or "unused".
-        remark: Why it is not used.
+        remark: Why it is unused.
     """
 
     bar: ScaleBar
@@ -82,11 +81,9 @@ class BarResidual:
 
     @property
     def error(self) -> float:
-        """Found less known [m]."""
         return self.found - self.bar.metres
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures in JSON's types."""
         return {
             "a": self.bar.a,
             "b": self.bar.b,
@@ -106,29 +103,22 @@ class BarResidual:
 
 @dataclass(frozen=True, eq=False)
 class GpsGaps:
-    """How far the places that pictures tell are from where ground control says that they are.
-
-    Attributes:
-        names: The pictures.
-        residuals: Found less told, east, north and up, shape [n, 3] [m]; NaN where no altitude is told.
-    """
+    """Residuals of image positions (GPS) against ground control: east, north, up, [n, 3] [m]; NaN without altitude."""
 
     names: tuple[str, ...]
     residuals: Array
 
     @property
     def shift(self) -> Array:
-        """The median along each axis [m]; NaN of heights where none are told."""
+        """Median along each axis [m]; NaN for height without altitudes."""
         columns = self.residuals.T
         return np.array([np.nanmedian(each) if np.isfinite(each).any() else np.nan for each in columns])
 
     @property
     def horizontal_rms(self) -> float:
-        """Root mean square in plan [m]."""
         return math.sqrt(float((self.residuals[:, :2] ** 2).sum(axis=1).mean()))
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures in JSON's types."""
         rows = [[number_or_none(round(value, 4)) for value in row] for row in self.residuals.tolist()]
         return {
             "places": len(self.names),
@@ -145,22 +135,22 @@ class GpsGaps:
 
 @dataclass(frozen=True, eq=False)
 class ControlFit(Assessed):
-    """How ground control fits; printed, it is what the command says of it.
+    """Agreement with ground control.
 
     Attributes:
-        frame: The coordinates on the Earth, metres about the median point; None where the system is not known.
-        crs: The coordinate system of the points as it was given, "" where there is none.
-        origin: What was taken from coordinates without a system, shape [3] [m]; zeros where they are small.
-        T_world_model: The similarity, float64 [4, 4].
-        scale: Metres in a unit of the model.
-        scale_sigma: Standard deviation of the scale, as a share.
-        tilt_sigma, yaw_sigma: Of up, and of north [degrees]; NaN with lengths alone.
-        misfit: How many times farther off the control points are than they are told to be sure; NaN with lengths alone.
-        points, bars: How each fits.
-        is_placed: Whether the frame is that of the points; with lengths alone it is the model's own.
-        gps: How the places that pictures tell fit it, which are not used.
+        frame: Geographic frame, meters about the median point; None without a coordinate system.
+        crs: Coordinate system of the points as given, or "".
+        origin: Offset of coordinates without a system, shape [3] [m]; zeros if small.
+        T_world_model: Similarity, float64 [4, 4].
+        scale: Meters per model unit.
+        scale_sigma: Relative standard deviation of the scale.
+        tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees]; NaN with lengths only.
+        misfit: Ratio of actual to expected control residuals; NaN with lengths only.
+        points, bars: The residuals.
+        is_placed: True if the frame is that of the points; with lengths only it is the model's.
+        gps: Residuals of the unused image positions.
         warnings: Failed quality checks, each with its remedy; empty if the fit is reliable.
-        notes: What is to be known of it.
+        notes: Remarks.
     """
 
     frame: WorldFrame | None
@@ -180,11 +170,10 @@ class ControlFit(Assessed):
     notes: tuple[str, ...] = ()
 
     def rms(self, use: str) -> float:
-        """Root mean square distance of the points of a use, "control" or "check" [m]; NaN where there are none."""
+        """Root mean square residual of "control" or "check" points [m]; NaN without any."""
         return rms_of([point.residual for point in self.points if point.use == use])
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures in JSON's types."""
         where = {} if self.frame is None else frame_to_dict(self.frame)
         return where | {
             "crs": self.crs,
@@ -228,11 +217,9 @@ class ControlFit(Assessed):
 
 
 def rms_of(gaps: Sequence[Array | None]) -> float:
-    """Root mean square length; NaN of none."""
     known = [gap for gap in gaps if gap is not None]
     return math.sqrt(float(np.mean([gap @ gap for gap in known]))) if known else math.nan
 
 
 def number_or_none(value: float) -> float | None:
-    """For JSON, which has no NaN."""
     return value if math.isfinite(value) else None

@@ -1,7 +1,6 @@
-"""Coordinate systems of ground control, to degrees of WGS 84: UTM by our own formulas, all others by pyproj.
+"""Coordinate systems of ground control to WGS 84: UTM by own formulas, others by pyproj.
 
-Heights stay as they are, whether they count from the ellipsoid or from the sea. ETRS89's UTM zones are taken for those
-of WGS 84, less than a metre away.
+Heights are unchanged (ellipsoid or sea level). UTM zones of ETRS89 are treated as WGS 84, within a meter.
 """
 
 from __future__ import annotations
@@ -20,25 +19,15 @@ from ...pcd.geodesy import HIGHEST, NORTHERN, SOUTHERN, from_utm
 
 Array = NDArray[np.float64]
 
-ETRS89 = 25800  # EPSG's codes of UTM's zones 28 to 38 of Europe
-EASTINGS, NORTHINGS = (1e5, 9e5), (0.0, 1e7)  # [m] of a UTM zone with its neighbours' rims
+ETRS89 = 25800  # EPSG base of the European UTM zones 28 to 38
+EASTINGS, NORTHINGS = (1e5, 9e5), (0.0, 1e7)  # [m] range of a UTM zone with margins
 
 _ZONE = re.compile(r"\bUTM\s*(?:zone\s*)?(\d{1,2})\s*([NS])?\b", re.IGNORECASE)
 _PROJ_ZONE = re.compile(r"\+zone=(\d{1,2})\b")
 
 
 def to_geodetic(places: Array, crs: str, path: str) -> Array:
-    """Latitude, longitude [degrees] and height [m], [n, 3].
-
-    Args:
-        places: Easting, northing and height [m], or longitude, latitude [degrees] and height, shape [n, 3].
-        crs: The coordinate system: an EPSG code, ODM's "WGS84 UTM 32N", PROJ's text.
-        path: The file, for errors.
-
-    Raises:
-        ValueError: No coordinate system, or places that cannot be in it.
-        FileError: pyproj is wanted and missing, or refuses.
-    """
+    """Latitude, longitude [degrees], height [m], [n, 3]; `crs`: EPSG code, ODM's "WGS84 UTM 32N", or PROJ text."""
     if (np.abs(places[:, 2]) > HIGHEST).any():
         raise ValueError(f"crs: expected heights below {HIGHEST:g} m, got {places[:, 2].max():g}")
     if (code := utm_code(crs)) is not None:
@@ -62,7 +51,6 @@ def to_geodetic(places: Array, crs: str, path: str) -> Array:
 
 
 def _checked(places: Array, crs: str) -> Array:
-    """The places, once they can be eastings and northings."""
     for k, what, (least, most) in ((0, "x", EASTINGS), (1, "y", NORTHINGS)):
         wrong = np.flatnonzero(~((places[:, k] >= least) & (places[:, k] <= most)))
         if len(wrong):
@@ -74,7 +62,7 @@ def _checked(places: Array, crs: str) -> Array:
 
 
 def utm_code(crs: str) -> int | None:
-    """EPSG's code for WGS 84 of a UTM zone, in the forms that such files have; None of other systems."""
+    """EPSG code (WGS 84) of a UTM zone in common notations; None for other systems."""
     text = crs.strip()
     if match := re.fullmatch(r"EPSG:(\d{1,6})", text, re.IGNORECASE):
         code = int(match[1])
@@ -98,7 +86,7 @@ def _is_degrees(crs: str) -> bool:
 
 
 def _check_unit(system: Any, crs: str) -> None:
-    """Refuse feet, of which nobody knows whether heights are in them too."""
+    """Reject feet, since the unit of the heights is then unknown."""
     if not system.is_projected:
         raise ValueError(f"crs: expected metres of a map or EPSG:4326, got {shown(crs)}, {system.type_name}")
     units = {axis.unit_name for axis in system.axis_info}

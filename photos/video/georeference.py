@@ -1,8 +1,7 @@
-"""A model's place in the world by the places that its pictures tell: metres east, north and up.
+"""Georeferencing of a model by image positions (GNSS): meters east, north and up.
 
-The similarity is found by consensus (of places in three dimensions, or in plan about a known up), then by least squares
-in which heights weigh less than places in plan; how much each weighs follows from what is left. Whether the places
-settle anything is judged by the standard deviations of scale and turn that come out.
+A RANSAC similarity (3D, or horizontal with a known up), then weighted least squares with lower weights for heights,
+estimated from the residuals. Accepted by the standard deviations of scale and rotation.
 """
 
 from __future__ import annotations
@@ -25,39 +24,39 @@ from ..sfm.picture_places import PicturePlace, PicturePlaces
 
 Array = NDArray[np.float64]
 
-FEWEST = 3  # places
-SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] of satellites where nothing is told, and how much worse heights are
-LEAST_SIGMA = 0.005  # [m]: nothing in the air is known better
-LEAST_EXTENT = 3.0  # of the sigma of one place, that places are to cover
-WORST_SCALE, WORST_TILT, WORST_YAW = 0.05, 5.0, 10.0  # share, degrees, degrees: beyond it places settle nothing
-DOUBTED = 0.05  # of the places' extent, between the places told and those found
-MOST_WRONG = 1 / 3  # of the places that may not fit the others
-NO_HEIGHT = 1e4  # [m] standard deviation of heights where none is told
-CUT = 3.5  # deviations beyond which a place is left out
+FEWEST = 3  # positions
+SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] default GNSS sigma, and the factor for heights
+LEAST_SIGMA = 0.005  # [m] lower bound
+LEAST_EXTENT = 3.0  # minimum extent of the positions, in sigmas
+WORST_SCALE, WORST_TILT, WORST_YAW = 0.05, 5.0, 10.0  # maximum relative scale sigma, tilt and yaw sigma [degrees]
+DOUBTED = 0.05  # maximum RMS residual relative to the extent
+MOST_WRONG = 1 / 3  # maximum outlier fraction
+NO_HEIGHT = 1e4  # [m] standard deviation of unknown heights
+CUT = 3.5  # normalized residual of an outlier
 TURNS = 12
-ENOUGH = 8  # places from which on what is left tells how good they are
-_MEDIAN_PLAN, _MEDIAN_HEIGHT = 1.1774, 0.6745  # medians of what is normal in two and in one dimension, in sigmas
+ENOUGH = 8  # minimum positions to estimate their accuracy
+_MEDIAN_PLAN, _MEDIAN_HEIGHT = 1.1774, 0.6745  # medians of 2D and 1D normal errors, in sigmas
 
 
 class NotSettledError(ValueError):
-    """Places leave the model's place open, or contradict it; the message says why."""
+    """The positions do not determine the similarity, or contradict the model."""
 
 
 @dataclass(frozen=True, eq=False)
 class PlacesFit:
-    """How the places that pictures tell fit the model.
+    """Agreement of image positions with the model.
 
     Attributes:
-        frame: The coordinates: metres about the median place.
-        T_world_model: The similarity into them, float64 [4, 4].
-        scale: Metres in a unit of the model.
-        names: The pictures of the model that tell their place.
-        residuals: Found less told, east, north and up, shape [n, 3] [m]; NaN where no altitude is told.
-        inliers: Which of them the fit rests on, shape [n].
-        horizontal_rms, vertical_rms: Of those [m]; the latter NaN where no altitudes are told.
-        extent: Diagonal of the box around the places in plan [m].
-        scale_sigma: Standard deviation of the scale, as a share.
-        tilt_sigma, yaw_sigma: Of up, and of north [degrees].
+        frame: Local frame in meters about the median position.
+        T_world_model: Similarity into it, float64 [4, 4].
+        scale: Meters per model unit.
+        names: Images with a position.
+        residuals: Estimated minus given, east, north and up, [n, 3] [m]; NaN without altitude.
+        inliers: Mask of the positions used, [n].
+        horizontal_rms, vertical_rms: Of the inliers [m]; the latter NaN without altitudes.
+        extent: Horizontal bounding box diagonal [m].
+        scale_sigma: Relative standard deviation of the scale.
+        tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees].
     """
 
     frame: WorldFrame
@@ -75,11 +74,9 @@ class PlacesFit:
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """The pictures whose places do not fit the others."""
         return tuple(name for name, fits in zip(self.names, self.inliers, strict=True) if not fits)
 
     def problem(self) -> str | None:
-        """What is wrong with places that hardly fit, or None."""
         wrong = len(self.left_out)
         if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MOST_WRONG * len(self.names)):
             return None
@@ -89,7 +86,6 @@ class PlacesFit:
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures in JSON's types."""
         rows = np.where(np.isfinite(self.residuals), self.residuals, 0.0).round(4).tolist()
         return {
             **frame_to_dict(self.frame),
@@ -106,7 +102,6 @@ class PlacesFit:
 
 
 def places_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
-    """The places of pictures of a model, by the model's names."""
     found: dict[str, PicturePlace] = {}
     for place in places.places:
         meant = meant_pictures(place.name, names)
@@ -116,7 +111,6 @@ def places_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, Pictur
 
 
 def attitudes_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
-    """The attitudes of pictures of a model, by the model's names."""
     found: dict[str, tuple[float, float, float]] = {}
     for name, angles in places.attitudes.items():
         meant = meant_pictures(name, names)
@@ -126,17 +120,6 @@ def attitudes_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, tup
 
 
 def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> PlacesFit:
-    """Bring a model to the places that its pictures tell.
-
-    Args:
-        model: The model.
-        places: What the pictures tell.
-        up: What is up in the model, where that is known.
-
-    Raises:
-        NotSettledError: Fewer than three pictures of the model tell a place, or they leave scale or turn open: all
-            at one place, on a line where up is not known, or no farther apart than they are sure.
-    """
     told = places_of(places, model.names)
     if len(told) < FEWEST:
         raise NotSettledError(f"{len(told)} pictures of the model tell where they were taken; {FEWEST} or more settle")
@@ -170,7 +153,7 @@ def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> Place
 
 
 def enu_of(frame: WorldFrame, places: Sequence[PicturePlace]) -> Array:
-    """Where pictures say that they were taken: east, north and up, NaN for heights that are not told, [n, 3] [m]."""
+    """East, north and up of image positions, NaN for unknown heights, [n, 3] [m]."""
     rows = [[p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude] for p in places]
     target = frame.to_enu(np.array(rows))
     target[[p.altitude is None for p in places], 2] = np.nan
@@ -178,13 +161,11 @@ def enu_of(frame: WorldFrame, places: Sequence[PicturePlace]) -> Array:
 
 
 def frame_to_dict(frame: WorldFrame) -> dict[str, Any]:
-    """The origin and the UTM zone of a frame in JSON's types."""
     origin = {"latitude": frame.latitude, "longitude": frame.longitude, "altitude": frame.altitude}
     return {"origin": origin, "epsg": frame.epsg}
 
 
 def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Array]:
-    """East, north and up, with NaN for heights that are not told, and standard deviations, [n, 3] each."""
     target = enu_of(frame, places)
     sigma = np.empty_like(target)
     for k, place in enumerate(places):
@@ -218,7 +199,7 @@ def _refined(
 ) -> tuple[WeightedFit, NDArray[np.bool_]]:
     filled = np.where(np.isfinite(target), target, 0.0)
     if not np.isfinite(target[:, 2]).any():
-        sigma = np.where(np.isfinite(sigma), sigma, NO_HEIGHT)  # so that the height of all is a number: zero
+        sigma = np.where(np.isfinite(sigma), sigma, NO_HEIGHT)  # to get a numeric height
     known = {"up": up.direction, "up_sigma": math.radians(up.sigma)} if up.direction is not None else {}
     fit, inliers = None, np.zeros(len(source), bool)
     for _ in range(TURNS):
@@ -236,9 +217,9 @@ def _refined(
 
 
 def _agreeing(gaps: Array, sigma: Array, before: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], Array]:
-    """Which places agree, and how many times worse than they are told those are, along each axis."""
+    """Mask of the inliers, and the ratio of actual to stated errors along each axis."""
     count = len(gaps)
-    slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # the median of few errors is too small (Rousseeuw and Leroy 1987)
+    slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # small sample correction of the median (Rousseeuw and Leroy 1987)
     plan = np.linalg.norm(gaps[:, :2], axis=1) / sigma[:, 0]
     height = np.abs(gaps[:, 2]) / sigma[:, 2]
     known = np.isfinite(height) & np.isfinite(sigma[:, 2])
@@ -247,7 +228,7 @@ def _agreeing(gaps: Array, sigma: Array, before: NDArray[np.bool_]) -> tuple[NDA
     limits = [CUT * slack * float(np.median(plan)) / _MEDIAN_PLAN, math.inf]
     if (known & told).any():
         limits[1] = CUT * slack * float(np.median(height[known & told])) / _MEDIAN_HEIGHT
-    limits = [max(limit, 0.1) for limit in limits]  # a tenth of what they are sure is never far
+    limits = [max(limit, 0.1) for limit in limits]  # lower bound, in stated sigmas
     agree = (plan <= limits[0]) & (~known | (height <= limits[1]))
     if agree.sum() >= ENOUGH:
         worse[:2] = _spread_of(plan[agree] / math.sqrt(2.0))
@@ -257,6 +238,6 @@ def _agreeing(gaps: Array, sigma: Array, before: NDArray[np.bool_]) -> tuple[NDA
 
 
 def _spread_of(errors: Array) -> float:
-    """Standard deviation of what is left of errors by a fit of 7 unknowns, at least a hundredth of what was told."""
+    """Standard deviation of normalized residuals after a fit of 7 unknowns, at least 0.01."""
     count = len(errors)
     return max(math.sqrt(float((errors**2).sum()) / (count - 7.0 / 3.0)), 0.01)

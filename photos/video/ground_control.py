@@ -1,4 +1,4 @@
-"""Ground control as it is given: points whose place is known, where pictures show them, and known lengths."""
+"""Ground control input: known points, their image observations, and known lengths."""
 
 from __future__ import annotations
 
@@ -16,24 +16,23 @@ from .control_systems import to_geodetic
 
 Array = NDArray[np.float64]
 
-BAR_SIGMA = 0.002  # [m] where nothing is told
-FEWEST = 3  # points that settle all
-STRAIGHT = 0.02  # of the points' extent across: nearer to a line they leave a turn open
+BAR_SIGMA = 0.002  # [m] default
+FEWEST = 3  # minimum points
+STRAIGHT = 0.02  # ratio of lateral extent below which points are collinear
 
 
 @dataclass(frozen=True, eq=False)
 class ControlMark:
-    """Where a picture shows a point.
+    """Image observation of a point.
 
     Args:
-        point: The point's name.
-        picture: The picture's, by its file's name or number.
-        pixel: Column and row, shape [2] [px], pixel centres being whole numbers.
-        where: Where that was read, for errors.
+        point: Point name.
+        picture: Image file name or number.
+        pixel: Column and row, shape [2] [px], with integer pixel centers.
+        where: Its origin, for errors.
 
     Raises:
-        TypeError: Names that are none.
-        ValueError: Pixels that are not finite or not [2].
+        TypeError, ValueError: Names that are not strings, or pixels that are not finite or not [2].
 
     Example:
         >>> import pointloom as loom
@@ -63,13 +62,12 @@ class ScaleBar:
     """A known length between two points.
 
     Args:
-        a, b: The names of the points.
+        a, b: Point names.
         metres: The length [m].
         sigma: Its standard deviation [m].
 
     Raises:
-        TypeError: Names that are none.
-        ValueError: A length that is not positive, or one point for both ends.
+        TypeError, ValueError: Names that are not strings, a length that is not positive, or identical ends.
 
     Example:
         >>> import pointloom as loom
@@ -95,22 +93,21 @@ class ScaleBar:
 
 @dataclass(frozen=True, eq=False)
 class GroundControl:
-    """Points whose place is known, where pictures show them, and known lengths.
+    """Known points, their image observations, and known lengths.
 
     Args:
-        points: `registration.ControlPoint`s: names and places, easting, northing and height; longitude, latitude
-            [degrees] and height where `crs` is in degrees. Empty with scale bars alone.
-        marks: Where pictures show them, and the ends of scale bars, whose place need not be known.
+        points: `registration.ControlPoint`s with easting, northing and height, or longitude, latitude [degrees] and
+            height if `crs` is in degrees. Empty with scale bars only.
+        marks: Image observations of these points, and of the ends of scale bars.
         bars: Known lengths.
-        crs: The coordinate system, such as "EPSG:32632"; "" where places are metres in a frame of their own, z up.
-        checks: Names of points that are measured against alone.
-        path: The file it was read from, for errors.
+        crs: Coordinate system, such as "EPSG:32632"; "" for a local frame in meters, z up.
+        checks: Names of check points, which are not used in the fit.
+        path: The source file, for errors.
 
     Raises:
-        TypeError: Other things in the lists.
-        ValueError: A name or a mark that stands twice, a bar to a point that no picture shows, a check point that is
-            not there, a coordinate system that is none, or places that cannot be in it.
-        FileError: pyproj is wanted for the coordinate system, and missing.
+        TypeError: Wrong types in the lists.
+        ValueError: A duplicate name or mark, a bar to an unmarked point, a missing check point, or an invalid system.
+        FileError: pyproj is required and missing.
 
     Example:
         >>> import pointloom as loom
@@ -152,23 +149,22 @@ class GroundControl:
             to_geodetic(self.positions, self.crs, self.path)
 
     def __repr__(self) -> str:
-        """How much there is."""
         counts = [(len(self.points), "point"), (len(self.marks), "mark"), (len(self.bars), "scale bar")]
         parts = [f"{count} {what}{'s' * (count != 1)}" for count, what in counts if count or what != "scale bar"]
         return f"GroundControl({', '.join(parts)}, {self.crs or 'local'})"
 
     @property
     def positions(self) -> Array:
-        """The places of the points as they are given, [n, 3]."""
+        """Coordinates of the points as given, [n, 3]."""
         return np.array([point.position for point in self.points], np.float64).reshape(-1, 3)
 
     @property
     def fitted(self) -> tuple[ControlPoint, ...]:
-        """The points that are no check points."""
+        """The points that are not check points."""
         return tuple(point for point in self.points if point.name not in self.checks)
 
     def digest(self) -> str:
-        """Of all that decides the outcome."""
+        """Digest of everything that affects the result."""
         told: list[Any] = [self.crs, sorted(self.checks)]
         told += [[p.name, np.asarray(p.position).tolist(), np.asarray(p.sigma).tolist()] for p in self.points]
         told += [[m.point, m.picture, m.pixel.tolist()] for m in self.marks]
@@ -176,7 +172,7 @@ class GroundControl:
         return digest_of(told)
 
     def why_open(self) -> str:
-        """Why the points alone settle no place; "" where they do, as far as their coordinates tell."""
+        """Why the points do not determine a similarity; "" if they do."""
         fitted = self.fitted
         if len(fitted) < FEWEST:
             checks = f" and {len(self.checks)} check points" if self.checks else ""
@@ -191,7 +187,7 @@ class GroundControl:
 
 
 def is_straight(points: Array) -> bool:
-    """Whether points lie at one place, or so near to a line that they leave a turn about it open."""
+    """True if points are identical or nearly collinear, which leaves a rotation undetermined."""
     if len(points) < FEWEST:
         return True
     spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)

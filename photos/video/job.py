@@ -1,4 +1,4 @@
-"""The whole chain in one call: a video or a folder of pictures in, a mesh out, and an account of every stage."""
+"""The complete reconstruction pipeline from a video or a folder of images to a mesh."""
 
 from __future__ import annotations
 
@@ -37,11 +37,6 @@ from .units import NONE, fit_as_given, fit_units
 
 
 def check_control(control: GroundControl | None, frames: Made, source: FilePath) -> None:
-    """Hold that the marks are of pictures that are there, and lie in them.
-
-    Raises:
-        FileError: One is not; the error has its line.
-    """
     if control is None:
         return
     place = Path(source)
@@ -56,17 +51,6 @@ def check_control(control: GroundControl | None, frames: Made, source: FilePath)
 def check_marks(
     control: GroundControl, names: Sequence[str], sizes: Mapping[str, tuple[int, int]], offered: Sequence[str] = ()
 ) -> None:
-    """The same of pictures by name.
-
-    Args:
-        control: The marks.
-        names: Pictures that were taken.
-        sizes: Width and height of those that are marked [px].
-        offered: Pictures that there were: marks of those that were not taken are passed over.
-
-    Raises:
-        FileError: A picture that is not there, a name that may mean several, a mark outside of its picture.
-    """
     for mark in control.marks:
         meant = meant_pictures(mark.picture, names)
         if not meant and meant_pictures(mark.picture, offered):
@@ -103,36 +87,34 @@ def reconstruct(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> VideoResult:
-    """Make a mesh of a video, or of a folder of pictures, as `pointloom video` does.
+    """Reconstruct a mesh from a video or a folder of images, as `pointloom video` does.
 
-    Sharp frames are taken where the camera has moved (`frames`), what they share is found (`features`, `matches`) and
-    tells where they were taken (`model`); pictures without distortion (`undistorted`) are matched pixel by pixel
-    (`depth`), what several agree on is fused to points (`fused`) and to a surface (`mesh`).
+    Stages: sharp frames (`frames`), `features` and `matches`, poses (`model`), undistorted images (`undistorted`),
+    multi-view stereo (`depth`), fused points (`fused`) and surface (`mesh`).
 
     Args:
-        source: A video that ffmpeg reads, or a folder of pictures; a folder with `settings.cameras`.
-        settings: How many and how large pictures, the unit, the camera; None for the usual.
-        outputs: Files to be written as well, which are checked before the work; None for none.
-        work: Folder of the stages' files and of report.json; None for one that is removed at the end. That one lies
-            beside the mesh's file, or in the current folder: it takes some 30 MB a picture of 960 x 720 pixels.
-        resume: Keep what an earlier run left in `work` and what still fits.
-        device: Where to compute.
-        overwrite: Replace outputs that exist, and an earlier run in `work`.
-        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
+        source: A video for ffmpeg, or a folder of images; a folder with `settings.cameras`.
+        settings: Number and size of images, unit, camera; None: defaults.
+        outputs: Additional output files, checked before the work; None: none.
+        work: Folder of stage files and report.json; None: temporary, beside the mesh file or in the current folder,
+            about 30 MB per image of 960 x 720 pixels.
+        resume: Reuse valid results of an earlier run in `work`.
+        device: Compute device.
+        overwrite: Replace existing outputs, and an earlier run in `work`.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
 
     Returns:
-        Mesh, points and model in one frame, with the figures of all stages. `warnings` says why
-        the result is unreliable or missing: insufficient images are a result, not an error.
+        Mesh, points and model in one frame, with the figures of all stages. `warnings` gives the reasons if the result
+        is unreliable or missing: insufficient images are a result, not an error.
 
     Raises:
-        TypeError, ValueError: An argument out of range, or a picture that `known` names and that is not there.
-        FileError: A source that is no video or folder of pictures, an output that cannot be written, maps of a
-            model that nothing places on the Earth, a work folder that holds an earlier run, without `resume`. What
-            stages finished stays there.
+        TypeError, ValueError: An argument out of range, or a missing image in `known`.
+        FileError: An invalid source, an output that cannot be written, maps without georeference, or an earlier run in
+            the work folder without `resume`. Finished stages are kept.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, resumed or not. Wants `pip install "pointloom[sfm]"`.
+        Bitwise reproducible, resumed or not. Requires `pip install "pointloom[sfm]"`.
 
     Example:
         >>> import pointloom as loom
@@ -150,7 +132,7 @@ def reconstruct(
         raise ValueError("resume: goes with work, the folder of the earlier run")
     with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
         _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
-        (root / REPORT).unlink(missing_ok=True)  # of an earlier run: it would tell of files that are made again
+        (root / REPORT).unlink(missing_ok=True)  # from an earlier run, outdated
         chain = Chain(root, tuple(STAGES), resume=resume, progress=say)
         given = settings_of_stages(source, content, settings, where)
         result = _run(chain, given, settings, outputs, source=os.fspath(source), work=work, device=where)
@@ -174,7 +156,6 @@ def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
 
 
 def _with_places(settings: Settings, source: FilePath) -> Settings:
-    """The same, with the places that photographs tell; known poses stay in their frame unless it is said otherwise."""
     units, place = settings.units, Path(source)
     if settings.cameras is not None and units.align is None:
         return replace(settings, units=replace(units, align=NONE))
@@ -193,7 +174,6 @@ def _run(
     work: FilePath | None,
     device: Any,
 ) -> VideoResult:
-    """Run the stages as far as they lead, and read what they leave."""
     stages = STAGES if settings.cameras is None else KNOWN_STAGES
     frames = run_to("frames", chain, given, stages)
     settings.units.check_names(motion.picture_names(frames))
@@ -204,7 +184,7 @@ def _run(
     reasons = figures.model_warnings()
     if not figures.is_hopeless:
         model = motion.read_model(found)
-        fit = fit_units(settings.units, model)  # before the long work: it may be refused
+        fit = fit_units(settings.units, model)  # fail before the long work
         fit = fit if settings.cameras is None else fit_as_given(fit)
         reasons += fit.warnings
         model = model.transform(fit.T_world_model)
@@ -239,7 +219,6 @@ def _report_of(made: Made | None) -> StageReport | None:
 
 @contextlib.contextmanager
 def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
-    """The folder of the stages: the one that is asked for, or one beside the mesh that is removed at the end."""
     if work is not None:
         folder = check_work_folder(check_place("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
         try:
@@ -249,7 +228,7 @@ def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overw
         with held(folder):
             yield folder
         return
-    beside = Path(outputs.mesh or "mesh").absolute()  # not the system's folder for such, often small or in memory
+    beside = Path(outputs.mesh or "mesh").absolute()  # not the system's temporary folder, often small or in memory
     try:
         folder = tempfile.TemporaryDirectory(prefix=f".{beside.stem}-video-", dir=beside.parent)
     except OSError as error:

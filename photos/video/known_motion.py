@@ -1,4 +1,4 @@
-"""The stages to a model where lenses and poses are known: pictures by their names, matches along lines, points."""
+"""Pipeline stages with known lenses and poses: images by name, guided matching, triangulation."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def take_pictures(
     posed: Settings,
     masks: FilePath | MakeMask | None = None,
 ) -> dict[str, Any]:
-    """The pictures of a folder that have a pose, as they are stored: lenses belong to that, and not to turned ones."""
+    """Copy the images with a pose in stored orientation, to which the lenses refer."""
     if not Path(source).is_dir():
         raise DatasetError(source, "is no folder", remedy="Cameras with poses are of pictures: give their folder")
     paths, second = list_photographs(source)
@@ -82,21 +82,12 @@ def take_pictures(
 
 
 class _Masks:
-    """The masks of pictures that are taken as they are stored, and what is told of them.
-
-    Args:
-        source: The folder of the pictures.
-        folder: Where masks are written.
-        masks: As of the settings.
-    """
-
     def __init__(self, source: Path, folder: Path, masks: FilePath | MakeMask | None):
         self.source, self.folder, self.masks = source, folder, masks
         self.hidden: list[str] = []
         self.missing: list[str] = []
 
     def mask_of(self, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-        """The mask of a picture as it is stored; None where it has none."""
         if self.masks is None:
             return None
         mask = mask_as_stored(self.masks, picture, size)
@@ -107,31 +98,24 @@ class _Masks:
         return mask
 
     def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
-        """Write the mask of a picture that was written, straightened where that was."""
         self.folder.mkdir(exist_ok=True)
         if lens is not None:
             mask = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
         write_mask(self.folder, name, mask)
 
     def check(self, kept: int) -> None:
-        """Hold that some pictures are left, and that one has a mask.
-
-        Raises:
-            FileError: It is not so.
-        """
         if self.masks is not None:
             check_some_left(self.source, self.masks, self.hidden, self.missing, kept)
 
     @property
     def notes(self) -> list[str]:
-        """What is to be told."""
         return told_of_masks(self.hidden, self.missing)
 
 
 def _write(
     pictures: Path, path: Path, camera: CameraModel, lenses: dict[CameraModel, Undistortion]
 ) -> tuple[str, CameraModel]:
-    """A picture as COLMAP reads it, and its camera; one whose lens COLMAP does not have is straightened."""
+    """Write an image for COLMAP and return its camera, undistorted if COLMAP lacks the lens model."""
     header = read_header(path)
     if MODELS[camera.model].number is None:
         lens = lenses.setdefault(camera, Undistortion(camera))
@@ -145,14 +129,12 @@ def _write(
 
 
 def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_features: int, seed: int) -> dict[str, Any]:
-    """What can be recognised in each picture, and is not masked."""
     pictures, database = frames.folder / PICTURES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
     return features.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:
-    """Whether the poses are those of the pictures, and which features of two lie on each other's epipolar lines."""
     model = read_colmap_model(frames.folder / CAMERAS)
     found, check = match_posed(features.folder / DATABASE, model, device=device, progress=say)
     write_matches(folder / MATCHES, found)
@@ -162,7 +144,6 @@ def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, de
 def triangulate(
     folder: Path, say: ReportProgress, *, frames: Made, features: Made, matches: Made, seed: int
 ) -> dict[str, Any]:
-    """The points of matches, with lenses and poses as they are, and what the model is worth."""
     model = read_colmap_model(frames.folder / CAMERAS)
     check = PoseCheck.from_json(matches.told["poses"])
     found = read_matches(matches.folder / MATCHES)

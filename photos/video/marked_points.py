@@ -1,6 +1,6 @@
-"""Points that are marked in pictures, triangulated in a model: where they lie, how sure, how well the marks agree.
+"""Triangulation of marked points: position, covariance, and residuals of the marks.
 
-Source: Hartley and Zisserman 2004, section 12.2 (the linear solution), then Gauss-Newton over the distances in pixels.
+Hartley and Zisserman, "Multiple view geometry", 2004, section 12.2 (linear solution), then Gauss-Newton in pixels.
 """
 
 from __future__ import annotations
@@ -20,26 +20,17 @@ from .ground_control import ControlMark
 Array = NDArray[np.float64]
 
 TURNS = 20
-MARK_SIGMA = 0.5  # [px] of a mark, at best
-STEP = 1e-6  # of the distance of a point, for derivatives
-WORST = 15.0  # [px]: farther off is another point, or the model is bent there
-BETTER = 1.3  # times better without a mark that is wrong, of four and more
-CLEARLY = 3.0  # times better without one of three than without any other
-LEAST_ANGLE = math.radians(0.5)  # between two rays at least, to say where a point lies
+MARK_SIGMA = 0.5  # [px] standard deviation of a mark
+STEP = 1e-6  # relative step of numeric derivatives
+WORST = 15.0  # [px] maximum error of a mark
+BETTER = 1.3  # improvement without an outlier mark, with four and more
+CLEARLY = 3.0  # improvement without one of three
+LEAST_ANGLE = math.radians(0.5)  # minimum angle between two rays
 
 
 @dataclass(frozen=True, eq=False)
 class MarkedPoint:
-    """A point that pictures show.
-
-    Attributes:
-        name: Its name.
-        place: In the model, shape [3]; None where it cannot be said.
-        covariance: Of that, shape [3, 3].
-        errors: Distance of each mark from where the point should be [px], by the picture's name.
-        left_out: Pictures whose mark is of something else.
-        reason: Why there is no place, or "".
-    """
+    """A triangulated point: `place` [3] with `covariance`, or None with a `reason`; mark `errors` [px] by image."""
 
     name: str
     place: Array | None
@@ -50,17 +41,10 @@ class MarkedPoint:
 
     @property
     def rms(self) -> float:
-        """Root mean square of the errors [px]; NaN without any."""
         return math.sqrt(sum(e * e for e in self.errors.values()) / len(self.errors)) if self.errors else math.nan
 
 
 def locate_marks(model: SfmModel, marks: Sequence[ControlMark]) -> dict[str, MarkedPoint]:
-    """Where marked points lie in a model, by their names.
-
-    Args:
-        model: The model; pixels as its cameras count them.
-        marks: Where pictures show points; those of pictures that the model does not have are passed over.
-    """
     pictures = {mark.picture: meant_pictures(mark.picture, model.names) for mark in marks}
     by_name: dict[str, list[tuple[int, Array]]] = {mark.point: [] for mark in marks}
     for mark in marks:
@@ -90,7 +74,7 @@ def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> Marke
             return MarkedPoint(name, place, covariance, told, tuple(left))
         wrong = _odd_one(model, seen, math.sqrt(float((errors**2).mean()))) if len(seen) > 2 else None
         if wrong is None and len(seen) > 3:
-            return MarkedPoint(name, place, covariance, told, tuple(left))  # all are somewhat off: the model is
+            return MarkedPoint(name, place, covariance, told, tuple(left))  # all somewhat off: the model is deformed
         if wrong is None:
             which = ", ".join(model.names[k] for k, _ in seen)
             return _because(nowhere, f"its marks in {which} contradict each other by {errors.max():.0f} px; check them")
@@ -99,7 +83,6 @@ def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> Marke
 
 
 def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int | None:
-    """The mark without which the others agree clearly better; None where there is none."""
     left = np.full(len(seen), np.inf)
     for k in range(len(seen)):
         rest = seen[:k] + seen[k + 1 :]
@@ -108,7 +91,7 @@ def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int 
             place, _ = _adjusted(model, rest, _meeting(model, rest, rays))
             left[k] = np.inf if place is None else np.sqrt((_gaps(model, rest, place) ** 2).sum(axis=1).mean())
     first, second = np.argsort(left, kind="stable")[:2].tolist()
-    if len(seen) == 3:  # any two nearly agree: the others have to be far worse
+    if len(seen) == 3:  # any two nearly agree, so the third must be far worse
         return first if CLEARLY * max(left[first], MARK_SIGMA) < left[second] else None
     return first if BETTER * left[first] < rms else None
 
@@ -118,7 +101,6 @@ def _because(point: MarkedPoint, reason: str) -> MarkedPoint:
 
 
 def _rays(model: SfmModel, seen: list[tuple[int, Array]]) -> Array:
-    """Directions in the model, of length 1, [n, 3]."""
     rays = np.array([model.cameras[k].unproject(pixel[None])[0] for k, pixel in seen])
     turned = np.array([model.T_camera_world[k, :3, :3].T @ ray for (k, _), ray in zip(seen, rays, strict=True)])
     return turned / np.linalg.norm(turned, axis=1, keepdims=True)
@@ -136,7 +118,6 @@ def _meeting(model: SfmModel, seen: list[tuple[int, Array]], rays: Array) -> Arr
 
 
 def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> tuple[Array | None, Array]:
-    """The place where the marks are least off, and its covariance."""
     normal = np.eye(3)
     for _ in range(TURNS):
         gaps = _gaps(model, seen, place)
@@ -164,7 +145,7 @@ def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> t
 
 
 def _gaps(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> Array:
-    """Where the point should be less where it is marked [px]; NaN behind a camera."""
+    """Reprojection errors [px]; NaN behind a camera."""
     found = []
     for k, pixel in seen:
         T = model.T_camera_world[k]

@@ -1,4 +1,4 @@
-"""The stages from pictures to a model of structure from motion: frames, features, matches, model."""
+"""Pipeline stages from images to an SfM model: frames, features, matches, model."""
 
 from __future__ import annotations
 
@@ -29,16 +29,10 @@ from ..sfm.sphere_pictures import cut_spheres, with_all_faces
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
 MASKS, SPHERES = PICTURES + FOLDER, "spheres"
 
-FEWEST = 2  # pictures that make a model
+FEWEST = 2  # minimum images of a model
 
 
 def digest_of_source(source: FilePath) -> str:
-    """Of a video's bytes, or of the names and bytes of the files in a folder.
-
-    Raises:
-        TypeError, ValueError: No path.
-        FileError: Nothing is there, or it cannot be read.
-    """
     path = check_place("source", source)
     try:
         if not path.is_dir():
@@ -51,12 +45,10 @@ def digest_of_source(source: FilePath) -> str:
 
 
 def read_model(model: Made) -> SfmModel:
-    """What the stage `model` left."""
     return read_colmap_model(model.folder / MODEL)
 
 
 def picture_names(frames: Made) -> list[str]:
-    """The pictures that the stage `frames` left."""
     return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
 
 
@@ -69,7 +61,6 @@ def take_frames(
     masks: FilePath | MakeMask | None,
     panorama: bool,
 ) -> dict[str, Any]:
-    """Sharp frames of a video where the camera has moved, or the pictures of a folder; the faces of spheres."""
     place = folder / (SPHERES if panorama else PICTURES)
     choice = choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
     told = choice.to_dict()
@@ -86,7 +77,6 @@ def take_frames(
 
 
 def masks_of(frames: Path) -> Path | None:
-    """The folder of masks beside pictures that were taken; None where they have none."""
     masks = frames / MASKS
     return masks if masks.is_dir() else None
 
@@ -102,9 +92,8 @@ def find_features(
     panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
-    """What can be recognised in each picture."""
     pictures = frames.folder / PICTURES
-    if panorama:  # faces of a cube, of whatever size
+    if panorama:  # cube faces have any size
         side = read_picture_header(pictures / picture_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
@@ -114,7 +103,6 @@ def find_features(
 
 
 def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
-    """Which of it two pictures share."""
     options = {"pairs": pairs, "seed": seed, "progress": say}
     return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
@@ -130,7 +118,6 @@ def map_pictures(
     panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
-    """Where the pictures were taken, what the lens is like, and what the model is worth."""
     given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
     found = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
     cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
@@ -146,12 +133,10 @@ def map_pictures(
 
 
 def only_turned(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:
-    """Whether depth cannot be told from where the pictures were taken: a NaN says so too."""
     longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
     return not (quality.angle >= MIN_ANGLE and quality.parallax >= MIN_PARALLAX * longer)
 
 
 def described(camera: CameraModel) -> str:
-    """A lens in words."""
     params = " ".join(f"{value:.5g}" for value in camera.params)
     return f"{camera.model} {camera.width} x {camera.height}: {params}"

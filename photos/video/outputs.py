@@ -1,4 +1,4 @@
-"""What the job leaves outside its own folder: the mesh, and on request the cloud, the poses, a picture, maps."""
+"""Output files of a video reconstruction: the mesh, and optionally cloud, poses, image, training folder, maps."""
 
 from __future__ import annotations
 
@@ -37,22 +37,20 @@ from .units import Fit, Units
 
 @dataclass(frozen=True)
 class Outputs:
-    """Files to be written of a video; None where one is not asked for.
+    """Output files of a video reconstruction; None if not requested.
 
     Attributes:
-        mesh: .ply, .obj, .stl, .off, .glb or .gltf; STL holds no colours, which are then left out.
-        cloud: Of the fused points.
-        trajectory: Of the poses, .log, .txt or .tum (TUM's format).
-        picture: Of the mesh, .png.
-        training: A folder that gsplat, 3DGS and nerfstudio train from, as `sfm.write_training_folder` writes it: the
-            pictures at their full size, straightened, in the frame of the mesh.
-        ortho: The mesh from above in its colours, a GeoTIFF (.tif) in UTM, as `loom.orthophoto` makes it. Such maps
-            want photographs that tell where they were taken, and `cell`.
-        dem: Its heights likewise.
-        cell: The side of the cells of both [m].
+        mesh: .ply, .obj, .stl, .off, .glb or .gltf; STL has no colors.
+        cloud: The fused points.
+        trajectory: The poses, .log, .txt or .tum.
+        picture: Image of the mesh, .png.
+        training: Folder of `sfm.write_training_folder`, at full image size, in the mesh frame.
+        ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM; requires georeferenced photographs and `cell`.
+        dem: Elevation model, likewise.
+        cell: Cell size of both [m].
 
     Raises:
-        TypeError, ValueError: No path, or no length; `cell` without maps or maps without it; the error names it.
+        TypeError, ValueError: Not a path or a length; `cell` without maps or vice versa; named in the message.
 
     Example:
         >>> import pointloom as loom
@@ -81,10 +79,10 @@ class Outputs:
             raise ValueError("cell: goes with ortho or dem; give one of them, or leave it out")
 
     def check(self, *, overwrite: bool) -> None:
-        """Hold that all can be written, before any work.
+        """Check before any work that all files can be written.
 
         Raises:
-            FileError: One cannot, or two are one file.
+            FileError: One cannot be written, or two are the same file.
         """
         if self.mesh is not None:
             check_output(self.mesh, MESHES, what="meshes", overwrite=overwrite)
@@ -105,29 +103,28 @@ class Outputs:
             taken.add(Path(path).resolve())
 
     def check_units(self, units: Units) -> None:
-        """Hold that what is known of places may tell where maps lie, before any work.
+        """Check before any work that maps can be georeferenced.
 
         Raises:
-            FileError: It cannot.
+            FileError: They cannot.
         """
         if self._maps and not units.may_place:
             raise self._no_place("nothing will tell where the model lies on the Earth")
 
     def check_fit(self, fit: Fit, points: NDArray[np.float64]) -> None:
-        """Hold that maps can be made, before the long work.
+        """Check that maps can be made, before the mesh is computed.
 
         Args:
-            fit: Where the model lies.
-            points: Of the model in that frame, shape [n, 3].
+            fit: The georeference of the model.
+            points: Points of the model in that frame, shape [n, 3].
 
         Raises:
-            FileError: Nobody knows where it lies on the Earth.
-            ValueError: The cells would be too many; that it is all of them shows when the mesh is there.
+            FileError, ValueError: The model is not georeferenced, or the maps would have too many cells.
         """
         if self._maps and fit.frame is None:
             raise self._no_place("what is known does not settle where the model lies on the Earth")
         if self.cell is not None and len(points):
-            low, high = np.percentile(points[:, :2], (5, 95), axis=0)  # few points are far off
+            low, high = np.percentile(points[:, :2], (5, 95), axis=0)  # ignores outliers
             grid_over(low, high, np.zeros(2), self.cell)
 
     def _no_place(self, reason: str) -> FileError:
@@ -135,7 +132,7 @@ class Outputs:
         return FileError(self._maps[0], f"is a map, and {reason}", remedy=remedy)
 
     def write(self, result: VideoResult, *, overwrite: bool) -> tuple[str, ...]:
-        """Write what a result with a mesh holds; gives the names of the files.
+        """Write the outputs of a result with a mesh; returns the file names.
 
         Raises:
             FileError: One cannot be written.
@@ -160,11 +157,11 @@ class Outputs:
         return tuple(os.fspath(each) for each in self._all())
 
     def write_training(self, result: VideoResult, frames: Path, *, overwrite: bool) -> TrainingFolder | None:
-        """Write the folder to train from, where one is asked for.
+        """Write the training folder if requested.
 
         Args:
-            result: With a model.
-            frames: What the stage of that name left: the pictures of the model, and their masks.
+            result: A result with a model.
+            frames: The record of the frames stage: the model's images and masks.
             overwrite: Replace such a folder.
 
         Raises:

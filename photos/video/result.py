@@ -1,4 +1,4 @@
-"""What becomes of a video: the mesh, and what is to be told of it, in JSON's types and in lines for the terminal."""
+"""Result of a video reconstruction, as JSON types and as terminal output."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from ..sfm.model_quality import ModelQuality
 from ..sfm.training_folder import TrainingFolder
 from .units import ARBITRARY, UNKNOWN, Fit
 
-LEAST_KEPT = 0.2  # share of the pixels whose depth other pictures confirm
+LEAST_KEPT = 0.2  # minimum fraction of confirmed pixels
 
 
 @dataclass(frozen=True)
 class VideoFigures:
-    """The figures of a result, as the stages told them; None where it did not come to that.
+    """Figures of a result from the stage records; None for stages not reached.
 
     Attributes:
-        frame_count: Frames of the video, or pictures of the folder, that there were.
-        picture_count: Pictures that were taken of them.
-        notes: What whoever films should know.
-        quality: Quality of the model of structure from motion.
-        cameras: The lenses that were found, in words.
-        only_turned: The camera turned without moving, so that nothing is known of depth.
-        picture_size: Width and height of the first picture that depth was found in [px].
-        confirmed_share: Share of the pixels whose depth other pictures confirm.
+        frame_count: Frames of the video, or images of the folder.
+        picture_count: Selected images.
+        notes: Hints for better recordings.
+        quality: Quality of the SfM model.
+        cameras: The estimated lenses, in words.
+        only_turned: True if the camera only rotated, so that depth is undetermined.
+        picture_size: Width and height of the first depth map [px].
+        confirmed_share: Fraction of pixels with confirmed depth.
         point_count: Fused points.
         vertex_count, triangle_count: Of the mesh.
-        floater_count: Triangles of small parts in the air, which were left out.
-        bounds: The lowest and highest corner of the mesh, "min" and "max"; None of one without vertices.
+        floater_count: Removed triangles of small floating parts.
+        bounds: Lowest and highest corner of the mesh, "min" and "max"; None without vertices.
     """
 
     frame_count: int
@@ -54,7 +54,6 @@ class VideoFigures:
 
     @classmethod
     def of_stages(cls, made: Mapping[str, Made]) -> VideoFigures:
-        """The figures in what the stages told, which is what their records hold."""
         frames, model = made["frames"].told, made["model"].told
         quality = ModelQuality.from_json(model)
         features = made["features"].told.get("notes", ()) if "features" in made else ()
@@ -73,11 +72,9 @@ class VideoFigures:
 
     @property
     def is_hopeless(self) -> bool:
-        """Whether no depth can come of the model: no picture is placed, or the camera only turned."""
         return not self.quality.registered_count or self.only_turned
 
     def model_warnings(self) -> list[str]:
-        """Failed checks of the model, each with its remedy."""
         reasons = [*self.quality.warnings]
         if self.is_hopeless:
             wrong = self.quality.poses is not None and self.quality.poses.are_wrong
@@ -87,7 +84,6 @@ class VideoFigures:
         return reasons
 
     def depth_warnings(self) -> list[str]:
-        """A warning if too little of the depth is confirmed, with the remedy."""
         share = self.confirmed_share
         if share is None or share >= LEAST_KEPT:
             return []
@@ -99,14 +95,7 @@ class VideoFigures:
 
 @dataclass(frozen=True)
 class StageReport:
-    """What a stage told, and what it cost.
-
-    Attributes:
-        kept: Whether an earlier run made it; then its cost is of that run.
-        cost: "seconds", "cpu_seconds", and "peak_bytes", the most memory that was held by its end.
-        told: What it says of itself, in JSON's types, as its record holds it.
-        outdated: The versions by which an earlier run's was not kept, in words; empty where none were others.
-    """
+    """Record of a stage: `kept` from an earlier run, `cost`, `told` (JSON types), and `outdated` versions if redone."""
 
     kept: bool
     cost: Mapping[str, float]
@@ -116,23 +105,22 @@ class StageReport:
 
 @dataclass(frozen=True, eq=False)
 class VideoResult(Assessed):
-    """What became of a video, or of a folder of pictures; printed, it is what `pointloom video` says.
+    """Result of `reconstruct`.
 
     Attributes:
         source: The video or folder.
-        device: Where it was computed.
-        mesh: The surface; None where there is none.
-        cloud: The points that several pictures agree on; None where it did not come to that.
-        model: Where the pictures were taken, their lenses and the sparse points; None where nothing is known of depth.
-            Mesh, cloud and model lie in one frame, in the unit that `fit` tells.
-        fit: How the unit was settled, and the similarity from the model that was found; None where `model` is.
-        figures: How many pictures were placed, how well, how much of the depth was confirmed, how large the mesh is.
+        device: Compute device.
+        mesh: The surface, or None.
+        cloud: The fused points, or None.
+        model: Poses, lenses and sparse points, or None. Mesh, cloud and model share one frame and the unit of `fit`.
+        fit: Source of the unit, and the similarity from the original model; None without `model`.
+        figures: The VideoFigures.
         warnings: Failed quality checks, each with its remedy; empty if the result is reliable.
-        stages: What each stage told and cost, None where it was not reached.
-        files: Those that were written.
-        work: The folder of the stages' files, where one was asked for.
-        peak_bytes: The most memory that this process, or one that it waited for, has held [B].
-        training: What the folder to train from holds, and what was taken from its coordinates; None without one.
+        stages: The record of each stage, None if not reached.
+        files: Written files.
+        work: Folder of stage files if requested.
+        peak_bytes: Peak memory of this process or its children [B].
+        training: The training folder and its coordinate offset; None without one.
     """
 
     source: str
@@ -156,11 +144,9 @@ class VideoResult(Assessed):
 
     @property
     def reached(self) -> dict[str, StageReport]:
-        """The stages that were reached, in their order."""
         return {name: stage for name, stage in self.stages.items() if stage is not None}
 
     def to_dict(self) -> dict[str, Any]:
-        """The report that the command writes, in JSON's types; without mesh, cloud and model."""
         return {
             "command": "video",
             "source": self.source,
@@ -180,7 +166,6 @@ class VideoResult(Assessed):
         }
 
     def fields(self) -> Fields:
-        """What was done as labels and values for the terminal."""
         found = self.figures
         return [
             ("pictures", "\n".join([self._pictures_line(), *found.notes])),
@@ -204,7 +189,6 @@ class VideoResult(Assessed):
         return f"{self.figures.quality.registered_count} of {self.figures.picture_count} placed, {chosen}"
 
     def _again_line(self) -> str:
-        """Which stages were made again since another version had made them."""
         whys: dict[str, list[str]] = {}
         for name, stage in self.reached.items():
             if stage.outdated:

@@ -1,4 +1,4 @@
-"""Known lengths between marked points: how they fit a model, which contradict the rest, and the size they give."""
+"""Known lengths between marked points: residuals, outliers, and the scale of the model."""
 
 from __future__ import annotations
 
@@ -16,21 +16,13 @@ from .marked_points import MarkedPoint
 
 Array = NDArray[np.float64]
 
-DOUBTED = 0.01  # of a bar's length: what is nearer than that contradicts nothing, however sure it is told to be
-FEWEST_TO_TELL = 3  # bars that tell which of them is wrong
+DOUBTED = 0.01  # relative error that is never an outlier
+FEWEST_TO_TELL = 3  # minimum bars to identify a wrong one
 
 
 @dataclass(frozen=True, eq=False)
 class Bars:
-    """Scale bars with the ends that pictures show.
-
-    Attributes:
-        bars: The bars.
-        ends: Where their ends lie in the model, a pair each; None where one has no place.
-        checks: Which are measured against alone.
-        wrong: Which contradict the rest.
-        reasons: Why there is no place, or "".
-    """
+    """Scale bars with triangulated ends (None if missing), and masks of check bars and outliers."""
 
     bars: tuple[ScaleBar, ...]
     ends: tuple[tuple[MarkedPoint, MarkedPoint] | None, ...]
@@ -40,7 +32,6 @@ class Bars:
 
     @classmethod
     def of(cls, control: GroundControl, found: dict[str, MarkedPoint]) -> Bars:
-        """The bars of ground control, with the ends that were found."""
         pairs = [(found[bar.a], found[bar.b]) for bar in control.bars]
         reasons = ["; ".join(f"{p.name}: {p.reason}" for p in pair if p.place is None) for pair in pairs]
         ends = tuple(None if reason else pair for pair, reason in zip(pairs, reasons, strict=True))
@@ -49,24 +40,20 @@ class Bars:
 
     @property
     def used(self) -> list[int]:
-        """Which of them say how large the model is."""
         rows = zip(self.ends, self.checks, self.wrong, strict=True)
         return [k for k, (ends, check, wrong) in enumerate(rows) if ends is not None and not check and not wrong]
 
     @property
     def any(self) -> bool:
-        """Whether one can be used."""
         return bool(self.used)
 
     def length(self, k: int) -> float:
-        """Of a bar in the model; NaN without ends."""
         pair = self.ends[k]
         if pair is None or pair[0].place is None or pair[1].place is None:
             return math.nan
         return float(np.linalg.norm(pair[1].place - pair[0].place))
 
     def sigma(self, k: int, T: Array) -> float:
-        """Standard deviation of found less known [m]: of the length that is told, and of both ends' marks."""
         pair = self.ends[k]
         if pair is None or pair[0].place is None or pair[1].place is None:
             return math.nan
@@ -76,16 +63,13 @@ class Bars:
         return math.sqrt(self.bars[k].sigma ** 2 + of_marks)
 
     def rows(self, T: Array) -> Array:
-        """What is used as rows for `fit_rows`, [m, 3]."""
         return np.array([[self.length(k), self.bars[k].metres, self.sigma(k, T)] for k in self.used]).reshape(-1, 3)
 
     def agreeing(self, T: Array) -> Bars:
-        """The same once those that contradict a similarity are marked as wrong."""
         far = tuple(k in self.used and self._is_far(k, T) for k in range(len(self.bars)))
         return replace(self, wrong=tuple(a or b for a, b in zip(self.wrong, far, strict=True)))
 
     def residuals(self, T: Array) -> tuple[BarResidual, ...]:
-        """How each fits."""
         scale = scale_of(T)
         rows = []
         for k, bar in enumerate(self.bars):
@@ -97,7 +81,6 @@ class Bars:
         return tuple(rows)
 
     def problem(self, T: Array) -> str:
-        """Which bars contradict the rest, or each other; "" where none do."""
         scale = scale_of(T)
 
         def told(rows: list[int]) -> str:
@@ -117,11 +100,7 @@ class Bars:
 
 
 def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:
-    """The scale that lengths ask for, as a similarity; its standard deviation as a share; the bars that agree.
-
-    Args:
-        bars: With one or more that can be used.
-    """
+    """The scale as a similarity, its relative standard deviation, and the inlier bars."""
     scales = [bars.bars[k].metres / bars.length(k) for k in bars.used]
     T = _scaled(float(np.median(scales)))
     if len(scales) >= FEWEST_TO_TELL:

@@ -1,4 +1,4 @@
-"""What decides what becomes of a video, and where it is written."""
+"""Settings of a video reconstruction."""
 
 from __future__ import annotations
 
@@ -22,32 +22,31 @@ from .motion import digest_of_source
 from .units import Units
 
 MAX_FRAMES, MAX_SIZE = 150, 960
-FEWEST_PICTURES, SMALLEST = 2, 64  # of which something can be made
+FEWEST_PICTURES, SMALLEST = 2, 64  # minimum images, and minimum size
 
 
 @dataclass(frozen=True, eq=False)
 class Settings:
-    """What decides the result, beside the pictures.
+    """Settings of a video reconstruction.
 
     Attributes:
-        max_frames: The most pictures that are taken of a video, or of a folder.
-        max_size: Longest side of the pictures that depth is estimated in [px].
-        intrinsic: The camera, or the file of one (Open3D's JSON); None where it is to be found.
-        cameras: Lenses and poses of the pictures of a folder, or the file of them, as `read_cameras` reads it; None
-            where they are to be found. A trajectory wants `intrinsic` too; with others that is None.
-        units: What is known of the size of things.
-        seed: Of what is drawn.
-        masks: What of pictures is left out, as `sfm.choose_frames` takes it: a folder, "alpha", or a function.
-        camera_model: COLMAP's name of how the lens draws, where it is to be found: "OPENCV_FISHEYE" of a fisheye.
-        pairs: Which pictures are matched, as `sfm.match` has it.
-        max_features: Of a picture.
-        panorama: The pictures show all directions (360 degrees, equirectangular, twice as wide as high): each becomes
-            six of a cube's faces, whose lens is known.
-        mapper: How pictures are placed, as `sfm.map_pictures` has it.
+        max_frames: Maximum number of images.
+        max_size: Maximum image side for depth estimation [px].
+        intrinsic: The camera, or its file (Open3D's JSON); None: estimated.
+        cameras: Lenses and poses of a folder's images, or their file as of `read_cameras`; None: estimated. A
+            trajectory also requires `intrinsic`, which is otherwise None.
+        units: Known scale or position.
+        seed: Random seed.
+        masks: As of `sfm.choose_frames`: a folder, "alpha", or a function.
+        camera_model: COLMAP camera model if estimated: "OPENCV_FISHEYE" for a fisheye.
+        pairs: As of `sfm.match`.
+        max_features: Maximum number per image.
+        panorama: The images are equirectangular (360 degrees, aspect 2:1); each becomes six cube faces.
+        mapper: As of `sfm.map_pictures`.
 
     Raises:
-        TypeError, ValueError: One is out of range; the error names it.
-        FileError: The file of the camera cannot be read.
+        TypeError, ValueError: One is out of range; named in the message.
+        FileError: The camera file cannot be read.
 
     Example:
         >>> import pointloom as loom
@@ -85,7 +84,6 @@ class Settings:
         self.read_camera()
 
     def _check_placing(self) -> None:
-        """How pictures are placed: that is settled where poses are known."""
         check_masks(self.masks)
         check_camera_model(self.camera_model)
         check_option("pairs", self.pairs, PAIRS)
@@ -109,7 +107,7 @@ class Settings:
                 raise ValueError(f"{name}: goes with pictures whose poses are to be found, and cameras tells them")
 
     def digest_of_masks(self) -> dict[str, str]:
-        """What a record keeps of the masks; of a function what no other run has, since nobody knows what it does."""
+        """Digest of the masks for records; unique for functions, which cannot be compared."""
         if self.masks is None:
             return {}
         if callable(self.masks):
@@ -117,7 +115,7 @@ class Settings:
         return {"masks": ALPHA if self.masks == ALPHA else digest_of_source(self.masks)}
 
     def read_camera(self) -> PinholeCameraIntrinsic | None:
-        """The camera that is known, if one is.
+        """The known camera, or None.
 
         Raises:
             FileError: Its file cannot be read.
@@ -127,13 +125,10 @@ class Settings:
         return self.intrinsic
 
     def read_posed(self, pictures: Sequence[str]) -> SfmModel | None:
-        """The lenses and poses that are known, if any are.
-
-        Args:
-            pictures: Names of the pictures.
+        """The known lenses and poses of the images of these names, or None.
 
         Raises:
-            FileError: Their file cannot be read, or holds those of no picture.
+            FileError: Their file cannot be read, or contains no such image.
         """
         if isinstance(self.cameras, str | os.PathLike):
             try:
@@ -145,7 +140,7 @@ class Settings:
         return self.cameras
 
     def digest_of_cameras(self) -> str | None:
-        """Of the poses that were given."""
+        """Digest of the given poses."""
         if isinstance(self.cameras, str | os.PathLike):
             return digest_of_source(self.cameras)
         if self.cameras is None:

@@ -1,4 +1,4 @@
-"""The stages from a model of structure from motion to a surface: pictures straightened, depth, fused points, mesh."""
+"""Pipeline stages from an SfM model to a surface: undistortion, depth, fused points, mesh."""
 
 from __future__ import annotations
 
@@ -32,18 +32,17 @@ from ..sfm.straightened import straightened_model
 from . import motion
 from .units import Units, fit_units
 
-IMAGES, SPARSE = "images", "sparse"  # as COLMAP names what lies in a folder of straightened pictures
+IMAGES, SPARSE = "images", "sparse"  # COLMAP's names in a folder of undistorted images
 MAPS, MASKS = "maps", "masks"
 CLOUD, MESH = "cloud.ply", "mesh.ply"
 POSES_LOG, POSES_TUM = "poses.log", "poses.txt"
 
-FLOATER = 0.005  # of the largest part's area: smaller parts of the mesh go
+FLOATER = 0.005  # smaller parts are removed, relative to the largest area
 
 
 def straighten(
     folder: Path, say: ReportProgress, *, frames: Made, model: Made, max_size: int, device: Any
 ) -> dict[str, Any]:
-    """Straighten the pictures of a model, and make them smaller where they are larger than asked for."""
     found, images = motion.read_model(model), folder / IMAGES
     images.mkdir()
     names = [f"{Path(name).stem}.png" for name in found.names]
@@ -67,7 +66,6 @@ def straighten(
 def estimate(
     folder: Path, say: ReportProgress, going: Path, *, undistorted: Made, seed: int, device: Any
 ) -> dict[str, Any]:
-    """Depth of each straightened picture; what is found of one stays in `going` until all is."""
     model, pictures, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
     where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
@@ -76,7 +74,6 @@ def estimate(
 
 
 def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: Made, device: Any) -> dict[str, Any]:
-    """Keep the depth that several pictures agree on, and make one cloud of it."""
     _, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
     maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
@@ -90,7 +87,6 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
 def make_mesh(
     folder: Path, say: ReportProgress, *, model: Made, undistorted: Made, fused: Made, units: Units, device: Any
 ) -> dict[str, Any]:
-    """The surface through the depth that was kept, without small parts in the air, and the poses."""
     straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
     whole = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
@@ -106,7 +102,6 @@ def make_mesh(
 
 
 def poses_of(model: SfmModel) -> Trajectory:
-    """Where the pictures of a model were taken, with the numbers in their names, or counted where there are none."""
     numbers = [number_of(name) for name in model.names]
     kept = [number for number in numbers if number is not None]
     if len(set(kept)) < len(model):
@@ -116,7 +111,6 @@ def poses_of(model: SfmModel) -> Trajectory:
 
 
 def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
-    """The model of straightened pictures, the pictures, and their cameras."""
     model = read_colmap_model(undistorted.folder / SPARSE)
     cameras = [
         PosedCamera(camera.intrinsic, pose) for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)
@@ -125,7 +119,6 @@ def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[Pos
 
 
 def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
-    """The mesh without parts that are small beside the largest."""
     if not len(mesh):
         return mesh
     _, _, areas = mesh.cluster_connected_triangles()
@@ -133,7 +126,6 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
 
 
 def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
-    """The mean share of pixels that have depth, of those that masks leave: no depth is looked for in the others."""
     shares = []
     for each, mask in zip(maps, masks, strict=True):
         left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= KEPT).mean())

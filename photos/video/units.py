@@ -1,4 +1,4 @@
-"""From the arbitrary unit and frame of structure from motion to metres: by a factor, a distance, or known places."""
+"""Georeferencing and scale of SfM models: by a factor, a distance, known positions, or ground control."""
 
 from __future__ import annotations
 
@@ -28,41 +28,38 @@ from .control_report import ControlFit
 from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_places, places_of
 from .ground_control import GroundControl
 
-FEWEST = 3  # known places that settle a similarity
-DOUBTED = 0.05  # of the places' extent, between the places known and those found
-MOST_WRONG = 1 / 3  # of the places that may not fit the others: near one half consensus itself is chance
+FEWEST = 3  # minimum positions for a similarity
+DOUBTED = 0.05  # maximum RMS residual relative to the extent
+MOST_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
 
 ARBITRARY = "arbitrary"
 METRES = "metres"
 OF_POSES = "of the poses given"
 UNKNOWN = "arbitrary: give --scale, --known or --align for metres"
 
-EXIF, NONE = "exif", "none"  # for `align`, beside a file
+EXIF, NONE = "exif", "none"  # keywords of `align`
 
 
 @dataclass(frozen=True, eq=False)
 class Units:
-    """What is known of the size of things and of their place; at most one of scale, known, align, and control.
+    """Known scale or position of a reconstruction: at most one of scale, known, align, and control.
 
-    Where nothing is given, the places that pictures tell (GPS of EXIF and XMP) are used if they settle size and turn,
-    and else the model is turned upright where its cameras tell what is up.
+    If nothing is given, image positions (GPS in EXIF and XMP) are used if they determine scale and rotation; else the
+    model is leveled if its cameras determine the up direction.
 
     Attributes:
-        scale: Metres in a unit of the model.
-        known: Two pictures, and the distance of their cameras [m].
-        align: File of known camera places: poses (.log, .txt, .tum: by the pictures' numbers), or lines `name x y z`;
-            "exif" for the places that pictures tell, unreliable if they do not suffice; "none" for the frame in which
-            the model was found.
-        places: What pictures tell; None has `reconstruct` read it from the folder.
-        control: Ground control, or its file, as `read_ground_control` reads it: three or more points that pictures show
-            and whose coordinates are known. GPS of the pictures is measured against it and not used.
-        scale_bars: File of known lengths between points that pictures show; without `control` they set the size alone.
+        scale: Meters per model unit.
+        known: Two image names, and the distance of their cameras [m].
+        align: File of camera positions: poses (.log, .txt, .tum, by image number) or lines `name x y z`; "exif" for
+            image positions (unreliable if insufficient); "none" for the model's frame.
+        places: Image positions; None: `reconstruct` reads them from the folder.
+        control: GroundControl, or its file (`read_ground_control`), with three points or more; GPS is only compared.
+        scale_bars: File of known lengths between marked points; without `control` they determine the scale only.
 
     Raises:
         TypeError: Not numbers, or not two names.
-        ValueError: A length that is not positive, or more than one of them; control points that are fewer than three
-            or on a line, without scale bars.
-        FileError: A file that cannot be read.
+        ValueError: A length that is not positive, conflicting options, or too few or collinear control points.
+        FileError: A file cannot be read.
 
     Example:
         >>> import pointloom as loom
@@ -98,29 +95,28 @@ class Units:
 
     @property
     def _word(self) -> str | None:
-        """What `align` is where it is no file."""
         return self.align if isinstance(self.align, str) and self.align in (EXIF, NONE) else None
 
     @property
     def file(self) -> FilePath | None:
-        """The file of `align`, where it is one."""
+        """`align` if it is a file."""
         return None if self._word is not None else self.align
 
     @property
     def uses_places(self) -> bool:
-        """Whether the places that pictures tell may settle the unit."""
+        """True if image positions may determine the unit."""
         return self._word == EXIF or all(x is None for x in (self.align, self.scale, self.known, self.ground))
 
     @property
     def may_place(self) -> bool:
-        """Whether they may tell where the model lies on the Earth."""
+        """True if image positions may georeference the model."""
         if self.ground is not None:
             return bool(self.ground.crs) and not self.ground.why_open()
         return self.uses_places and self.places is not None and len(self.places.places) >= FEWEST
 
     @property
     def settings(self) -> dict[str, Any]:
-        """What decides the outcome, in JSON's types."""
+        """The settings that affect the result, as JSON types."""
         align = self._word if self.file is None else digest_of_file(self.file)
         told = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
         if self.places is not None and (self.places.places or self.places.attitudes) and align in (None, EXIF):
@@ -128,11 +124,11 @@ class Units:
         return told if self.ground is None else told | {"control": self.ground.digest()}
 
     def check_names(self, names: Sequence[str]) -> None:
-        """Hold that the pictures that `known` and `align` name are there.
+        """Check that the images named by `known` and `align` exist.
 
         Raises:
-            ValueError: One of the two of `known` is not, or both are the same; too few tell their place for "exif".
-            FileError: Too few of those of `align` are, or a line that makes no sense.
+            ValueError: Missing or identical images in `known`, or too few positions for "exif".
+            FileError: Too few images of `align` exist, or a malformed line.
         """
         if self.file is not None:
             _positions(self.file, names, "that were taken")
@@ -149,14 +145,7 @@ class Units:
 
 @dataclass(frozen=True)
 class KnownPlaces:
-    """How known places of cameras agree with those that were found.
-
-    Attributes:
-        count: How many there are.
-        left_out: The pictures whose places do not fit the others.
-        rms_m: Root mean square distance of the rest [m].
-        extent_m: Diagonal of the box around the known places [m].
-    """
+    """Agreement with known camera positions: outliers (`left_out`), RMS residual, and bounding box diagonal [m]."""
 
     count: int
     left_out: tuple[str, ...]
@@ -166,19 +155,19 @@ class KnownPlaces:
 
 @dataclass(frozen=True, eq=False)
 class Fit(Assessed):
-    """Where the model lies in the world.
+    """Position and scale of the model in the world.
 
     Attributes:
-        T_world_model: A similarity, float64 [4, 4].
-        units: "metres", "arbitrary", or "of the poses given" where they were and nothing else is known.
-        scale: Metres in a unit of the model; 1 where nobody knows.
-        by: What settled it: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
-        places: With the file of `align`, how the known places agree with those found.
+        T_world_model: Similarity, float64 [4, 4].
+        units: "metres", "arbitrary", or "of the poses given".
+        scale: Meters per model unit; 1 if unknown.
+        by: Source: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
+        places: Agreement with the positions of `align`.
         warnings: Failed quality checks; empty if the fit is reliable.
-        gps: How the places that pictures tell fit, where they settled it.
-        up: What is up in the model, where that was asked.
-        notes: What is to be known of it.
-        control: How ground control and scale bars fit, where they settled it.
+        gps: Agreement with the image positions if used.
+        up: The up direction if estimated.
+        notes: Remarks.
+        control: Agreement with ground control and scale bars if used.
     """
 
     T_world_model: NDArray[np.float64]
@@ -194,28 +183,24 @@ class Fit(Assessed):
 
     @property
     def frame(self) -> WorldFrame | None:
-        """The coordinates on the Earth; None where they are not known."""
         if self.control is not None:
             return self.control.frame
         return None if self.gps is None else self.gps.frame
 
     @property
     def is_upright(self) -> bool:
-        """Whether z is up."""
         if self.control is not None and self.control.is_placed:
             return True
         return self.gps is not None or (self.up is not None and self.up.direction is not None)
 
     @property
     def comments(self) -> list[str]:
-        """Lines for the headers of files."""
         lines = [f"units {self.units}", *([] if self.frame is None else [f"frame {self.frame}"])]
         if self.control is not None and self.control.origin.any():
             lines.append(f"origin {' '.join(f'{value:.10g}' for value in self.control.origin)}")
         return lines
 
     def to_dict(self) -> dict[str, Any]:
-        """All but the similarity and the warnings, in JSON types."""
         told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
         if self.gps is not None:
             told["gps"] = self.gps.to_dict()
@@ -255,16 +240,6 @@ class Fit(Assessed):
 
 
 def fit_units(units: Units, model: SfmModel) -> Fit:
-    """Where a model lies, by what is known.
-
-    Args:
-        units: What is known.
-        model: The model.
-
-    Raises:
-        ValueError: A picture that is not in the model, or that is at the place of the other.
-        FileError: Too few known places, or all of them on a line.
-    """
     if (path := units.file) is not None:
         return _aligned(path, model)
     if units.ground is not None:
@@ -290,7 +265,7 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
 
 
 def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
-    """By control points, or by scale bars alone; by what else is known, and unreliable, if they do not suffice."""
+    """Fit by control points or scale bars; if insufficient, by other data and unreliable."""
     try:
         found = fit_control(model, ground, units.places)
     except NotSettledError as error:
@@ -305,7 +280,6 @@ def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
 
 
 def _upright(fit: Fit, up: UpDirection) -> Fit:
-    """The same turned so that z is up, where that is known."""
     if up.direction is None:
         return replace(fit, up=up)
     turn = np.eye(4)
@@ -328,16 +302,11 @@ def _of_lengths(units: Units, model: SfmModel) -> Fit:
 
 
 def fit_as_given(fit: Fit) -> Fit:
-    """The same where poses were given: they lie where they were, in their unit, unless more is known."""
+    """The fit for given poses: their frame and unit, unless more is known."""
     return replace(fit, units=OF_POSES, by="cameras") if fit.units == ARBITRARY else fit
 
 
 def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
-    """The place of a picture that somebody names.
-
-    Raises:
-        ValueError: There is none, or there are several.
-    """
     found = meant_pictures(said, names)
     if len(found) != 1:
         what = "is no picture" if not found else f"is {len(found)} pictures"
@@ -371,7 +340,6 @@ def _aligned(path: FilePath, model: SfmModel) -> Fit:
 
 
 def _problem(places: KnownPlaces, path: FilePath) -> str | None:
-    """What is wrong with known places that hardly fit, or None."""
     if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MOST_WRONG * places.count):
         return None
     return (

@@ -1,4 +1,4 @@
-"""Coherent point drift: small sets of points brought together without pairs, rigidly, affinely or as they bend."""
+"""Coherent point drift: rigid, affine or deformable registration of small point sets without correspondences."""
 
 from __future__ import annotations
 
@@ -35,27 +35,26 @@ Array = NDArray[np.float64]
 Kind = Literal["rigid", "affine", "deformable"]
 KINDS = ("rigid", "affine", "deformable")
 FEWEST_POINTS = 4
-NEAR = 0.7  # of the source's radius: where a Gaussian reaches less far, trees are faster than all pairs
-LEFT = 1e-9  # of the diagonal of the field's matrix
-MOST_ROWS = 1000  # of its factor
-FLOOR = 1e-10  # of the squared radius: a variance below is none
+NEAR = 0.7  # relative to the source's radius: below it, trees are faster than all pairs
+LEFT = 1e-9  # relative diagonal residual of the factorization
+MOST_ROWS = 1000  # maximum rank
+FLOOR = 1e-10  # minimum variance relative to the squared radius
 LEAST_SHARE, MOST_SPREAD = 0.5, 2.5
 
 
 @dataclass(frozen=True, eq=False)
 class DriftResult(Report, Assessed):
-    """What `coherent_point_drift` found, and how far to trust it; `print` shows it.
+    """Result of `coherent_point_drift`.
 
     Attributes:
         kind: "rigid", "affine" or "deformable".
-        transformation: T_target_source, float64 [4, 4]: of a rigid drift a rotation with one scale. Of a deformable one
-            `init`.
-        warped: The source, moved.
-        deviation: Of the Gaussians in the end [m]: how far targets lie from sources, along each axis.
-        spacing: Median distance of targets from their nearest one [m].
-        matched: Share of the targets that are no outliers, 0..1.
-        iterations: Steps taken.
-        converged: Whether the variance settled.
+        transformation: T_target_source, float64 [4, 4], with scale if rigid; `init` if deformable.
+        warped: The moved source.
+        deviation: Final standard deviation of the Gaussians [m]: distance of targets from sources per axis.
+        spacing: Median nearest neighbor distance of the target [m].
+        matched: Fraction of targets that are inliers, 0..1.
+        iterations: Number of steps.
+        converged: True if the variance converged.
     """
 
     kind: Kind
@@ -70,7 +69,6 @@ class DriftResult(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
         return failed(
             f"only {format_share(self.matched)} of the target is no outlier" if self.matched < LEAST_SHARE else None,
@@ -79,25 +77,13 @@ class DriftResult(Report, Assessed):
         )
 
     def transform(self, points: PointCloud | ArrayLike) -> Any:
-        """Move a cloud with all that it has, or points such as the vertices of a mesh.
-
-        Args:
-            points: A PointCloud, or world coordinates [n, 3] [m]: of the source, or near it.
-
-        Returns:
-            The cloud (after a deformable drift without normals and covariances), or float64 [n, 3]. What is not finite
-            stays so.
-
-        Raises:
-            TypeError, ValueError: Neither.
-        """
+        """Transform a PointCloud (without normals and covariances if deformable), or coordinates [n, 3] [m]."""
         if isinstance(points, PointCloud):
             return _moved(points, self.transformation, self._field)
         rows = check_rows("points", points, 3, dtype=np.float64)
         return np.array(_moved(PointCloud(rows, device=self.warped.device), self.transformation, self._field).points)
 
     def fields(self) -> Fields:
-        """How the sets came together and how well."""
         fields = [
             ("kind", self.kind),
             ("deviation", f"{self.deviation:.4g}, beside {self.spacing:.4g} between targets"),
@@ -122,42 +108,38 @@ def coherent_point_drift(
     tolerance: float = 1e-4,
     progress: ReportProgress | None = None,
 ) -> DriftResult:
-    """Bring one small set of points onto another without pairs: coherent point drift.
+    """Register one small point set to another without correspondences: coherent point drift.
 
-    The source's points are centres of Gaussians of one width, the target's their samples. Each step finds how much
-    every centre answers for every sample, moves the centres, and measures the width anew, which shrinks from that of
-    the whole to how far the sets lie apart. No distance is to be chosen, but every point meets every other: for some
-    ten thousand points. `registration_icp` and `register_nonrigid` are for more.
+    The source points are Gaussian centers, the target points their samples. Each EM step moves the centers and updates
+    the common variance. No distance threshold is needed, but every point meets every other: use `registration_icp` or
+    `register_nonrigid` above some ten thousand points.
 
     Args:
-        source: What moves, at least four points.
-        target: What it is brought to, on the same device.
-        kind: "rigid", with one scale if `with_scaling`; "affine"; "deformable": a smooth field of motion.
-        with_scaling: Whether a rigid drift may scale.
-        outliers: Share of targets that belong to no source, below 1.
-        width: Of a deformable field's Gaussians, as a share of the source's radius (the root of its mean squared
-            distance from its centre): over less than that nothing bends by itself.
-        stiffness: What a deformable field's bends cost (lambda), in units of that radius.
-        init: Affine map to begin from, 4x4; None: the identity.
-        max_iteration: Most steps.
-        tolerance: The variance has settled where a step changes it by less than this share.
+        source: The points to move, at least four.
+        target: The fixed points, on the same device.
+        kind: "rigid", with one scale if `with_scaling`; "affine"; "deformable": a smooth displacement field.
+        with_scaling: Estimate a scale in a rigid drift.
+        outliers: Fraction of targets without a source, below 1.
+        width: Gaussian width of the displacement field, relative to the source's root mean square radius.
+        stiffness: Regularization weight (lambda) of the field, in units of that radius.
+        init: Initial affine map, 4x4; None: the identity.
+        max_iteration: Maximum number of steps.
+        tolerance: Converged if the relative change of the variance is below this.
         progress: Called with ("drift", steps taken, max_iteration).
 
     Returns:
         The result; check `reliable`.
 
     Raises:
-        TypeError, ValueError: No clouds, too few points, numbers out of range, an unknown kind; a width so small that
-            the field would need more than a thousand Gaussians.
+        TypeError, ValueError: Not clouds, too few points, numbers out of range, an unknown kind, or a width that needs
+            more than 1,000 Gaussians.
         DeviceError: Clouds on different devices.
 
     Notes:
-        A turn by more than a quarter may end in a wrong turn of a regular body, which nothing shows: give `init`
-        (`register_globally`). Two passes over all pairs a step while the Gaussians are wide, over near ones later;
-        120 B a point, and 8 B times the field's Gaussians a source point. All in float64 about the source's centre; the
-        same bits from run to run, up to the small systems that the host solves.
-        Source: Myronenko and Song, "Point set registration: coherent point drift", PAMI 2010; the field by incomplete
-        Cholesky in place of eigenvectors.
+        Rotations above a quarter turn may end in a wrong optimum of a regular body: give `init` (`register_globally`).
+        120 B per point, and 8 B times the field's Gaussians per source point. Float64 and bitwise reproducible, up to
+        the small systems solved on the host. Myronenko and Song, "Point set registration: coherent point drift", PAMI
+        2010, with incomplete Cholesky instead of eigenvectors.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -196,7 +178,7 @@ def coherent_point_drift(
 
 
 class _Drifting:
-    """The state between steps, in coordinates about the source's centre, its radius the unit."""
+    """State in coordinates about the source's center, in units of its radius."""
 
     def __init__(self, source: PointCloud, target: PointCloud, begin: Array, outliers: float):
         self.source, self.target, self.begin = source, target, begin
@@ -228,7 +210,6 @@ class _Drifting:
         )
 
     def begin_field(self, width: float, stiffness: float) -> None:
-        """Factor the matrix of a deformable field."""
         try:
             self.field = CoherentField(self.places, width, LEFT, MOST_ROWS)
         except ValueError as error:
@@ -236,10 +217,10 @@ class _Drifting:
                 f"width: a field of Gaussians of {width:g} of the source's radius needs {error}; give a larger one"
             ) from None
         self.stiffness = stiffness
-        self.moved = clone(self.places)  # the field writes there
+        self.moved = clone(self.places)  # the field writes here
 
     def step(self, kind: Kind, with_scaling: bool) -> float:
-        """One step of expectation and maximization; the share by which the variance changed."""
+        """One EM step; returns the relative change of the variance."""
         uniform = (2 * np.pi * self.variance) ** 1.5 * self.odds * self.size / self.number
         self.drift.weigh(self.moved, self.variance, uniform, near=NEAR)
         before = self.variance
@@ -251,14 +232,12 @@ class _Drifting:
         return abs(before - self.variance) / before
 
     def _sums(self, places: Any) -> tuple[Array, Array]:
-        """What `sum_targets` and `sum_pulls` find, in one wait."""
         targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.shares])
         sources = reduce(sum_pulls, self.size, [places, self.drift.sums])
         first, second = read_together([targets, sources])  # sync
         return np.asarray(first, np.float64).ravel(), np.asarray(second, np.float64).ravel()
 
     def _map(self, with_scaling: bool | None) -> None:
-        """The rigid (or, without a word on scale, the affine) map of least cost."""
         (total, squares), moments = self._sums(self.places)
         if total <= 0:
             return
@@ -283,7 +262,6 @@ class _Drifting:
         launch(map_places_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
 
     def _bend(self) -> None:
-        """The field of least cost."""
         assert self.field is not None
         self.values = self.field.step(self.drift.sums, self.stiffness * self.variance, self.moved)
         (total, squares), moments = self._sums(self.moved)
@@ -294,7 +272,6 @@ class _Drifting:
         self.matched = float(total) / self.number
 
     def conclude(self, kind: Kind, settled: bool) -> DriftResult:
-        """The map in world coordinates, and what it makes of the source."""
         T, field = self.begin, None
         if self.field is None:
             T = matmul(make_pose(self.A, self.t / self.unit + self.center - matmul(self.A, self.center)), self.begin)
@@ -317,7 +294,6 @@ class _Drifting:
 
 
 def _moved(cloud: PointCloud, T: Array, field: Any) -> PointCloud:
-    """A cloud under a map and then a field."""
     moved = cloud.transform(T)
     if field is None:
         return moved

@@ -1,4 +1,4 @@
-"""The control grid of SLAC: what a camera's distortion looks like in the frame of the fragments it took."""
+"""The control grid of SLAC, which models the camera distortion in the frame of the fragments."""
 
 from __future__ import annotations
 
@@ -25,27 +25,26 @@ from ...kernels.poses.control_lattice import (
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 
-GRID_SIZE = 3 / 8  # [m] Open3D's, and the paper's: 8 cells along the 3 m of a fragment
+GRID_SIZE = 3 / 8  # [m] as in Open3D and the paper: 8 cells per 3 m fragment
 
 
 class ControlGrid:
-    """Anchors on a regular grid, where there are points, each with a shift: it bends what lies between them.
+    """A sparse regular grid of displaced anchors that deforms the space between them.
 
-    A point moves by the trilinear mean of the shifts of the eight anchors about it, a normal by the inverse transpose
-    of the Jacobian, so it stays perpendicular to the surface. The grid lives in the frame of a fragment, which is that
-    of its camera, and is shared by all fragments: a camera bends all that it sees alike.
+    Points move by trilinear interpolation of eight anchors, normals by the inverse transpose of the Jacobian. The grid
+    is in the frame of a fragment, that of its camera, and shared by all fragments.
 
     Args:
-        grid_size: Edge of a cell [m].
+        grid_size: Cell edge [m].
         device: "cpu", "cuda:0", "auto".
 
     Raises:
-        TypeError, ValueError: A size that is no number above 0.
+        TypeError, ValueError: The size is not a positive number.
         DeviceError: No such device.
 
     Notes:
-        About 300 B an anchor. The same bits from run to run, whatever the order of the points. Zhou and Koltun,
-        "Simultaneous localization and calibration: self-calibration of consumer depth cameras", CVPR 2014.
+        About 300 B per anchor. Bitwise reproducible for any order of points. Zhou and Koltun, "Simultaneous
+        localization and calibration: self-calibration of consumer depth cameras", CVPR 2014.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -71,26 +70,25 @@ class ControlGrid:
 
     @property
     def grid_size(self) -> float:
-        """Edge of a cell [m]."""
+        """Cell edge [m]."""
         return self._lattice.cell_size
 
     @property
     def device(self) -> Any:
-        """The device that holds the anchors."""
+        """The device of the anchors."""
         return self._lattice.shifts.device
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """Where the cells are counted from [m], float64 [3]: the origin of the first cloud."""
+        """Origin of the grid [m], float64 [3]: that of the first cloud."""
         return self._origin.copy()
 
     def touch(self, cloud: PointCloud) -> None:
-        """Add the anchors about a cloud's points, unshifted; those that are there keep their shifts.
+        """Add the anchors around a cloud's points without displacement; existing ones are unchanged.
 
         Raises:
-            TypeError: Not a cloud.
-            ValueError: Points farther than 2^19 cells from the origin of the grid.
-            DeviceError: The cloud lies on another device.
+            TypeError, ValueError: Not a cloud, or points more than 2^19 cells from the grid origin.
+            DeviceError: The cloud is on another device.
         """
         points = self._points_of("cloud", cloud, first=True)
         low, high = (np.asarray(bound) for bound in cloud._device_bounds())
@@ -103,11 +101,11 @@ class ControlGrid:
         self._lattice = make_lattice(self.grid_size, points, self._lattice)
 
     def get_init_positions(self) -> NDArray[np.float64]:
-        """Where the anchors are with nothing shifted, float64 [anchors, 3] [m]."""
+        """Initial anchor positions, float64 [anchors, 3] [m]."""
         return self._positions(np.zeros((len(self), 3)))
 
     def get_curr_positions(self) -> NDArray[np.float64]:
-        """Where the anchors are now, float64 [anchors, 3] [m]."""
+        """Current anchor positions, float64 [anchors, 3] [m]."""
         return self._positions(download(self._lattice.shifts))
 
     def set_positions(self, positions: ArrayLike) -> None:
@@ -117,20 +115,18 @@ class ControlGrid:
             positions: Shape [anchors, 3] [m], in the order of `get_init_positions`.
 
         Raises:
-            TypeError, ValueError: Not numbers, not finite, or of another shape.
+            TypeError, ValueError: Not numbers, not finite, or a wrong shape.
         """
         found = check_rows("positions", positions, 3, rows=len(self), dtype=np.float64)
         write(self._lattice.shifts, check_finite("positions", found) - self.get_init_positions())
 
     def deform(self, cloud: PointCloud) -> PointCloud:
-        """A cloud in the frame of the fragments, bent; its normals turn with the surface.
+        """Deform a cloud in the frame of the fragments, with its normals; covariances are dropped.
 
-        Points in cells without anchors stay; where some of the eight are missing, the others count as they weigh.
-        (Open3D drops such points.) Covariances are left out, as they no longer fit.
+        Points in cells without anchors are unchanged; if some anchors are missing, the others are reweighted.
 
         Raises:
-            TypeError: Not a cloud.
-            DeviceError: The cloud lies on another device.
+            TypeError, DeviceError: Not a cloud, or one on another device.
         """
         points = self._points_of("cloud", cloud)
         moved = bend_points(points, self._lattice)
@@ -150,23 +146,21 @@ class ControlGrid:
         depth_scale: float | None = None,
         depth_max: float = 3.0,
     ) -> NDArray[np.float32]:
-        """A depth picture as a camera without the distortion would have taken it: each pixel's point, bent and seen.
+        """Remove the distortion from a depth image: each pixel's point is deformed and projected again.
 
         Args:
             depth: Shape [h, w]; integers of 16 bits and more, or floats.
-            intrinsic: The camera, of the picture's size.
-            extrinsic: T_camera_fragment, shape [4, 4]: where in the fragment the picture was taken; None where the
-                fragment began.
-            depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-            depth_max: Farthest depth that is taken [m].
+            intrinsic: The camera, of the image size.
+            extrinsic: T_camera_fragment, shape [4, 4]; None: the identity.
+            depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
+            depth_max: Maximum depth [m].
 
         Returns:
-            Depth [m], float32 [h, w]; 0 where nothing is seen. The nearest point wins a pixel; where the picture is
-            stretched a pixel between two may stay empty.
+            Depth [m], float32 [h, w]; 0 where empty. The nearest point wins a pixel; stretched regions may have holes.
 
         Raises:
-            TypeError, ValueError: Wrong shapes or sizes, an extrinsic that is no rigid motion.
-            DeviceError: The depth lies on another GPU.
+            TypeError, ValueError: Wrong shapes or sizes, or an extrinsic that is not rigid.
+            DeviceError: The depth is on another GPU.
         """
         farthest = check_positive("depth_max", depth_max, allow_infinite=True)
         cloud = PointCloud.create_from_depth_image(
@@ -185,15 +179,13 @@ class ControlGrid:
         *,
         depth_max: float = 3.0,
     ) -> RGBDImage:
-        """An RGB-D picture, bent as `deform_depth` does; each colour goes with its point."""
+        """Deform an RGB-D image as `deform_depth` does; colors move with their points."""
         cloud = self.deform(PointCloud.create_from_rgbd_image(image, intrinsic, extrinsic))
         size = intrinsic.width, intrinsic.height
         return cloud.project_to_rgbd_image(*size, intrinsic, extrinsic, depth_max=depth_max)
 
-    # ------------------------------------------------------------------------------------------ internals
-
     def _points_of(self, name: str, cloud: PointCloud, *, first: bool = False) -> wp.array:
-        """A cloud's points about the grid's origin, which the first cloud decides."""
+        """A cloud's points about the grid origin, which the first cloud defines."""
         check_cloud(name, cloud)
         check_same_device(name, self.device, cloud.device)
         if not len(self):
@@ -203,7 +195,6 @@ class ControlGrid:
         return cloud._points_about(self._origin)
 
     def _positions(self, shifts: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The anchors' places under shifts, from the grid's own frame to the fragments'."""
         lattice = self._lattice
         places = empty(len(self), vec3d, self.device)
         given = upload(shifts, vec3d, self.device)

@@ -1,7 +1,6 @@
-"""Files of control grids: NPZ archives of the cells and the shifts of their corners.
+"""Control grid files: NPZ with format, sizes (grid size [m]), origin float64 [3], cells and shifts.
 
-Members: format, sizes (grid size [m]), origin float64 [3], cells int64 [m] (the keys of the cells, ascending), shifts
-float64 [anchors, 3] [m], in the order of the anchors.
+Cells are ascending keys, int64 [m]; shifts are float64 [anchors, 3] [m] in anchor order.
 """
 
 from __future__ import annotations
@@ -28,11 +27,6 @@ FORMAT = b"pointloom control grid 1"
 
 
 def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overwrite: bool = True) -> None:
-    """Write a control grid; the file appears whole or not at all.
-
-    Raises:
-        FileError: The place cannot be written, or the file exists and may not be replaced.
-    """
     lattice = grid._lattice
     members: dict[str, Any] = {
         "format": np.frombuffer(FORMAT, np.uint8),
@@ -46,12 +40,6 @@ def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overw
 
 
 def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> ControlGrid:
-    """Read a control grid that `write_control_grid` wrote, with the same bits.
-
-    Raises:
-        FileError: Missing, damaged, or no control grid.
-        DeviceError: No such device.
-    """
     members = _read_members(path)
     if members.get("format", np.empty(0)).tobytes() != FORMAT:
         raise FileError(path, "is no control grid")

@@ -1,4 +1,4 @@
-"""Bodies that bend: one cloud brought onto another by a deformation graph."""
+"""Nonrigid registration of two clouds with a deformation graph."""
 
 from __future__ import annotations
 
@@ -62,15 +62,15 @@ from ..rigid import fit_pose, to_local
 
 Array = NDArray[np.float64]
 STIFFNESS = (100.0, 10.0, 1.0, 0.1)
-NODES_ACROSS = 16  # of the diagonal of the body's box
+NODES_ACROSS = 16  # per bounding box diagonal
 MOST_ACROSS = 1000
-LEAST_COSINE = 0.5  # 60 degrees: beyond that two points lie on two surfaces
-POINT_WEIGHT = 0.1  # of the distance to the plane: keeps points from sliding off along flat places
+LEAST_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
+POINT_WEIGHT = 0.1  # relative weight of point-to-point terms, against sliding on flat areas
 NORMAL_NEIGHBORS = 20
 FEWEST_POINTS = 10
-TRIM = 4.0  # times the median distance of pairs: what lies farther in the end does not belong
-DOUBTED_STRAIN = 0.12  # from here on the body is tried turned round as well
-BETTER = 0.75  # of the strain: a start that needs less was the right one
+TRIM = 4.0  # times the median pair distance: outliers in the final stages
+DOUBTED_STRAIN = 0.12  # strain above which rotated starts are tried
+BETTER = 0.75  # strain ratio of a better start
 
 
 @told_arguments
@@ -88,41 +88,40 @@ def register_nonrigid(
     tolerance: float = 1e-3,
     progress: ReportProgress | None = None,
 ) -> NonRigidResult:
-    """Bend a body onto another scan of it.
+    """Deform a body to match another scan of it.
 
-    ICP brings the source near; then nodes on it turn and move so that its points come to the target's surface, first
-    stiffly, then ever more softly. Points whose partner is too far, turned by more than 60 degrees or on the target's
-    border have none, so the target may show a part of the body.
+    After ICP, the nodes of a deformation graph rotate and translate so that the source matches the target surface,
+    first stiffly, then softer. Points without a target point nearby, with normals that differ by more than 60 degrees,
+    or matched to the target's border have no partner, so the target may be partial.
 
     Args:
-        source: The body that bends, at least ten points. Normals are estimated where it has none.
-        target: What it is brought to, on the same device; likewise.
-        node_spacing: About how far nodes are apart [m]; None: a sixteenth of the source's diagonal.
-        max_distance: Points farther apart are no pair [m]; None: two node spacings.
-        init: Pose to begin from, T_target_source, 4x4; None: that of three or more landmarks, else the identity.
-        landmarks: (places on the source, where they belong), both [l, 3] [m] in world coordinates.
-        landmark_weight: What a landmark counts, beside one for what all points of a node count together.
-        stiffness: What the ties of a node count in that unit, from stiff to soft.
-        max_iteration: Steps at each stiffness.
-        tolerance: A stiffness has settled where nodes move by less than this share of their spacing.
+        source: The body to deform, at least ten points. Normals are estimated if missing.
+        target: The target, on the same device; likewise.
+        node_spacing: Approximate node distance [m]; None: a sixteenth of the source's diagonal.
+        max_distance: Maximum distance of a pair [m]; None: two node spacings.
+        init: Initial T_target_source, 4x4; None: from three or more landmarks, else the identity.
+        landmarks: (positions on the source, target positions), both [l, 3] [m] in world coordinates.
+        landmark_weight: Weight of a landmark relative to all points of a node.
+        stiffness: Weights of the regularization of a node, from stiff to soft, in the same unit.
+        max_iteration: Maximum steps per stiffness.
+        tolerance: Converged if nodes move by less than this fraction of their spacing.
         progress: Called with ("bend" or "bend, turned round", stages done, stages in all).
 
     Returns:
         The result; check `reliable` and `is_rigid`.
 
     Raises:
-        TypeError, ValueError: No clouds, too few points, numbers out of range, or landmarks that are not finite, lie
-            off the source or contradict each other; or no point of the source near the target.
-        DeviceError: Clouds on different devices.
+        TypeError, ValueError: Wrong types, too few points, numbers out of range, landmarks that are not finite, off the
+            source or contradictory, or no source point near the target.
+        DeviceError: The clouds are on different devices.
 
     Notes:
-        Where a surface is smooth nothing holds points along it, and they may slide by a third of a node spacing and
-        more; landmarks hold them (docs/bending.md has figures).
-        A body that really stretches by more than 22 % is reported as unreliable. Where the strain is above 12 % and
-        there are fewer than three landmarks, starts half a turn away are tried too; the one of least strain is taken,
-        or named where `init` was given. About 500 B a source point and 2 kB a node. The same bits from run to run.
-        Source: Sumner, Schmid and Pauly 2007; Li, Sumner and Pauly 2008; stiffness in steps as in Amberg, Romdhani and
-        Vetter 2007.
+        On smooth surfaces points may slide tangentially by a third of a node spacing and more; landmarks prevent this
+        (docs/bending.md). A stretch above 22% is reported as unreliable. If the strain exceeds 12% with fewer than
+        three landmarks, starts rotated by half a turn are tried too; the least strain wins, or is reported if `init`
+        was given. About 500 B per source point and 2 kB per node. Bitwise reproducible.
+        Sumner, Schmid and Pauly, "Embedded deformation for shape manipulation", SIGGRAPH 2007; Li, Sumner and Pauly
+        2008; decreasing stiffness: Amberg, Romdhani and Vetter 2007.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -164,18 +163,14 @@ def register_nonrigid(
 
 
 def _turned_round(source: PointCloud, found: NonRigidResult, bend: Any, *, is_given: bool) -> NonRigidResult:
-    """The bend that needs least strain of the one found and three whose starts are half a turn away.
-
-    Where the start was given it stays, and the better one is named. Half turns about the body's principal axes, since
-    ICP lays a body along the one that it is brought to before it finds its ends.
-    """
+    """The result with least strain among this one and three half turns about the principal axes."""
     points = source.remove_non_finite_points().points
     center, best, begin = points.mean(axis=0), found, None
     for axis in eigh(matmul((points - center).T, points - center) / max(len(points) - 1, 1))[1].T:
         turn = map_about(2 * np.outer(axis, axis) - np.eye(3), center)
         try:
             other = bend(matmul(found.rigid_pose, turn), "bend, turned round")
-        except ValueError:  # no point near the target from there
+        except ValueError:  # no point near the target from this start
             continue
         if other.strain < BETTER * best.strain and other.matched >= 0.98 * best.matched:
             best, begin = other, matmul(found.rigid_pose, turn)
@@ -218,7 +213,7 @@ def _check_landmarks(landmarks: Any, low: Array, high: Array, spacing: float) ->
 
 
 def _refuse_contradictions(here: Array, there: Array, spacing: float) -> None:
-    """Two places less than a node spacing apart bend by the same nodes: they do not come to belong one more apart."""
+    """Reject landmarks less than a node spacing apart whose targets are farther apart: they share nodes."""
     if len(here) < 2:
         return
     a, b = KDTree(here).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
@@ -233,8 +228,6 @@ def _refuse_contradictions(here: Array, there: Array, spacing: float) -> None:
 
 
 class _Bending:
-    """The state between steps."""
-
     def __init__(
         self, source: PointCloud, target: PointCloud, spacing: float, reach: float, init: Any, pins: Any, weight: float
     ):
@@ -245,7 +238,7 @@ class _Bending:
         )
         self.spacing, self.reach, self.pins = spacing, reach, pins
         low, high = source._device_bounds()
-        # what lies on the target is judged at the scale of the body where nodes are farther apart
+        # with sparse nodes, the match is judged at the scale of the body
         self.grain = min(spacing, float(norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:
             init = fit_pose(*pins)
@@ -288,7 +281,6 @@ class _Bending:
         self.rule = PairRule(LEAST_COSINE, self.sided, each, POINT_WEIGHT * each)
 
     def _pair(self, reach: float) -> Any:
-        """Find the pairs within a distance; the bent points."""
         moved = bend_points(self.graph, self.influence)
         normals = bend_normals(self.graph, self.influence, self.source._device_array("normals"))
         nearest = find_nearest(self.tree, moved, radius=reach)
@@ -299,7 +291,6 @@ class _Bending:
     def run(
         self, stiffness: Sequence[float], turns: int, still: float, tell: Callable[[int, int], None]
     ) -> NonRigidResult:
-        """All steps."""
         moved = self._pair(self.reach)
         unbent = self._measure(moved)
         taken, settled = 0, True
@@ -317,14 +308,13 @@ class _Bending:
         return self._conclude(unbent, taken, settled)
 
     def _limit(self, stage: int, stages: int) -> float:
-        """How far apart pairs may be: in the softer half of all steps what is far beside the others is none."""
+        """Maximum pair distance; the softer half of all stages also rejects outliers."""
         if 2 * stage < stages:
             return self.reach
         medians = quantiles_of(self.distances, [0.5])  # sync
         return min(self.reach, max(TRIM * medians[0], 0.25 * self.spacing)) if medians else self.reach
 
     def _measure(self, moved: Any) -> tuple[Array, float, float]:
-        """The residuals, the share of the source on the target, their rmse."""
         residuals = empty(self.count, float64, self.tree.device)
         launch(measure_residuals_kernel, self.count, [moved, self.partners, self.surface, residuals])
         values = np.array(download(residuals))  # sync
@@ -364,37 +354,36 @@ class _Bending:
 
 
 def _share_within(nearest: Any, distance: float, count: int) -> float:
-    """The share of points whose nearest one lies within a distance."""
     keys = np.asarray(download(nearest), np.int64)
     squares = (keys >> 32).astype(np.int32).view(np.float32)
     return float(((keys >= 0) & (squares <= distance * distance)).sum()) / max(count, 1)
 
 
-SAME = 1e-3  # of the node spacing: residuals that differ by less are the same
+SAME = 1e-3  # of the node spacing: smaller differences are ignored
 LEAST_SHARE, MOST_FOLDED, MOST_STRAIN = 0.75, 0.01, 0.22
 
 
 @dataclass(frozen=True, eq=False)
 class NonRigidResult(Report, Assessed):
-    """What `register_nonrigid` found, and how far to trust it; `print` shows it.
+    """Result of `register_nonrigid` with its quality measures.
 
     Attributes:
-        deformation: Takes the source, and what stands with it, to the target.
-        warped: The source, bent.
-        correspondences: The target's point that each of the source's came to, int32 [n]; -1 of those without.
-        residuals: How far each lies from its partner's plane [m], float64 [n]; NaN without one.
-        matched: Share of the source's points that lie on the target, 0..1.
-        covered: Share of the target's points that the bent source reaches.
-        rmse: Of the residuals [m].
-        rigid_pose: Where ICP leaves the source, unbent: T_target_source, float64 [4, 4].
-        rigid_rmse, rigid_matched: The same of the source there.
-        folded: Share of the points at which the bend folds over.
-        strain: How much nodes are pulled apart beside their distance, at nine tenths of them; bending alone is none.
-        iterations: Steps in all.
-        converged: Whether each stiffness settled.
-        node_spacing: About how far nodes are apart [m].
-        target_count: Points of the target.
-        better_start: Where `init` was given: a pose, half a turn away, from which the body bends with less strain.
+        deformation: The Deformation from source to target.
+        warped: The deformed source.
+        correspondences: Target index of each source point, int32 [n]; -1 without partner.
+        residuals: Distance from the partner's plane [m], float64 [n]; NaN without partner.
+        matched: Fraction of source points on the target, 0..1.
+        covered: Fraction of target points that the deformed source reaches.
+        rmse: Root mean square of the residuals [m].
+        rigid_pose: T_target_source of the initial ICP, float64 [4, 4].
+        rigid_rmse, rigid_matched: The same measures for the undeformed source at that pose.
+        folded: Fraction of points where the deformation folds over.
+        strain: Relative change of node distances, 90th percentile; 0 for pure bending.
+        iterations: Total number of steps.
+        converged: True if each stiffness converged.
+        node_spacing: Approximate node distance [m].
+        target_count: Number of target points.
+        better_start: If `init` was given: a pose, rotated by half a turn, that needs less strain.
     """
 
     deformation: Deformation
@@ -417,7 +406,7 @@ class NonRigidResult(Report, Assessed):
 
     @property
     def is_rigid(self) -> bool:
-        """Whether the source lies on the target as well without a bend."""
+        """True if the source matches the target equally well without deformation."""
         return (
             self.rigid_matched >= 0.98 * self.matched and self.rigid_rmse <= 1.1 * self.rmse + SAME * self.node_spacing
         )
@@ -435,13 +424,13 @@ class NonRigidResult(Report, Assessed):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
+        """The values as JSON types."""
         names = ("matched", "covered", "rmse", "rigid_rmse", "rigid_matched", "folded", "strain", "iterations")
         found = {name: getattr(self, name) for name in names}
         return {"nodes": len(self.deformation), **found, "converged": self.converged, **quality(self)}
 
     def fields(self) -> Fields:
-        """How the bend came about and how good it is."""
+        """The rows of the printed summary."""
         unbent = f"rmse {self.rigid_rmse:.4g}, {format_share(self.rigid_matched)} of the source on the target"
         fields = [
             ("nodes", f"{len(self.deformation):,}"),
@@ -454,17 +443,17 @@ class NonRigidResult(Report, Assessed):
         return with_warnings(fields, self)
 
     def transfer(self, values: ArrayLike, missing: float = np.nan) -> NDArray[Any]:
-        """What the target's points have, at the points of the source that lie on them.
+        """Transfer values of the target points to the source points that match them.
 
         Args:
-            values: Of the target's points, such as `target.colors` or `target["label"]`, shape [m] or [m, c].
-            missing: What points without a partner get; give a number where the values are whole.
+            values: Values per target point, such as `target.colors` or `target["label"]`, shape [m] or [m, c].
+            missing: Value for points without a partner; must fit the type of integer values.
 
         Returns:
             Shape [n] or [n, c], in the type of the values.
 
         Raises:
-            ValueError: Another number of rows than the target has points, or `missing` is none of their type.
+            ValueError: The number of rows differs from the target's points, or `missing` does not fit the type.
             TypeError: Not numeric.
         """
         rows = check_numeric("values", values)
@@ -484,13 +473,12 @@ class NonRigidResult(Report, Assessed):
 
 
 class Deformation:
-    """What `register_nonrigid` found: it takes the world coordinates of the body to those of what it was brought to.
+    """Deformation from `register_nonrigid` in world coordinates.
 
-    Each point moves with the four nodes nearest to it, as they weigh; a normal by the inverse transpose of the
-    Jacobian.
+    Each point moves with a weighted mean of its four nearest nodes; normals use the inverse transpose of the Jacobian.
 
     Attributes:
-        device: The device that holds the nodes.
+        device: The device of the nodes.
     """
 
     def __init__(self, graph: DeformationGraph, source_origin: Array, target_origin: Array) -> None:
@@ -505,32 +493,31 @@ class Deformation:
 
     @property
     def nodes(self) -> Array:
-        """Where the nodes stood [m], float64 [nodes, 3]."""
+        """Initial node positions [m], float64 [nodes, 3]."""
         return np.asarray(download(self._graph.nodes), np.float64).reshape(-1, 3) + self._source
 
     @property
     def rotations(self) -> Array:
-        """How they turned, float64 [nodes, 3, 3]."""
+        """Node rotations, float64 [nodes, 3, 3]."""
         return np.array(download(self._graph.rotations), np.float64).reshape(-1, 3, 3)
 
     @property
     def translations(self) -> Array:
-        """How far they went [m], float64 [nodes, 3]."""
+        """Node translations [m], float64 [nodes, 3]."""
         centers = np.asarray(download(self._graph.centers), np.float64).reshape(-1, 3)
         return centers + self._target - self.nodes
 
     def transform(self, points: PointCloud | ArrayLike) -> Any:
-        """Bend a cloud with all that it has, or points such as the vertices of a mesh.
+        """Deform a cloud, or points such as the vertices of a mesh.
 
         Args:
-            points: A PointCloud on the device of the nodes, or world coordinates [n, 3] [m]: of the body, or near it.
+            points: A PointCloud on the device of the nodes, or world coordinates [n, 3] [m], on or near the body.
 
         Returns:
-            The cloud, its normals turned with the surface, its covariances left out; or float64 [n, 3]. What is not
-            finite stays so.
+            The cloud with rotated normals and without covariances, or float64 [n, 3]. Non-finite points are unchanged.
 
         Raises:
-            TypeError, ValueError: Neither.
+            TypeError, ValueError: Neither a cloud nor points.
             DeviceError: A cloud on another device.
         """
         if not isinstance(points, PointCloud):
@@ -548,7 +535,7 @@ class Deformation:
         return bent
 
     def volumes(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
-        """What becomes of a unit of volume at points, float32 [n]: the Jacobian's determinant, below 0 in a fold."""
+        """Volume change at points, float32 [n]: the determinant of the Jacobian, negative in a fold."""
         cloud = points if isinstance(points, PointCloud) else PointCloud(points, device=self.device)
         return np.array(download(measure_volumes(self._graph, self._influence(cloud))))
 

@@ -1,4 +1,4 @@
-"""Fragments aligned together, rigidly or with the distortion of the camera that took them (SLAC)."""
+"""Joint alignment of fragments, rigid or with a common camera distortion (SLAC)."""
 
 from __future__ import annotations
 
@@ -38,26 +38,25 @@ from .control_grid import GRID_SIZE, ControlGrid
 
 Array = NDArray[np.float64]
 MOST_ITERATIONS = 1000
-NEIGHBORS, DEVIATIONS = 20, 2.0  # of the outliers that are removed, as Open3D means to
+NEIGHBORS, DEVIATIONS = 20, 2.0  # outlier removal, as intended in Open3D
 NORMAL_NEIGHBORS = 30
-LEAST_COSINE = 0.5  # 60 degrees: beyond that two points lie on two surfaces
+LEAST_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class SLACOptimizerParams:
-    """How fragments are aligned: Open3D's names and defaults. (Its `slac_folder` is not there: nothing is written.)
+    """Options of the fragment alignment, with Open3D's names and defaults (without `slac_folder`: nothing is written).
 
     Args:
-        max_iterations: Steps; pairs of points are found anew before each.
-        voxel_size: Fragments are thinned to one point a voxel [m]; 0 takes them as they are.
-        distance_threshold: Two points lie on the same surface where they are nearer to each other [m].
-        fitness_threshold: An edge between fragments that do not follow each other counts where at least this share of
-            the pairs of points that it makes agrees with the nodes' poses.
-        regularizer_weight: How stiff the grid is; times the number of fragments.
-        grid_size: Edge of the grid's cells [m].
+        max_iterations: Number of steps; point pairs are searched again before each.
+        voxel_size: Downsampling voxel edge [m]; 0: none.
+        distance_threshold: Maximum distance of a point pair [m].
+        fitness_threshold: Minimum fraction of consistent point pairs of an edge between non-consecutive fragments.
+        regularizer_weight: Stiffness of the grid; multiplied by the number of fragments.
+        grid_size: Edge of the grid cells [m].
 
     Raises:
-        TypeError, ValueError: A number out of range.
+        TypeError, ValueError: A number is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -89,35 +88,29 @@ def run_slac_optimizer_for_fragments(
     *,
     progress: ReportProgress | None = None,
 ) -> tuple[PoseGraph, ControlGrid]:
-    """Align fragments while a grid, which all of them share, takes up the distortion of their camera.
+    """Align fragments together with a shared deformation grid that models the camera distortion (SLAC).
 
-    Each edge of the graph names two fragments that overlap. Their points are paired with the nearest ones under the
-    poses and the grid so far; poses and anchors take a step that brings each point to its partner's plane, the grid
-    being as rigid as it can; and so on.
+    The points of overlapping fragments are paired with their nearest neighbors; poses and grid take a point-to-plane
+    step with an as-rigid-as-possible grid; and so on.
 
     Args:
-        fragments: The clouds, or their files, in the order of the nodes, each in the frame of its camera (where the
-            distortion is the same for all of them). At least one; all on one device.
-        fragment_pose_graph: T_world_fragment of each, as `global_optimization` leaves them, and the edges.
-        params: None for the defaults.
+        fragments: The clouds, or their files, in node order, each in its camera frame. At least one; all on one device.
+        fragment_pose_graph: T_world_fragment as from `global_optimization`, and the edges.
+        params: None: the defaults.
         progress: Called with ("slac", steps done, steps in all).
 
     Returns:
-        The graph with the new poses, its `report` a RefinementReport; and the grid, whose `deform` bends a fragment
-        before its new pose moves it. The first fragment of each connected part keeps its pose, and the grid moves the
-        points as little as it can: what is the same rigid motion for all of them goes to the poses.
+        The graph with new poses, its `report` a RefinementReport; and the grid, whose `deform` is applied to a fragment
+        before its new pose. The first fragment of each connected part keeps its pose.
 
     Raises:
-        TypeError, ValueError: Not clouds, as many nodes as fragments, numbers out of range, a graph that is not sound,
-            or no two points near enough.
-        FileError: A file that cannot be read.
-        DeviceError: Clouds on different devices.
+        TypeError, ValueError: Not clouds, a wrong number of nodes, numbers out of range, or an invalid graph.
+        FileError, DeviceError: A file cannot be read, or clouds are on different devices.
 
     Notes:
-        The normal matrix is never written down (Open3D's is dense: (6 F + 3 G)^2 floats, 2.3 GB at 8,000 anchors): it
-        takes about 220 B a pair of points, 900 B an anchor and 40 B a point. Outliers are really removed, pairs are
-        found anew at each step, nothing is written to files or taken from them. The same bits from run to run. Zhou
-        and Koltun, "Simultaneous localization and calibration: self-calibration of consumer depth cameras", CVPR 2014.
+        Matrix-free (Open3D's dense matrix takes 2.3 GB at 8,000 anchors): about 220 B per point pair, 900 B per anchor
+        and 40 B per point. Bitwise reproducible. Zhou and Koltun, "Simultaneous localization and calibration:
+        self-calibration of consumer depth cameras", CVPR 2014.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -142,22 +135,22 @@ def run_rigid_optimizer_for_fragments(
     *,
     progress: ReportProgress | None = None,
 ) -> PoseGraph:
-    """As `run_slac_optimizer_for_fragments`, moving the fragments as they are.
+    """As `run_slac_optimizer_for_fragments`, with rigid fragments.
 
     Returns:
-        The graph with the new poses, its `report` a RefinementReport.
+        The graph with new poses, its `report` a RefinementReport.
 
     Raises:
-        TypeError, ValueError, FileError, DeviceError: As there.
+        TypeError, ValueError, FileError, DeviceError: As `run_slac_optimizer_for_fragments`.
 
     Notes:
-        About 180 B a pair of points and 40 B a point. The same bits from run to run.
+        About 180 B per point pair and 40 B per point. Bitwise reproducible.
     """
     return _Alignment(fragments, fragment_pose_graph, params, progress, bends=False).run()
 
 
 class _Alignment:
-    """The state between steps; poses are about the middle of the scene and the grid's origin."""
+    """State between steps; poses are about the scene center and the grid origin."""
 
     def __init__(self, fragments: Any, graph: PoseGraph, params: Any, progress: Any, *, bends: bool):
         self.params = SLACOptimizerParams() if params is None else params
@@ -191,7 +184,6 @@ class _Alignment:
         self.shares = _agreement(clouds, self.graph, self.params.distance_threshold)
 
     def run(self) -> PoseGraph:
-        """All steps; returns the new graph."""
         params, graph = self.params, self.graph
         follows = np.abs(graph.source - graph.target) == 1
         used = follows | (self.shares >= params.fitness_threshold)
@@ -215,7 +207,6 @@ class _Alignment:
         return self._concluded(used, held, last.rows, errors, turns)
 
     def _task(self, pairs: Pairs, system: StepSystem) -> FragmentStep:
-        """The problem with the pairs of points as they are now."""
         rows = pairs.match(self.poses)
         if not rows.count and len(pairs.ends):
             raise ValueError(
@@ -225,7 +216,6 @@ class _Alignment:
         return FragmentStep(rows, self.fragments.lattice, system)
 
     def _step(self, task: FragmentStep) -> int:
-        """Take one step; returns its turns."""
         if not task.rows.count:
             return 0
         count, lattice = len(self.poses), self.fragments.lattice
@@ -239,7 +229,7 @@ class _Alignment:
         return turns
 
     def _settle(self, first: Array, parts: NDArray[np.int32], held: NDArray[np.bool_]) -> None:
-        """Give what the grid does to all points alike to the poses, and the first of each part its own pose back."""
+        """Move common rigid motion from the grid to the poses, and restore the first pose of each part."""
         lattice = self.fragments.lattice
         if self.bends and lattice.anchor_count:
             motion = motion_of(self.fragments.points, self.fragments.moved)  # sync
@@ -259,7 +249,7 @@ class _Alignment:
         errors: list[tuple[float, int, float]],
         turns: list[int],
     ) -> PoseGraph:
-        """The graph at the new poses; those that were held keep their bits."""
+        """The graph at the new poses; fixed ones stay bitwise unchanged."""
         poses = self.poses.copy()
         poses[:, :3, 3] += self.middle - matmul(poses[:, :3, :3], self.origin)
         poses[held] = self.graph.poses[held]
@@ -279,7 +269,6 @@ class _Alignment:
 
 
 def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud], bool]:
-    """The clouds thinned, without outliers, with normals; and whether these point to one side in all of them."""
     clouds, sided = [], True
     for i, item in enumerate(given):
         cloud = read_point_cloud(item) if isinstance(item, str | Path | os.PathLike) else item
@@ -298,7 +287,7 @@ def _prepare(given: Sequence[Any], voxel_size: float) -> tuple[list[PointCloud],
 
 
 def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float) -> Array:
-    """How far each edge's pairs of points agree with the nodes' poses, 0..1."""
+    """Fraction of each edge's point pairs that agree with the node poses, 0..1."""
     counted = []
     for s, t, T in zip(graph.source, graph.target, graph.transformations, strict=True):
         source, target = clouds[s], clouds[t]
@@ -314,7 +303,6 @@ def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float
 
 
 def _parts(ends: NDArray[np.int64], count: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
-    """The connected part of each fragment, and whether it is the first there."""
     parts = connected_parts(ends[:, 0], ends[:, 1], count)
     held = np.zeros(count, bool)
     held[np.unique(parts, return_index=True)[1]] = True

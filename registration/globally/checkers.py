@@ -1,7 +1,4 @@
-"""Tests of a sample of correspondences and its pose, which a right one passes and most wrong ones do not.
-
-RANSAC runs them on the device, for all hypotheses of a round at once; `Check` answers for a single one on the host.
-"""
+"""Checks that reject most wrong RANSAC hypotheses before scoring, on the device, or one at a time with `Check`."""
 
 from __future__ import annotations
 
@@ -20,10 +17,10 @@ from ..given_pairs import check_clouds, check_pairs
 
 
 class CorrespondenceChecker:
-    """What all checkers have: `Check`, and their part in the device's test."""
+    """Base of all checkers."""
 
     def Check(self, source: PointCloud, target: PointCloud, corres: ArrayLike, transformation: ArrayLike) -> bool:
-        """Whether a few correspondences and a pose pass.
+        """True if correspondences and a pose pass.
 
         Args:
             source: The source cloud.
@@ -32,33 +29,29 @@ class CorrespondenceChecker:
             transformation: T_target_source, shape [4, 4].
 
         Raises:
-            TypeError: No clouds.
-            ValueError: Another shape, or a matrix that is not finite or has no inverse.
+            TypeError, ValueError: Not clouds, a wrong shape, or a matrix that is not finite or not invertible.
         """
         check_clouds(source, target)
         pairs, T = check_pairs(corres, source, target), check_transformation("transformation", transformation)
-        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # what is not finite does not pass
+        with np.errstate(over="ignore", divide="ignore", invalid="ignore"):  # non-finite values fail
             return self._passes(source, target, pairs, T)
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
         raise NotImplementedError
 
     def _tighten(self, checks: Checks) -> None:
-        """Make the device's test at least as strict as this checker."""
+        """Make the device checks at least as strict as this checker."""
         raise NotImplementedError
 
 
 class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
-    """A pose keeps lengths: those between any two of the sampled points must be similar in both clouds.
+    """Distances between the sampled points must be similar in both clouds; not for poses with scale.
 
     Args:
-        similarity_threshold: The least ratio of the shorter to the longer, 0 (loose) to 1 (strict).
+        similarity_threshold: Minimum ratio of the shorter to the longer, 0 (loose) to 1 (strict).
 
     Raises:
         ValueError: A threshold outside 0..1.
-
-    Notes:
-        Do not use it where a scale is sought.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -87,13 +80,13 @@ class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
 
 
 class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
-    """The sampled points must lie close together under the pose.
+    """The sampled points must be close under the pose.
 
     Args:
-        distance_threshold: The greatest distance [m] that passes.
+        distance_threshold: Maximum distance [m].
 
     Raises:
-        ValueError: A threshold that is not positive.
+        ValueError: The threshold is not positive.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -120,15 +113,13 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
 class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
     """The normals at the sampled points must agree under the pose; clouds without normals pass.
 
+    Opposite normals do not agree: orient them first. The scale of a pose is ignored, unlike in Open3D.
+
     Args:
-        normal_angle_threshold: The greatest angle [rad] that passes.
+        normal_angle_threshold: Maximum angle [rad].
 
     Raises:
-        ValueError: A threshold that is negative.
-
-    Notes:
-        Normals with opposite signs do not agree: orient them first. A pose's scale does not count (in Open3D a scale
-        above one lets more angles pass).
+        ValueError: The threshold is negative.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -158,17 +149,14 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
 
 
 class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
-    """The pose must not turn the source too far about its axes.
+    """The pose must not rotate the source too far about its axes.
 
     Args:
-        rotation_threshold: The greatest size [rad] of the angles x, y, z of the pose's rotation Rz Ry Rx, shape [3]:
-            how far it may tilt about x and y, and turn about z.
+        rotation_threshold: Maximum absolute angles x, y, z [rad] of the rotation Rz Ry Rx, shape [3] (as in Open3D
+            0.20, whose documentation says rotation vector).
 
     Raises:
-        ValueError: Another shape, or a threshold that is negative.
-
-    Notes:
-        As Open3D 0.20 does it; its documentation speaks of the components of a rotation vector.
+        ValueError: A wrong shape, or a negative threshold.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -204,11 +192,6 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
 
 def checks_of(checkers: Sequence[CorrespondenceChecker]) -> Checks:
-    """The device's test that passes what all checkers pass.
-
-    Raises:
-        TypeError: Something else than a checker.
-    """
     checks = Checks()
     for checker in check_list("checkers", checkers, "checkers"):
         if not isinstance(checker, CorrespondenceChecker):

@@ -1,4 +1,4 @@
-"""Fast global registration: one robust cost over all correspondences, whose scale shrinks while it is minimised."""
+"""Fast global registration (Zhou, Park and Koltun 2016): a robust cost over correspondences with a shrinking scale."""
 
 from __future__ import annotations
 
@@ -27,36 +27,35 @@ from ..rigid import to_world
 from .ransac import no_pose
 from .rating import rate_registration
 
-FEWEST = 10  # correspondences, as Open3D has it
-RATED_WITHIN = 3.0  # distances: half a voxel is given here, one and a half are what a pose is rated by
-TRIALS = 100  # triples tested a correspondence
-EVERY = 2  # steps between two divisions of the scale: exact ones, where the paper takes four Gauss-Newton steps
-STILL = 1e-3  # [rad, and of the half diagonal] a last step below this has converged
+FEWEST = 10  # minimum correspondences, as in Open3D
+RATED_WITHIN = 3.0  # half a voxel is given here, rating uses one and a half
+TRIALS = 100  # tested triples per correspondence
+EVERY = 2  # steps per scale division (the paper: four Gauss-Newton steps)
+STILL = 1e-3  # [rad, and of the half diagonal] convergence of the last step
 MOST_STEPS = 10_000
 MOST_TUPLES = 10_000_000
 
 
 class FastGlobalRegistrationOption:
-    """How the cost is minimised.
+    """Options of fast global registration.
 
     Args:
-        division_factor: What the scale mu is divided by at every second step.
-        use_absolute_scale: mu begins at 1 m^2, for clouds that are about a metre apart; else at the squared half
-            diagonal of the larger cloud's box, from where any pose can be reached.
-        decrease_mu: Divide mu until it is below the squared `maximum_correspondence_distance`. Without it all
-            correspondences weigh almost alike to the end, and wrong ones pull the pose.
-        maximum_correspondence_distance: [m] of right correspondences; also what fitness and error are measured with.
-        iteration_number: Steps.
-        tuple_scale: The least ratio of two sides in the test of triples, 0..1.
-        maximum_tuple_count: Triples to find.
-        tuple_test: Keep only the correspondences of triples whose triangles have similar sides.
+        division_factor: Divisor of the scale mu at every second step.
+        use_absolute_scale: Start with mu = 1 m^2, for clouds about a meter apart; otherwise with the squared half
+            diagonal of the larger bounding box, which reaches any pose.
+        decrease_mu: Divide mu until it is below the squared `maximum_correspondence_distance`. Without it outliers keep
+            almost full weight.
+        maximum_correspondence_distance: Inlier distance [m], also for fitness and error.
+        iteration_number: Number of steps.
+        tuple_scale: Minimum ratio of two sides in the triple test, 0..1.
+        maximum_tuple_count: Number of triples.
+        tuple_test: Keep only correspondences of triples whose triangles have similar sides.
 
     Raises:
-        ValueError: A number out of its range.
+        ValueError: A number is out of range.
 
     Notes:
-        Open3D has two defaults of `decrease_mu`: true where no option is given, false in an option made in Python; the
-        same pair of scans then ends at fitness 0.35 or 0.24. Here it is always true, as in the paper.
+        Open3D's default of `decrease_mu` differs between C++ (true, as here) and Python (false).
 
     Example:
         >>> import pointloom as loom
@@ -110,23 +109,22 @@ def registration_fgr_based_on_feature_matching(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, from points whose features are each other's nearest.
+    """Register two clouds without a starting pose, from mutual nearest neighbors of features.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        source_feature: One row a point, [n, d], as `compute_fpfh_feature` gives them; NumPy or a device array.
+        target: The fixed cloud, on the same device.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
         target_feature: Likewise [m, d].
-        option: How; None for FastGlobalRegistrationOption().
-        seed: Of the triples; the same seed gives the same bits.
+        option: None: FastGlobalRegistrationOption().
+        seed: Seed of the triples.
 
     Returns:
         As `registration_fgr_based_on_correspondence`.
 
     Raises:
-        ValueError: Features that are not one row a point.
-        TypeError: An argument of another kind.
-        DeviceError: The clouds are on different devices.
+        ValueError: Features without one row per point.
+        TypeError, DeviceError: An argument has another type, or the clouds are on different devices.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -155,35 +153,28 @@ def registration_fgr_based_on_correspondence(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, from correspondences of which many may be wrong.
+    """Register two clouds without a starting pose, from correspondences with many outliers.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Those of points that are not finite do not count.
-        option: How; None for FastGlobalRegistrationOption().
-        seed: Of the triples; the same seed gives the same bits.
+        target: The fixed cloud, on the same device.
+        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored.
+        option: None: FastGlobalRegistrationOption().
+        seed: Seed of the triples.
 
     Returns:
-        The pose with the least cost; fitness and error of the whole clouds within the option's distance. `converged`
-        says whether the last step moved next to nothing, `score` rates the pose (`rate_registration` at
-        three times that distance). With fewer than 10 correspondences, given or left by the test of triples: the
-        identity, fitness and score 0, not converged, and a reason.
+        The pose with the least cost, with fitness and error of the complete clouds. `converged` is True if the last
+        step hardly moved; `score` is that of `rate_registration` at three times the distance. With fewer than 10
+        correspondences (given, or after the triple test): the identity, fitness 0 and a `reason`.
 
     Raises:
-        ValueError: Another shape.
-        IndexError: An index beyond its cloud.
-        TypeError: An argument of another kind.
-        DeviceError: The clouds are on different devices.
+        ValueError, IndexError: A wrong shape, or an index out of range.
+        TypeError, DeviceError: An argument has another type, or the clouds are on different devices.
 
     Notes:
-        Zhou, Park and Koltun, "Fast global registration", ECCV 2016. Each step solves its weighted least squares by
-        Horn's closed form, where the paper takes a Gauss-Newton step: so mu is divided at every second step instead of
-        every fourth. mu is a squared length, as in the paper, from the squared half diagonal down to the squared
-        distance; Open3D begins at the cloud's radius in metres and ends at the distance in metres, so that its result
-        depends on the unit of length.
-
-        Memory O(n + m). The same bits from run to run whatever the number of threads.
+        Zhou, Park and Koltun, "Fast global registration", ECCV 2016. Steps use Horn's closed form instead of
+        Gauss-Newton, so mu is divided at every second step, not every fourth. mu is a squared length, as in the paper;
+        Open3D's result depends on the unit of length. Memory O(n + m). Bitwise reproducible for any number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,4 +1,4 @@
-"""Two clouds brought together from wherever they lie: the one call that asks for nothing but a voxel's size."""
+"""Global registration: two clouds from any starting pose, or correspondences with a large fraction of outliers."""
 
 from __future__ import annotations
 
@@ -42,25 +42,18 @@ from .rating import (
     surface_of,
 )
 
-FEATURE_RADIUS = 5.5  # [voxels] of the neighbourhood that a feature describes
-NOISE = 1.5  # [voxels] between the ends of a right correspondence: a voxel's diagonal is 1.7
-FEWEST_POINTS = 10  # where a surface shows, below which there is nothing to describe
-CONTENDERS = 8  # poses that are refined and rated at most
-RIVAL = 0.3  # of the best pose's support, below which another is no rival
-ALIKE = 0.85  # of the best pose's share of evidence, above which another has as much
-APART = 2.0  # distances of a match between the places where two poses bring the source, which makes them two
-FIRST_STEPS, STEPS = 8, 30  # of ICP: before poses are compared, and of the best at most
+FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
+NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
+FEWEST_POINTS = 10  # minimum surface points
+CONTENDERS = 8  # maximum number of refined poses
+RIVAL = 0.3  # minimum relative support of a rival
+ALIKE = 0.85  # relative share above which evidence is equal
+APART = 2.0  # match distances between distinct poses
+FIRST_STEPS, STEPS = 8, 30  # ICP iterations: before the comparison, and for the best pose
 
 
 class Description(NamedTuple):
-    """A cloud thinned to voxels, and what its points' surroundings look like.
-
-    Attributes:
-        cloud: As it was given.
-        voxel_size: Edge of a voxel [m].
-        witness: Its points where a surface shows, about the cloud's origin, and from where they can have been seen.
-        features: FPFH of those, float32 device array [n, 33].
-    """
+    """A downsampled cloud with its surface points and viewpoints (`witness`) and their FPFH, float32 [n, 33]."""
 
     cloud: PointCloud
     voxel_size: float
@@ -69,12 +62,10 @@ class Description(NamedTuple):
 
     @property
     def surface(self) -> Surface:
-        """Its points where a surface shows, about the cloud's origin."""
         return self.witness.surface
 
     @property
     def thinned(self) -> PointCloud:
-        """The surface as a cloud with normals."""
         arrays = {"points": self.surface.points, "normals": self.surface.normals}
         return PointCloud._from_device_arrays(arrays, self.cloud.origin)
 
@@ -91,42 +82,36 @@ def register_globally(
 ) -> RegistrationResult:
     """Register two clouds from any starting pose.
 
-    Both clouds are thinned to voxels; points whose surroundings look alike (FPFH) correspond; the poses that most of
-    them agree with are refined by point-to-plane ICP on the thinned clouds, and the one under which the surfaces lie
-    on each other best is taken. Refine it on the clouds themselves by `registration_icp` or a sibling of it.
+    Both clouds are downsampled to voxels and matched by FPFH. The poses with most agreeing correspondences are refined
+    by point-to-plane ICP, and the pose with the best surface agreement is selected. Refine it by `registration_icp`.
 
     Args:
-        source: The cloud to move; neither normals nor features are needed, and its own normals are not used.
-        target: The cloud that stays, on the same device.
-        voxel_size: Edge of a voxel [m]. Smaller than what there is to recognise, larger than the noise: some 3,000 to
+        source: The cloud to move; normals and features are not needed, and its own normals are not used.
+        target: The fixed cloud, on the same device.
+        voxel_size: Voxel edge [m], smaller than the distinctive structures and larger than the noise. About 3,000 to
             30,000 voxels should be occupied (5 cm for rooms, 0.3 to 0.5 m for streets).
-        seed: Chooses 16,384 of the correspondences where there are more; else it decides nothing.
-        refine: Whether to refine poses by ICP before they are compared.
+        seed: Selects 16,384 of the correspondences if there are more; otherwise unused.
+        refine: Refine poses by ICP before they are compared.
         free: None, or ("x", "y", "z", "yaw") for clouds that are both level (`levelled`): poses that tilt by more than
-            15 degrees are no candidates, the others are levelled, and refined so.
+            15 degrees are rejected, the others are leveled and refined so.
 
     Returns:
-        The pose, with a `score`: above 0.5 where the clouds do lie on each other there. `converged` says whether they
-        do, and `reason` why not: too little surface, no correspondences that agree, a best pose that is rejected, a
-        motion that is free where the surfaces fit (a ball, a tube), a pose under which nothing matches but planes as
-        any rooms have them, or under which one cloud stands where the other saw through, or several poses that fit
-        alike, among which a symmetric scene leaves no choice. The pose is then the best that was found; the identity
-        where there is none.
-        Fitness and error are those of the thinned clouds within 1.5 voxels; `correspondence_set` holds indices into
-        the clouds as given, found when it is first read.
+        The best pose, or the identity if there is none. `score` is above 0.5 and `converged` is True if the clouds
+        agree. Otherwise `reason` names the failure: too little surface, no consistent correspondences, a rejected best
+        pose, an undetermined motion (sphere, tube), evidence from planes only, a conflict with free space, or several
+        equally good poses (symmetric scene).
+        Fitness and error are those of the downsampled clouds within 1.5 voxels. `correspondence_set` holds indices into
+        the given clouds and is computed on first access.
 
     Raises:
-        ValueError: A voxel size that is not positive, or for which the grid has more than 2^62 cells.
-        TypeError: Not a PointCloud.
-        DeviceError: Clouds on different devices.
+        ValueError: The voxel size is not positive, or the grid has more than 2^62 cells.
+        TypeError: An input is not a PointCloud.
+        DeviceError: The clouds are on different devices.
 
     Notes:
-        The chain of KISS-Matcher (Lim et al. 2025) with other links. Normals point to the hollow side of the surface,
-        so that features do not depend on where a sensor stood (`pointloom.kernels.surface.hollow_side`); the poses
-        come from second-order compatibility instead of a graph's core (`registration_robust_based_on_correspondence`);
-        and the last word have the clouds (`rate_registration`). O(n + m) memory, and m^2 / 8 bytes for m
-        correspondences.
-        Nothing is random: the same bits from run to run, whatever the number of threads.
+        Based on Lim et al., "KISS-Matcher", ICRA 2025, with normals toward the concave side, second-order compatibility
+        (`registration_robust_based_on_correspondence`) and a final check on the clouds (`rate_registration`). Memory
+        O(n + m), and m^2 / 8 bytes for m correspondences. Bitwise reproducible for any number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -146,12 +131,11 @@ def register_globally(
 
 
 def describe(cloud: PointCloud, voxel_size: float) -> Description:
-    """What `register_described` needs of a cloud; once for all the clouds that it is registered with."""
     return describe_surface(cloud, surface_of(cloud, voxel_size), voxel_size)
 
 
 def describe_surface(cloud: PointCloud, surface: Surface, voxel_size: float) -> Description:
-    """As `describe`, of a cloud whose surface is known; of the cloud only the origin counts."""
+    """As `describe`, from a known surface; only the origin of `cloud` is used."""
     features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
     return Description(cloud, voxel_size, Witness(surface, voxel_size), features)
 
@@ -159,7 +143,6 @@ def describe_surface(cloud: PointCloud, surface: Surface, voxel_size: float) -> 
 def register_described(
     left: Description, right: Description, *, seed: int = 0, refine: bool = True, free: Sequence[str] | None = None
 ) -> RegistrationResult:
-    """`register_globally` of two clouds that were described with the same voxels."""
     source, target, size = left.cloud, right.cloud, left.voxel_size
     for name, surface in (("source", left.surface), ("target", right.surface)):
         if len(surface) < FEWEST_POINTS:
@@ -208,11 +191,7 @@ def _choose(
     refine: bool,
     free: Sequence[str] | None,
 ) -> tuple[RegistrationResult, Evidence, int]:
-    """The pose with most evidence, refined; the evidence, and how many poses have about as much.
-
-    All take a few steps of ICP together before they are compared; only the best goes on. That is the first that all the
-    evidence speaks for, in the order of what the whole says of them; where there is none, the first of all.
-    """
+    """The refined pose with most evidence, its evidence, and the number of equally good poses."""
     first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0, free)
     poses = np.array([result.transformation for result in first])
     wholes = compare_under(source.surface, target.surface, poses, distance)
@@ -232,7 +211,7 @@ def _choose(
 
 
 def _apart(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
-    """Those of some poses, in order, that bring the source elsewhere than all before them."""
+    """Indices, in order, of poses that move the source differently from all earlier ones."""
     moved, kept = moved_samples(source, poses), [int(order[0])]
     for k in order[1:].tolist():
         if ((moved[kept] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2:
@@ -241,32 +220,26 @@ def _apart(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp],
 
 
 def _is_equal(found: Evidence, best: Evidence) -> bool:
-    """Whether a pose has about as much evidence as the best, of the whole and beside the planes."""
+    """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
         return 0 < ALIKE * best.share <= found.share
     return found.score > 0.5 and ALIKE * best.share <= found.share and ALIKE * best.rest <= found.rest
 
 
 def _unknown(reason: str, source: PointCloud) -> RegistrationResult:
-    """The result where no pose was found."""
     result = no_pose(reason, source)
     result.score = 0.0
     return result
 
 
-MOST_PAIRS = 2**14  # of which all pairs are compared: 33 MB of bits
-FEWEST = 3  # correspondences that fix a pose
-CHANCE = 3.0  # correspondences that any pose may satisfy
-SURE, STEEP = 2.2, 4.0  # times the runner-up's support where the score is even, and how fast it grows
+MOST_PAIRS = 2**14  # all pairs are compared: 33 MB of bits
+FEWEST = 3  # minimum correspondences for a pose
+CHANCE = 3.0  # correspondences that agree with any pose by chance
+SURE, STEEP = 2.2, 4.0  # support ratio with score 0.5, and its steepness
 
 
 class Consensus(NamedTuple):
-    """Poses that correspondences agree with, the best first, no two of them alike.
-
-    Attributes:
-        poses: T_target_source about the clouds' origins, float64 [k, 4, 4].
-        support: What each saves of the truncated cost: at most the number of correspondences that agree.
-    """
+    """Distinct poses T_target_source about the origins, float64 [k, 4, 4], by descending saved truncated cost."""
 
     poses: NDArray[np.float64]
     support: NDArray[np.float64]
@@ -277,36 +250,32 @@ def registration_robust_based_on_correspondence(
 ) -> RegistrationResult:
     """Register two clouds without a starting pose, from correspondences of which nearly all may be wrong.
 
-    Correspondences that could be right together keep the distances between their points; those that share most such
-    partners propose poses, and the one that most agree with is fitted by graduated non-convexity. Nothing is drawn at
-    random, so the share of wrong ones decides nothing but the time: one right in a hundred is found where some 20 are.
+    Compatible correspondences preserve the distances between their points. Those that share most compatible partners
+    propose poses, and the best-supported pose is fitted by graduated non-convexity. The outlier fraction only affects
+    the time: 1% inliers suffice if there are about 20 of them.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Those of points that are not finite do not count, and
-            repeated ones count once.
-        noise_bound: Distance [m] below which a right correspondence lies under the right pose; 1.5 voxels where the
-            clouds were down-sampled.
-        seed: Chooses 16,384 of the correspondences where there are more; else it decides nothing.
+        target: The fixed cloud, on the same device.
+        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored, and repeated pairs count once.
+        noise_bound: Maximum distance of a correct correspondence [m]; 1.5 voxels for downsampled clouds.
+        seed: Selects 16,384 of the correspondences if there are more; otherwise unused.
 
     Returns:
-        The pose with most support. Fitness, error and correspondences are those of the whole clouds within the noise
-        bound; `score` compares its support with that of the best pose of another kind: above 0.5 where it has 2.2 times
-        as much. `converged` says whether that is so. Without three correspondences that agree: the identity, fitness
-        0, not converged, and a reason.
+        The pose with most support. Fitness, error and correspondences are those of the complete clouds within the noise
+        bound. `score` compares its support with the best different pose: above 0.5, and `converged`, if it has 2.2
+        times as much. With fewer than three consistent ones: the identity, fitness 0 and a `reason`.
 
     Raises:
-        ValueError: Another shape, or a bound that is not positive.
-        IndexError: An index beyond its cloud.
-        TypeError: An argument of another kind.
+        ValueError: A wrong shape, or a bound that is not positive.
+        IndexError: An index is out of range.
+        TypeError: An argument has another type.
         DeviceError: The clouds are on different devices.
 
     Notes:
-        Compatibility as in TEASER (Yang, Shi and Carlone 2021), ranked by common neighbours as in SC2-PCR (Chen et al.
-        2022), fitted as in Yang et al. 2020; see `pointloom.kernels.poses.consensus_poses` and `consensus_poses`.
-        Two correspondences count together only where their points lie more than the noise bound apart. Memory
-        m^2 / 8 bytes and 1 kB a correspondence. The same bits from run to run, whatever the number of threads.
+        Compatibility: Yang, Shi and Carlone, "TEASER", T-RO 2021; ranking: Chen et al., "SC2-PCR", CVPR 2022; fit: Yang
+        et al., "Graduated non-convexity", RA-L 2020. Points closer than the noise bound do not support each other.
+        Memory m^2 / 8 bytes and 1 kB per correspondence. Bitwise reproducible for any number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -336,24 +305,23 @@ def registration_robust_based_on_feature_matching(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, from points whose features are alike.
+    """Register two clouds without a starting pose, by matching features.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        source_feature: One row a point, [n, d], as `compute_fpfh_feature` gives them; NumPy or a device array.
+        target: The fixed cloud, on the same device.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
         target_feature: Likewise [m, d].
-        noise_bound: As in `registration_robust_based_on_correspondence`; 1.5 voxels.
-        mutual_filter: Keep the pairs that are each other's nearest alone.
-        seed: As there.
+        noise_bound: Maximum distance of a correct correspondence [m]; typically 1.5 voxels.
+        mutual_filter: Keep only mutual nearest neighbors.
+        seed: As of `registration_robust_based_on_correspondence`.
 
     Returns:
-        As `registration_robust_based_on_correspondence`, with the `score` of `rate_registration`: it asks the clouds
-        themselves.
+        As `registration_robust_based_on_correspondence`, with the `score` of `rate_registration`.
 
     Raises:
-        ValueError: Features that are not one row a point, or a bound that is not positive.
-        TypeError: An argument of another kind.
+        ValueError: Features without one row per point, or a bound that is not positive.
+        TypeError: An argument has another type.
         DeviceError: The clouds are on different devices.
 
     Example:
@@ -398,7 +366,7 @@ def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: fl
 
 
 def _distinct(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
-    """The correspondences, each once: given twice, one would outvote others."""
+    """Remove duplicate correspondences, which would count more than others."""
     if is_on_gpu(corres):
         return distinct_pairs(pairs_on_device(corres, source, target))
     return upload(np.unique(check_pairs(corres, source, target), axis=0), int32, source.device)
@@ -411,7 +379,7 @@ def _conclude(result: RegistrationResult) -> None:
 
 
 def rate_support(support: NDArray[np.float64]) -> float:
-    """Confidence in the first of some poses by how much more support it has than the second, 0..1."""
+    """Confidence 0..1 in the first pose by the ratio of its support to that of the second."""
     if not len(support):
         return 0.0
     chance = max(CHANCE, support[1] if len(support) > 1 else 0.0)
@@ -420,14 +388,7 @@ def rate_support(support: NDArray[np.float64]) -> float:
 
 
 def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) -> Consensus:
-    """The poses that most correspondences agree with.
-
-    Args:
-        source, target: Device arrays of vec3.
-        pairs: Correspondences, int32 [m, 2] on the device.
-        bound: Of a right correspondence [m].
-        seed: Chooses which correspondences where they are too many.
-    """
+    """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m]."""
     middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
     coordinates = PairCoordinates(source, target, pairs, *middles)
     if coordinates.count > MOST_PAIRS:
@@ -442,7 +403,7 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
 def _middle_of(
     low: NDArray[np.float32], high: NDArray[np.float32], finite: int
 ) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """The middle of the finite points' box, and a third of its extents along the axes: points that stand for it."""
+    """Center of the bounding box, and a third of its extents: sample points that represent the cloud."""
     if not finite:
         return np.zeros(3, np.float32), np.zeros((3, 3))
     extents = high.astype(np.float64) - low

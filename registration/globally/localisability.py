@@ -1,4 +1,4 @@
-"""Which motions two clouds fix where they lie on each other, and which they leave open."""
+"""Localizability: which motions two registered clouds determine."""
 
 from __future__ import annotations
 
@@ -19,23 +19,21 @@ from ..rigid import nearest_rotation, symmetric_matrices, to_local
 from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
 
 Matrix = NDArray[np.float64]
-FINER = 0.8  # voxels of the source, in those of the target: two grids that nowhere agree for long
-REACH_VOXELS = 2.0  # within which a plane is looked for
+FINER = 0.8  # source voxel relative to the target's, to avoid aligned grids
+REACH_VOXELS = 2.0  # search radius of planes
 
 
 @dataclass(frozen=True, eq=False)
 class Localisability(Assessed):
-    """What two clouds tell of the six motions at a pose, the motion that they tell least of first.
+    """Motions that two clouds determine at a pose, the least determined first.
 
     Attributes:
         transformation: The pose, T_target_source.
-        middle: What turns are about [m], in the target's world: the middle of the overlap.
-        lever: The length [m] by which turns [rad] count beside translations: the spread of the overlap.
-        motions: float64 [6, 6], a row a motion: rotation times lever, then translation, along the target's axes; unit
-            vectors, square to each other.
-        shares: How firmly each is held, 0..1: the mean squared component of the normals (turns: of their levers).
-        kinds: "full" of a motion that is held, "partial" of one that little holds (its share is below 0.03), "none" of
-            one along which the clouds lie as well.
+        middle: Center of rotations [m] in the target's world: the center of the overlap.
+        lever: Length [m] that scales rotations: the spread of the overlap.
+        motions: float64 [6, 6], orthonormal rows (rotation times lever, translation) along the target's axes.
+        shares: Constraint of each motion, 0..1: the mean squared component of the normals (rotations: of their levers).
+        kinds: "full" if determined, "partial" if weak (share below 0.03), "none" if the clouds match as well along it.
     """
 
     transformation: Matrix
@@ -52,17 +50,16 @@ class Localisability(Assessed):
 
     @property
     def translations(self) -> tuple[tuple[float, float, float], ...]:
-        """Unit directions along which the source may slide."""
+        """Unit directions of undetermined translations."""
         return spanned(self.open_motions[:, 3:].T) if len(self.open_motions) else ()
 
     @property
     def turns(self) -> tuple[tuple[float, float, float], ...]:
-        """Unit axes, through the middle, about which it may turn."""
+        """Unit axes of undetermined rotations, through the middle."""
         return spanned(self.open_motions[:, :3].T) if len(self.open_motions) else ()
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not len(self.open_motions):
             return ()
         if len(self.open_motions) == 6:
@@ -72,18 +69,7 @@ class Localisability(Assessed):
         return (f"the source may {' and '.join(ways)}: the clouds lie on each other as well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
-        """What holds the open motions, and these alone, at another pose: odometry's, GNSS', an earlier one's.
-
-        Args:
-            transformation: T_target_source from elsewhere, 4x4.
-            sigma: Its standard deviation along the open motions [m]; turns count by `lever`.
-
-        Returns:
-            The prior for `registration_icp(..., prior=prior, pivot=localisability.middle)`.
-
-        Raises:
-            ValueError: Nothing is open, no rigid motion, or a deviation that is not positive.
-        """
+        """Prior for `registration_icp(..., pivot=localisability.middle)` that holds only the undetermined motions."""
         if not len(self.open_motions):
             raise ValueError("prior: no motion is open; registration_icp needs none")
         check_positive("sigma", sigma)
@@ -100,32 +86,29 @@ class Localisability(Assessed):
 def localisability(
     source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
 ) -> Localisability:
-    """Which motions two clouds fix at the pose where they lie on each other, and which they leave open.
+    """Determine which motions two clouds constrain at their registered pose.
 
-    In a corridor, a tunnel, on a field, about a ball or a tube ICP finds a pose, with a fitness of 1, and it is one of
-    many. Motions that the planes' normals tell little of are only suspects: the source is moved a little along and
-    against each, the pairs are found anew, and where it lies no worse the motion is open.
+    In a corridor, a tunnel, a field, or on a sphere or tube, ICP finds one of many poses with fitness 1. Motions that
+    normals constrain weakly are verified: undetermined if the source matches as well when moved both ways.
 
     Args:
-        source: The cloud that was moved.
-        target: The cloud that stayed, on the same device.
-        transformation: T_target_source, 4x4, as ICP found it.
-        max_correspondence_distance: Of a match [m]: that of the registration. The clouds are compared in voxels of two
+        source: The moved cloud.
+        target: The fixed cloud, on the same device.
+        transformation: T_target_source, 4x4, from ICP.
+        max_correspondence_distance: Match distance [m] of the registration. The clouds are compared in voxels of two
             thirds of it, and moved by half of it.
 
     Returns:
-        The motions and how they are held. All are "none" where next to nothing matches.
+        The motions and their constraints; all "none" if almost nothing matches.
 
     Raises:
-        ValueError: A distance that is not positive or too small for the clouds, or no rigid motion.
-        TypeError: Not a PointCloud.
-        DeviceError: Clouds on different devices.
+        ValueError: A distance that is not positive or too small, or a pose that is not rigid.
+        TypeError, DeviceError: Not a PointCloud, or clouds on different devices.
 
     Notes:
-        O(n) memory; the same bits from run to run. Details smaller than a voxel hold nothing here.
-        Source: Tuna et al. 2023, "X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in Extreme
-        Environments", whose kinds these are; Zhang, Kaess and Singh 2016 for the eigenvectors. That the curvature of
-        the error is measured with the pairs found anew, and not derived, is ours.
+        Memory O(n). Bitwise reproducible. Details below a voxel do not count. Tuna et al., "X-ICP: Localizability-Aware
+        LiDAR Registration for Robust Localization in Extreme Environments", 2023 (kinds); Zhang, Kaess and Singh 2016
+        (eigenvectors). Unlike there, the error is measured with new pairs.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -168,7 +151,6 @@ def localisability(
 
 
 def _told(direction: tuple[float, float, float]) -> str:
-    """A direction by the name of its axis where it is one within a few degrees."""
     largest = int(np.abs(direction).argmax())
     if abs(direction[largest]) > 0.998:
         return "xyz"[largest]

@@ -1,4 +1,4 @@
-"""Two clouds registered from wherever they lie, with nothing to choose: `register_pair`."""
+"""Registration of two clouds with default settings for everything: `register_pair`."""
 
 from __future__ import annotations
 
@@ -38,7 +38,6 @@ from .rating import rate_registration
 
 Matrix = NDArray[np.float64]
 
-# What ICP brings together, by name.
 METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "point-to-point": TransformationEstimationPointToPoint,
     "point-to-plane": TransformationEstimationPointToPlane,
@@ -47,26 +46,19 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "colored": TransformationEstimationForColoredICP,
 }
 
-LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # at most this score, or below this fitness, a result is unreliable
+LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # results at or below are unreliable
 
-# Correspondences lie closer than two voxels: neighbours on a thinned surface are about one apart. From a start that was
-# not searched for, coarser clouds come first, so that it may be wrong by more.
+# Correspondence distance: neighbors on a downsampled surface are about one voxel apart. A given start may be less
+# exact, so coarser clouds come first.
 DISTANCE = 2.0  # [voxels]
 COARSE_TO_FINE, AT_ONCE = (4.0, 2.0, 1.0), (1.0,)
 
-RATED_WITHIN = 1.5  # [voxels] as global registration rates its own poses
-FEWEST_VOXELS = 10  # with points in them
+RATED_WITHIN = 1.5  # [voxels] as in the global registration
+FEWEST_VOXELS = 10  # minimum occupied voxels
 
 
 class UnfitCloudError(ValueError):
-    """A cloud that cannot be registered as asked.
-
-    Args:
-        role: "source" or "target".
-        lacks: What it has not: "colors", or so many "voxels".
-        reason: Why it cannot, as said of it.
-        remedy: What to do.
-    """
+    """The cloud `role` lacks what the registration needs: "colors", or enough "voxels"."""
 
     def __init__(self, role: str, lacks: str, reason: str, remedy: str):
         self.role, self.lacks, self.reason = role, lacks, reason
@@ -75,23 +67,23 @@ class UnfitCloudError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class PairRegistration(Report, Assessed):
-    """What `register_pair` found, and how; `print` shows it.
+    """Result of `register_pair`.
 
     Attributes:
-        result: Of the last and finest scale of ICP; its iterations are those of all scales.
-        score: Confidence that the clouds lie on each other there, 0..1, as of `rate_registration`.
-        init: Where it began: "global" where it searched, else "given".
-        method: What ICP brought together.
-        voxel_size: Edge of the finest voxels [m].
-        voxel_size_given: Whether it was given, not chosen.
-        points, thinned: How many points source and target have, before and after they are thinned to these voxels.
-        distance: Correspondences lie closer than this [m].
-        normals_estimated: Which of "source" and "target" had none.
-        normal_radius: Within which the neighbours of a normal lay [m]; None where there was none to estimate.
-        rotation_deg: The angle of the motion [degrees].
-        shift_m: How far it moves the middle of the source [m].
-        search_problem: Why the initial pose of the global search is uncertain; "" if it is not.
-        unit: That of the clouds, in which all lengths then are; None where it is not known.
+        result: Of the finest ICP scale, with the iterations of all scales.
+        score: Confidence of `rate_registration`, 0..1.
+        init: "global" or "given".
+        method: The ICP method.
+        voxel_size: Finest voxel edge [m].
+        voxel_size_given: True if it was given.
+        points, thinned: Points of source and target, before and after downsampling.
+        distance: Correspondence distance [m].
+        normals_estimated: Which of "source" and "target" lacked normals.
+        normal_radius: Radius of the normal estimation [m], or None.
+        rotation_deg: Rotation angle [degrees].
+        shift_m: Displacement of the source's center [m].
+        search_problem: Why the global initial pose is uncertain; "" if it is not.
+        unit: Unit of all lengths; None if unknown.
     """
 
     result: RegistrationResult
@@ -112,12 +104,10 @@ class PairRegistration(Report, Assessed):
 
     @property
     def transformation(self) -> Matrix:
-        """The pose T_target_source, float64 [4, 4]."""
         return self.result.transformation
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if self.result.fitness == 0:
             return ("no point of the source has a correspondence",)
         if self.result.fitness < LEAST_FITNESS:
@@ -129,7 +119,6 @@ class PairRegistration(Report, Assessed):
         return (f"the score is {self.score:.2f}, not above {LEAST_SCORE}: {problem}",)
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it, the pose as rows, in JSON's types."""
         result = self.result
         unit = {} if self.unit is None else {"unit": self.unit}
         return plain(
@@ -159,7 +148,6 @@ class PairRegistration(Report, Assessed):
         )
 
     def fields(self) -> Fields:
-        """How the pose came about, how good it is, and the pose."""
         result = self.result
         m = symbol_of(self.unit)
         voxels = f"{self.voxel_size:g} {m}{'' if self.voxel_size_given else ', chosen from the clouds'}"
@@ -197,36 +185,26 @@ def register_pair(
     free: Sequence[str] | None = None,
     prior: Prior | None = None,
 ) -> PairRegistration:
-    """Bring one cloud onto another from wherever they lie: what `pointloom register` does.
+    """Register two clouds from any pose, as `pointloom register` does.
 
-    The clouds are thinned to voxels; a start is searched for (`register_globally`) unless one is given, ICP refines it
-    (`multi_scale_icp`; from a start that was given from coarse to fine), and the pose is rated (`rate_registration`).
+    Uses `register_globally` unless `init` is given, `multi_scale_icp` and `rate_registration` on downsampled clouds.
 
     Args:
-        source: The cloud that moves.
-        target: The cloud that stays, on the same device.
-        init: Pose to begin from, T_target_source, 4x4; None searches for one.
-        method: What ICP brings together: "point-to-point", "point-to-plane", "symmetric", "generalized" or "colored".
-            Normals that it needs and the clouds lack are estimated.
-        voxel_size: Edge of the voxels that both clouds are thinned to [m]; None takes `choose_voxel_size`.
-        distance: Correspondences lie closer than this [m]; None takes two voxels, and where a start is given, eight
-            and four of them before, on coarser clouds.
-        progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate", as each begins.
-        free: The motions that are free, as of `registration_icp`; without `init` all, or "x", "y", "z" and "yaw" for
-            clouds that are both level.
-        prior: A pose that is known beforehand, as of `registration_icp`; the search does not ask it.
+        source, target: The clouds to move and to keep, on one device.
+        init: Initial T_target_source, 4x4; None: global registration.
+        method: "point-to-point", "point-to-plane", "symmetric", "generalized" or "colored".
+        voxel_size: Downsampling voxel edge [m]; None: `choose_voxel_size`.
+        distance: Correspondence distance [m]; None: two voxels, after eight and four if `init` is given.
+        progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate".
+        free: Free motions as of `registration_icp`; without `init` all, or "x", "y", "z" and "yaw" for level clouds.
+        prior: As of `registration_icp`; not used by the global registration.
 
     Returns:
-        The pose and its quality; check `reliable`.
+        The pose and its quality; check `reliable`. Bitwise reproducible for any number of threads.
 
     Raises:
-        TypeError: Not a PointCloud.
-        ValueError: A cloud that has points in fewer than ten voxels or lacks the colours that the method needs, an
-            init that is no rigid motion, a length that is not positive, or no such method.
-        DeviceError: Clouds on different devices.
-
-    Notes:
-        O(n) memory. The same bits from run to run, whatever the number of threads.
+        TypeError, DeviceError: Not a PointCloud, or clouds on different devices.
+        ValueError: Fewer than ten voxels, missing colors, an init that is not rigid, or an invalid length or method.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -286,7 +264,6 @@ def _check_method(method: Any) -> TransformationEstimation:
 def _check_freedom(
     estimation: TransformationEstimation, free: Any, prior: Prior | None, searched: bool
 ) -> tuple[str, ...] | None:
-    """What a search leaves free, once it is sure that search and ICP can."""
     check_held(estimation, make_constraint(free, None, None, prior, None))
     return check_level(free) if searched else None
 
@@ -299,7 +276,6 @@ def _check_colors(clouds: dict[str, PointCloud], method: str, needed: bool) -> N
 
 
 def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]:
-    """In how many voxels source and target have points, once it is sure that they are enough."""
     counts = {}
     for role, cloud in clouds.items():
         counts[role] = count = len(cloud.voxel_down_sample(size))
@@ -312,7 +288,7 @@ def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]
 
 
 def _motion(source: PointCloud, T: Matrix) -> tuple[float, float]:
-    """The angle of a pose [degrees], and how far it moves the middle: a turn far from zero makes any other shift."""
+    """Rotation angle [degrees] and displacement of the center: far from zero the translation is meaningless."""
     middle = (source.get_min_bound() + source.get_max_bound()) / 2
     angle = float(np.degrees(pose_error(T, np.eye(4))[0]))
     return angle, float(norm(matmul(T[:3, :3], middle) + T[:3, 3] - middle))

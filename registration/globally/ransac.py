@@ -1,4 +1,4 @@
-"""Registration without a starting pose by random samples of correspondences, of which a few in a hundred are right."""
+"""Global registration by RANSAC over feature correspondences."""
 
 from __future__ import annotations
 
@@ -26,20 +26,19 @@ from ..rigid import to_world
 from .checkers import CorrespondenceChecker, checks_of
 from .rating import rate_registration
 
-FEWEST = 3  # correspondences that fix a pose
-MUTUAL_SHARE = 0.1  # of the points that must have mutual pairs, else all pairs are taken, as in Open3D
+FEWEST = 3  # minimum correspondences for a pose
+MUTUAL_SHARE = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
 
 
 class RANSACConvergenceCriteria:
-    """When to stop drawing hypotheses.
+    """Stopping criteria of RANSAC.
 
     Args:
-        max_iteration: Hypotheses at most.
-        confidence: Stop once a sample of right correspondences alone was drawn with this probability, 0..1; 1 draws
-            all `max_iteration`.
+        max_iteration: Maximum number of hypotheses.
+        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1; 1 draws all `max_iteration`.
 
     Raises:
-        ValueError: A number out of its range.
+        ValueError: A number is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -74,31 +73,29 @@ def registration_ransac_based_on_feature_matching(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, from points whose features are alike.
+    """Register two clouds without a starting pose, by RANSAC over feature matches.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        source_feature: One row a point, [n, d], as `compute_fpfh_feature` gives them; NumPy or a device array.
+        target: The fixed cloud, on the same device.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
         target_feature: Likewise [m, d].
-        mutual_filter: Keep the pairs that are each other's nearest alone; all where fewer than a tenth are.
-        max_correspondence_distance: Of a match [m], excluded; 1.5 voxels where the clouds were down-sampled.
-        estimation_method: What fits a pose to a sample: TransformationEstimationPointToPoint, which is taken for None;
-            with its scaling the pose has a scale too. Its kernel does not count.
-        ransac_n: Correspondences a sample, at least 3.
-        checkers: What a sample and its pose have to pass before they are scored.
-        criteria: When to stop; None for RANSACConvergenceCriteria(100000, 0.999).
-        seed: Of the samples; the same seed gives the same bits.
+        mutual_filter: Keep only mutual nearest neighbors, or all pairs if fewer than a tenth are mutual.
+        max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
+        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling; its kernel is ignored.
+        ransac_n: Correspondences per sample, at least 3.
+        checkers: Tests that a sample and its pose must pass before scoring.
+        criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
+        seed: Seed of the samples.
 
     Returns:
-        The pose under which most source points have a target point within the distance; of equal ones that with the
-        smaller distances. `iterations` are hypotheses drawn, `converged` whether the confidence was reached, `score`
-        the confidence in the pose (`rate_registration`). Without any pose: the identity, fitness and score 0, not
-        converged, and a reason.
+        The pose with most matched source points, then with smaller distances. `iterations` is the number of hypotheses,
+        `converged` whether the confidence was reached, `score` that of `rate_registration`. Without any pose: the
+        identity, fitness and score 0, not converged, and a `reason`.
 
     Raises:
-        ValueError: An argument out of range, or features that are not one row a point.
-        TypeError: An argument of another kind.
+        ValueError: An argument out of range, or features without one row per point.
+        TypeError: An argument has another type.
         DeviceError: The clouds are on different devices.
 
     Notes:
@@ -136,39 +133,31 @@ def registration_ransac_based_on_correspondence(
     *,
     seed: int = 0,
 ) -> RegistrationResult:
-    """Register two clouds without a starting pose, from correspondences of which most may be wrong.
+    """Register two clouds without a starting pose, by RANSAC over given correspondences.
 
     Args:
         source: The cloud to move.
-        target: The cloud that stays, on the same device.
-        corres: Indices (source, target), shape [m, 2]. Those of points that are not finite do not count.
-        max_correspondence_distance: Of a match [m], excluded.
-        estimation_method: As in `registration_ransac_based_on_feature_matching`, as are the other arguments.
-        ransac_n: Correspondences a sample, at least 3.
-        checkers: What a sample and its pose have to pass before they are scored.
-        criteria: When to stop.
-        seed: Of the samples.
+        target: The fixed cloud, on the same device.
+        corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored.
+        max_correspondence_distance: Exclusive match distance [m].
+        estimation_method, ransac_n, checkers, criteria, seed: As in `registration_ransac_based_on_feature_matching`.
 
     Returns:
         As `registration_ransac_based_on_feature_matching`.
 
     Raises:
         ValueError: An argument out of range.
-        IndexError: An index beyond its cloud.
-        TypeError: An argument of another kind.
+        IndexError: An index is out of range.
+        TypeError: An argument has another type.
         DeviceError: The clouds are on different devices.
 
     Notes:
-        Open3D scores every hypothesis that passes the checkers by the whole source cloud. Here those of a round (1,024
-        to 16,384 hypotheses) are first ranked by the correspondences that agree with them (4,096 of these where there
-        are more). The best 16 that are unlike each other are fitted to all that agree; those that come near the best
-        in this are then scored by the whole cloud, as Open3D's are. The winner is fitted to its matches up to eight
-        times, while that brings the clouds closer together, which may cost it a few matches (Open3D does not refine
-        it). A sample has distinct correspondences, and none whose points coincide (Open3D draws with replacement).
-
-        Memory O(n + m) and 128 B a hypothesis of a round. The same bits from run to run whatever the number of threads.
-        Fischler and Bolles, "Random sample consensus", CACM 1981; Lebeda, Matas and Chum, "Fixing the locally optimized
-        RANSAC", BMVC 2012.
+        The hypotheses of a round (1,024 to 16,384) are ranked by agreeing correspondences (at most 4,096). The best 16
+        distinct ones are refitted, and the best of these are scored on the complete cloud. The winner is refined up to
+        eight times. Samples have distinct, non-coinciding correspondences. (Open3D scores every hypothesis on the
+        cloud, draws with replacement and does not refine.) Memory O(n + m) and 128 B per hypothesis of a round. Bitwise
+        reproducible for any number of threads. Fischler and Bolles, "Random sample consensus", CACM 1981; Lebeda, Matas
+        and Chum, "Fixing the locally optimized RANSAC", BMVC 2012.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -190,7 +179,6 @@ def registration_ransac_based_on_correspondence(
 def _check_settings(
     distance: Any, method: Any, ransac_n: Any, checkers: Any, criteria: Any, seed: Any
 ) -> tuple[float, bool, int, Sequence[CorrespondenceChecker], RANSACConvergenceCriteria, int]:
-    """Distance [m], whether a scale is sought, correspondences a sample, checkers, criteria and seed, checked."""
     reach = check_positive("max_correspondence_distance", distance)
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
@@ -244,6 +232,5 @@ def _register(
 
 
 def no_pose(reason: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
-    """The result where no pose was found: the identity, fitness and score 0, not converged."""
     none = source._handed_out(empty((0, 2), int32, source.device))
     return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, reason=reason, score=0.0)

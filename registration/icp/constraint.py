@@ -1,4 +1,4 @@
-"""In which ways ICP may move a cloud, and what is known of its pose beforehand."""
+"""Constraints of ICP: free motions and prior poses."""
 
 from __future__ import annotations
 
@@ -20,32 +20,32 @@ from ...kernels.memory import download
 from ..rigid import nearest_rotation, rotation_vector, to_local
 
 MOTIONS = ("roll", "pitch", "yaw", "x", "y", "z")  # in the order of the unknowns
-ORTHONORMAL = 1e-6  # of F^T F - I: a frame is given, not measured
-SYMMETRIC = 1e-9  # of an information's largest entry
-INDEFINITE = 1e-9  # of its largest eigenvalue: what is below zero by more is no information
-LEAST_SIGMA, MOST_SIGMA = 1e-12, 1e12  # [m], [rad]: beyond these a prior is a constraint, or none
-MOST_SIGMAS = 5.0  # that a prior may be away from all poses that the free motions reach
-ROUNDS = 20  # of Gauss-Newton where that is measured
+ORTHONORMAL = 1e-6  # tolerance of F^T F - I
+SYMMETRIC = 1e-9  # relative to the largest entry
+INDEFINITE = 1e-9  # relative to the largest eigenvalue
+LEAST_SIGMA, MOST_SIGMA = 1e-12, 1e12  # [m], [rad] valid range of sigmas
+MOST_SIGMAS = 5.0  # maximum distance of a prior from reachable poses, in sigmas
+ROUNDS = 20  # Gauss-Newton iterations of that check
 Matrix = NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Prior:
-    """A pose that is known beforehand, and how well: odometry, GNSS, an earlier survey.
+    """A known pose with its uncertainty, from odometry, GNSS or an earlier survey.
 
-    What is known of a pose T is xi = (rotation vector of R R_p^T [rad], displacement of the pivot's image from where
-    the prior has it [m]), along the target's axes; ICP minimises sum w r^2 / noise^2 + xi^T information xi.
+    ICP minimizes sum w r^2 / noise^2 + xi^T information xi with xi = (rotation vector of R R_p^T [rad], displacement of
+    the pivot's image from the prior [m]), along the target's axes.
 
     Args:
         transformation: The pose T_target_source, 4x4.
-        information: The inverse of the covariance of xi, 6x6, rotation first; about the pivot of the registration.
-            Positive semidefinite: directions without information are not held.
-        sigma_translation: In its place, the standard deviation of the translation [m], one or [3]; None: not known.
-        sigma_rotation: The same of the rotation [rad], about x, y, z.
+        information: Inverse covariance of xi, 6x6, rotation first, about the registration's pivot. Positive
+            semidefinite: directions without information are free.
+        sigma_translation: Instead: standard deviation of the translation [m], one or [3]; None: unknown.
+        sigma_rotation: Likewise of the rotation [rad], about x, y, z.
 
     Raises:
-        ValueError: No rigid motion, an information that is not symmetric, not finite or indefinite, deviations that
-            are not positive, or nothing or twice that says how well.
+        ValueError: The pose is not rigid, the information is not symmetric, finite and semidefinite, deviations are not
+            positive, or the uncertainty is missing or given twice.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -78,11 +78,6 @@ class Prior:
 
 
 def check_information(name: str, matrix: Any) -> Matrix:
-    """A symmetric, positive semidefinite 6x6 matrix in float64.
-
-    Raises:
-        ValueError: It is not; the message says in what.
-    """
     M = check_finite(name, check_shape(name, matrix, (6, 6)))
     largest = float(np.abs(M).max())
     if np.abs(M - M.T).max() > SYMMETRIC * largest:
@@ -96,7 +91,7 @@ def check_information(name: str, matrix: Any) -> Matrix:
 
 
 def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
-    """1 / sigma^2 of three axes; zeros where nothing is known."""
+    """1 / sigma^2 of three axes; zeros if unknown."""
     if sigma is None:
         return np.zeros(3)
     values = check_finite(name, check_numeric(name, sigma))
@@ -112,17 +107,10 @@ def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Constraint:
-    """What `free`, `frame`, `pivot`, `prior` and `noise` come to.
+    """Checked constraint arguments.
 
-    Attributes:
-        free: The free motions, in the order of MOTIONS.
-        frame: The axes as columns, in target coordinates.
-        pivots: What rotations turn about, in the target's world [1 or jobs, 3]; None: the middle of the source.
-        priors: None, one, or one a job.
-        noise: Standard deviation of a residual; 0 for that of the pairs.
-        anchors: The pose that fixed motions are held at, where it is not the pose to begin from, [jobs, 4, 4] in world
-            coordinates, with the `motion_state` that leads from it to there, [jobs, 8].
-        states: Those.
+    `pivots`: [1 or jobs, 3] in the target's world, None: source center; `noise`: 0 means that of the pairs; `anchors`:
+    [jobs, 4, 4] poses of fixed motions if not the initial ones, with `motion_state`s `states` [jobs, 8].
     """
 
     free: tuple[str, ...]
@@ -134,22 +122,16 @@ class Constraint:
     states: Matrix | None = None
 
     def about(self, place: NDArray[np.float64]) -> Constraint:
-        """The same with this pivot where it has none."""
         return dataclasses.replace(self, pivots=place[None]) if self.pivots is None else self
 
     def begun(self, anchor: Matrix, state: Matrix | None) -> Constraint:
-        """The same, held at an earlier pose of one job, and gone on from what was reached since."""
+        """The constraint with one job's fixed motions at an earlier pose, continued from a state."""
         if state is None:
             return self
         return dataclasses.replace(self, anchors=anchor[None], states=state[None])
 
 
 def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, count: int = 1) -> Constraint | None:
-    """The constraint of `count` jobs; None where there is none.
-
-    Raises:
-        TypeError, ValueError: An argument makes no sense, or has none without another.
-    """
     names = MOTIONS if free is None else check_free(free)
     priors = _check_priors(prior, count)
     if not priors and noise is not None:
@@ -166,11 +148,6 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
 
 
 def check_free(free: Any) -> tuple[str, ...]:
-    """Names of motions, in the order of MOTIONS.
-
-    Raises:
-        TypeError, ValueError: None, unknown ones, or one twice.
-    """
     names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
     if not names:
         raise ValueError(
@@ -224,18 +201,7 @@ def make_freedom(
     origins: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
     residual_count: int,
 ) -> Freedom:
-    """What a constraint is on the device.
-
-    Args:
-        constraint: It.
-        loop: The jobs.
-        poses: The poses that fixed motions are held at, between coordinates about the clouds' origins.
-        origins: Of each job's source and target.
-        residual_count: Rows of a pair.
-
-    Raises:
-        ValueError: A prior that is out of reach of the free motions.
-    """
+    """The constraint on the device; ValueError if a prior is unreachable under the free motions."""
     count, priors, pivots = len(poses), constraint.priors, constraint.pivots
     free = np.array([name in constraint.free for name in MOTIONS])
     if pivots is not None:
@@ -278,7 +244,7 @@ def make_freedom(
 
 
 def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple[Matrix, NDArray[np.float64]]:
-    """R R_p^T, and the way of the pivot's image from where a prior has it to where a pose has it, the pivot itself."""
+    """R R_p^T, the displacement of the pivot's image from the prior, and the pivot."""
     scale = cube_root(float(det(T[:3, :3])))
     R = T[:3, :3] / scale
     place = matmul(R.T, pivot - T[:3, 3]) / scale
@@ -289,11 +255,7 @@ def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple
 def _check_reach(
     prior: Prior, turned: Matrix, shifted: NDArray[np.float64], constraint: Constraint, free: NDArray[np.bool_]
 ) -> None:
-    """Refuse a prior that no pose comes near which the free motions reach.
-
-    Raises:
-        ValueError: The message says by how much.
-    """
+    """Raise `ValueError` if the prior is unreachable under the free degrees of freedom."""
     values, vectors = eigh(np.asarray(prior.information))
     root = np.sqrt(np.maximum(values, 0))[:, None] * vectors.T
     x = np.zeros(6)
@@ -317,7 +279,6 @@ def _check_reach(
 
 
 def euler_rotation(angles: NDArray[np.float64]) -> Matrix:
-    """Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw)."""
     (ca, cb, cc), (sa, sb, sc) = np.cos(angles), np.sin(angles)
     return np.array(
         [

@@ -1,4 +1,4 @@
-"""What the pairs of an iteration are asked to bring together: the transformation estimators of the ICP family."""
+"""Transformation estimators of the ICP family."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ from ...pcd.cloud import PointCloud
 from ..robust_kernels import Geometry, L2Loss, RobustKernel
 from .preparation import colored_source, colored_target, doppler_measurements, generalized_covariances, normals_of
 
-Columns = dict[str, list[wp.array]]  # by attribute, a device array a cloud
+Columns = dict[str, list[wp.array]]  # per attribute, a device array for each cloud
 LEAST_SQUARES = L2Loss()
 
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimation:
-    """How a pose follows from pairs; the estimators below are its kinds.
+    """Base of the estimators, which compute a pose from pairs.
 
     Raises:
-        TypeError: A kernel that is none.
+        TypeError: `kernel` is not a kernel.
     """
 
     rows: ClassVar[Any]
     method: ClassVar[int] = GAUSS_NEWTON
-    residual_count: ClassVar[int] = 1  # rows of a pair
-    constrainable: ClassVar[bool] = True  # whether some motions may be fixed, and others held by a prior
-    needs_normals: ClassVar[tuple[str, ...]] = ()  # of "source" and "target"
-    needs_colors: ClassVar[bool] = False  # of both
-    in_sensor_frame: ClassVar[bool] = False  # True if the zero of coordinates has to be the sensor
+    residual_count: ClassVar[int] = 1  # rows per pair
+    constrainable: ClassVar[bool] = True  # True if motions may be fixed or have a prior
+    needs_normals: ClassVar[tuple[str, ...]] = ()  # "source", "target"
+    needs_colors: ClassVar[bool] = False  # both clouds
+    in_sensor_frame: ClassVar[bool] = False  # True if the coordinate origin must be the sensor
 
     def __post_init__(self) -> None:
         for field in dataclasses.fields(self):
@@ -56,37 +56,27 @@ class TransformationEstimation:
 
     @property
     def scales(self) -> bool:
-        """Whether the pose may hold a scale."""
+        """True if the pose may include a scale."""
         return False
 
     @property
     def _target_voxel_size(self) -> float | None:
-        """Edge of the voxels [m] that stand for the target's points, if any do."""
         return None
 
     def geometry(self) -> Self | None:
-        """The estimator whose rows tell which motions the clouds determine: every residual weighs the same there.
-
-        None where that is the estimator itself.
-        """
+        """The estimator that determines degenerate motions, with equal weights; None: this one."""
         kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
         robust = [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
         return dataclasses.replace(self, **dict.fromkeys(robust, LEAST_SQUARES)) if robust else None
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """What the rows need of the sources' points.
-
-        Raises:
-            ValueError: A cloud lacks it; the message says what to call.
-        """
         return {}
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """What the rows need of the targets' points; errors as `source_columns`."""
         return {}
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
-        """The arguments of the rows after those that all share."""
+        """Kernel arguments after the common ones."""
         raise NotImplementedError
 
     def prepare(self, loop: RegistrationLoop) -> None:
@@ -95,10 +85,10 @@ class TransformationEstimation:
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationPointToPoint(TransformationEstimation):
-    """Least squared distances of the pairs, in closed form (Horn 1987); with scale as Umeyama 1991.
+    """Minimize squared point distances in closed form (Horn 1987); with scale as Umeyama 1991.
 
     Args:
-        with_scaling: Let the source grow or shrink.
+        with_scaling: Estimate a scale.
         kernel: Weighs pairs by their distance; Open3D has none here.
     """
 
@@ -110,11 +100,11 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
     @property
     def scales(self) -> bool:
-        """Whether the pose may hold a scale."""
+        """True if the pose may include a scale."""
         return self.with_scaling
 
     def geometry(self) -> Self | None:
-        """None: pairs of points are judged by where the points lie."""
+        """None: degeneracy follows from the point positions."""
         return None
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -124,7 +114,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationPointToPlane(TransformationEstimation):
-    """Least squared distances of the source's points from the target's planes (Chen and Medioni 1991).
+    """Minimize squared distances of source points from the target planes (Chen and Medioni 1991).
 
     Args:
         kernel: Weighs pairs by that distance [m].
@@ -135,7 +125,6 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
     needs_normals = ("target",)
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Normals."""
         return {"normals": normals_of(clouds, names, "point-to-plane ICP")}
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -145,7 +134,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationSymmetric(TransformationEstimation):
-    """Both clouds' planes at once, each turned half of the way (Rusinkiewicz 2019): exact on spheres, fewer steps.
+    """Symmetric point-to-plane ICP (Rusinkiewicz 2019): exact on spheres, fewer steps.
 
     Args:
         kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
@@ -154,15 +143,13 @@ class TransformationEstimationSymmetric(TransformationEstimation):
     kernel: RobustKernel = LEAST_SQUARES
     rows = sum_symmetric_rows
     method = SYMMETRIC
-    constrainable = False  # half of each of its turns is the target's
+    constrainable = False  # half of each rotation applies to the target
     needs_normals = ("source", "target")
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Normals."""
         return {"normals": normals_of(clouds, names, "symmetric ICP")}
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Normals."""
         return self._source_columns(clouds, names, distance)
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -172,15 +159,15 @@ class TransformationEstimationSymmetric(TransformationEstimation):
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationForGeneralizedICP(TransformationEstimation):
-    """Both clouds' planes as thin Gaussians (Segal, Haehnel and Thrun 2009).
+    """Generalized ICP: plane-to-plane with thin Gaussians (Segal, Haehnel and Thrun 2009).
 
-    Covariances are the cloud's own where it has them, else planes by its normals, else by 20 neighbours.
+    Uses the cloud's covariances if present, else planes from its normals, else from 20 neighbors.
 
     Args:
-        epsilon: Variance across a plane, where it is 1 along it.
-        kernel: Weighs each of the three rows of a pair by its residual, which has no unit.
-        voxel_size: Bring the source to Gaussians of the target's voxels of this edge [m] instead of to its points
-            (Koide et al. 2021): faster, and no search. Open3D has no such form.
+        epsilon: Variance across a plane, relative to 1 along it.
+        kernel: Weighs each of the three rows of a pair by its dimensionless residual.
+        voxel_size: Match to Gaussians of target voxels of this edge [m] instead of points (Koide et al. 2021): faster,
+            without search. Open3D has no such form.
     """
 
     epsilon: float = 1e-3
@@ -197,20 +184,17 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
 
     @property
     def _target_voxel_size(self) -> float | None:
-        """Edge of the voxels [m] that stand for the target's points, if any do."""
         return self.voxel_size
 
     def geometry(self) -> Self:
-        """Pairs that count alike, without what covariances hold along the planes, which is there on any surface."""
+        """Equal weights without the information along planes, which exists on any surface."""
         return dataclasses.replace(self, kernel=Geometry())
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Covariances."""
         pairs = zip(clouds, names, strict=True)
         return {"covariances": [generalized_covariances(c, self.epsilon, n) for c, n in pairs]}
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Covariances."""
         return self._source_columns(clouds, names, distance)
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -220,14 +204,14 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationForColoredICP(TransformationEstimation):
-    """Point-to-plane, and the colours of the surface along it (Park, Zhou and Koltun 2017).
+    """Colored ICP: point-to-plane and photometric terms (Park, Zhou and Koltun 2017).
 
     Args:
-        lambda_geometric: Share of the geometric term, 0..1.
+        lambda_geometric: Weight of the geometric term, 0..1.
         kernel: Weighs the geometric and the photometric row of a pair, each by its residual.
 
     Raises:
-        ValueError: A share beyond 0..1 (Open3D takes its default there without a word).
+        ValueError: A weight outside 0..1 (Open3D silently uses its default).
     """
 
     lambda_geometric: float = 0.968
@@ -242,12 +226,10 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         check_share("lambda_geometric", self.lambda_geometric)
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Intensities."""
         found = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
         return {"intensities": [values.reshape((values.size, 1)) for values in found]}
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Normals, intensities and their gradients."""
         found = [colored_target(c, distance, name=n) for c, n in zip(clouds, names, strict=True)]
         return {
             "normals": [surface.normals for surface in found],
@@ -256,27 +238,27 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         }
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
-        """The kernel, normals, intensities, gradients and the share."""
+        """The kernel, normals, intensities, gradients and the weight."""
         return [Loss(*self.kernel.parameters), source, target, self.lambda_geometric]
 
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationForDopplerICP(TransformationEstimation):
-    """Point-to-plane, and the radial speeds that a Doppler LiDAR measures (Hexsel, Vhavle and Chen 2022).
+    """Doppler ICP: point-to-plane and radial velocities (Hexsel, Vhavle and Chen 2022).
 
-    The source is the earlier scan, in its sensor's frame, with the attribute "dopplers", shape [n] [m/s]; the target is
-    the next one, `period` seconds later.
+    The source is the earlier scan in its sensor frame, with the attribute "dopplers", shape [n] [m/s]; the target is
+    the next scan.
 
     Args:
         period: Time between the scans [s].
-        lambda_doppler: Share of the Doppler term, 0..1.
-        reject_dynamic_outliers: Drop points whose speed differs from that of the motion.
+        lambda_doppler: Weight of the Doppler term, 0..1.
+        reject_dynamic_outliers: Remove points whose speed differs from that of the motion.
         doppler_outlier_threshold: By more than this [m/s].
-        outlier_rejection_min_iteration: From this iteration on.
-        geometric_robust_loss_min_iteration: When the geometric kernel sets in.
-        doppler_robust_loss_min_iteration: When the Doppler kernel sets in.
+        outlier_rejection_min_iteration: First iteration with outlier rejection.
+        geometric_robust_loss_min_iteration: First iteration with the geometric kernel.
+        doppler_robust_loss_min_iteration: First iteration with the Doppler kernel.
         geometric_kernel, doppler_kernel: Kernels of the two rows.
-        transform_vehicle_to_sensor: Pose of the vehicle in the sensor's frame.
+        transform_vehicle_to_sensor: Pose of the vehicle in the sensor frame.
     """
 
     period: float = 0.1
@@ -290,7 +272,7 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     doppler_kernel: RobustKernel = LEAST_SQUARES
     transform_vehicle_to_sensor: ArrayLike | None = None
     rows = sum_doppler_rows
-    constrainable = False  # its speeds are those of the whole pose
+    constrainable = False  # speeds depend on the complete pose
     needs_normals = ("target",)
     in_sensor_frame = True
 
@@ -305,7 +287,6 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             check_rigid("transform_vehicle_to_sensor", self.transform_vehicle_to_sensor)
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Speeds and directions."""
         found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
         return {
             "dopplers": [f.dopplers.reshape((f.dopplers.size, 1)) for f in found],
@@ -313,11 +294,10 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         }
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        """Normals."""
         return {"normals": normals_of(clouds, names, "Doppler ICP")}
 
     def geometry(self) -> Self:
-        """Both rows of a pair alike: a speed then determines the way along its ray as a plane does along its normal."""
+        """Equal weights of both rows: a speed determines the direction of its ray as a plane its normal."""
         return dataclasses.replace(
             self,
             period=1.0,
@@ -328,11 +308,11 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
         )
 
     def prepare(self, loop: RegistrationLoop) -> None:
-        """The velocities of the poses."""
+        """Compute the velocities of the poses."""
         loop.measure_velocities(self.period)
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
-        """Everything the two rows take."""
+        """All arguments of the two rows."""
         sensor = np.zeros(3)
         if self.transform_vehicle_to_sensor is not None:
             sensor = np.asarray(self.transform_vehicle_to_sensor, np.float64)[:3, 3]

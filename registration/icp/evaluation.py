@@ -1,4 +1,4 @@
-"""How well two clouds lie on each other under a pose."""
+"""Evaluation of a registration."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from .iterative import IterativeRegistration
 def evaluate_registration(
     source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike | None = None
 ) -> RegistrationResult:
-    """Fitness, rmse and correspondences of two clouds under a pose.
+    """Compute fitness, rmse and correspondences of two clouds under a pose.
 
     Args:
         source, target: The clouds.
-        max_correspondence_distance: Points this far apart or farther are no correspondence [m].
+        max_correspondence_distance: Correspondences must be closer than this [m].
         transformation: T_target_source, any affine 4x4; None: the identity.
 
     Returns:
-        The result, with the transformation as given.
+        The result, with the given transformation.
 
     Raises:
-        ValueError: A distance that is not positive, or a transformation that is not invertible.
-        DeviceError: Clouds on different devices.
+        ValueError, DeviceError: A distance that is not positive, a singular transformation, or clouds on different
+            devices.
 
     Example:
         >>> import pointloom as loom
@@ -49,14 +49,14 @@ def evaluate_registration(
 def get_information_matrix_from_point_clouds(
     source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike
 ) -> NDArray[np.float64]:
-    """How firmly the correspondences of two clouds hold each of the six motions: what pose graphs weigh edges with.
+    """Compute the information matrix of a registration for pose graph edges.
 
     Args:
         source, target, max_correspondence_distance, transformation: As of `evaluate_registration`.
 
     Returns:
-        The sum of G^T G over the correspondences' target points q, with G = (-[q]x, I): float64 [6, 6], rotation
-        first, about the world's origin; the last entry is the number of correspondences (Choi et al. 2015, eq. 4).
+        The sum of G^T G over the correspondences' target points q, with G = (-[q]x, I): float64 [6, 6], rotation first,
+        about the world origin; the last entry is the number of correspondences (Choi et al. 2015, eq. 4).
 
     Raises:
         ValueError, DeviceError: As `evaluate_registration`.

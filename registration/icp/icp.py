@@ -1,4 +1,4 @@
-"""Iterative closest points: one pair of clouds, and thousands of pairs."""
+"""ICP registration of one pair of clouds or of many pairs at once."""
 
 from __future__ import annotations
 
@@ -39,14 +39,13 @@ Watcher = Callable[[dict[str, Any]], None]
 
 @dataclasses.dataclass(frozen=True)
 class ICPConvergenceCriteria:
-    """When iterations end: both changes below their limits, or the iterations used up.
+    """Stopping criteria: both changes below their limits, or the maximum number of iterations.
 
     Args:
-        relative_fitness: Change of the fitness between two iterations; absolute, despite Open3D's name.
-        relative_rmse: Change of the inlier rmse [m]; absolute too. None: a millionth of the source's spread (the root
-            of the mean squared distance from its middle), which is Open3D's 1e-6 m for a cloud of a metre, and ends
-            alike at any scale.
-        max_iteration: Steps at most, up to 100,000; 0 only evaluates.
+        relative_fitness: Absolute change of the fitness between iterations, despite Open3D's name.
+        relative_rmse: Absolute change of the inlier rmse [m]. None: 1e-6 of the source's root mean square distance from
+            its center, which equals Open3D's 1e-6 m for a cloud of 1 m and is scale invariant.
+        max_iteration: Maximum number of steps, up to 100,000; 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
@@ -81,59 +80,54 @@ def registration_icp(
     weights: ArrayLike | str | None = None,
     noise: float | None = None,
 ) -> RegistrationResult:
-    """Bring a source onto a target from a pose nearby.
+    """Register a source to a target from a nearby pose by iterative closest points.
 
-    Each iteration pairs every source point with the nearest target point and moves the source by what the estimator
-    makes of the pairs; iterations end as the criteria say.
+    Each iteration pairs every source point with its nearest target point and updates the pose with the estimator.
 
     Args:
-        source: The cloud that moves. Points that are not finite are nobody's correspondence and do not count.
-        target: The cloud that stays.
-        max_correspondence_distance: Points this far apart or farther are no correspondence [m].
-        init: Pose to begin from, T_target_source, 4x4; None: the identity. A rotation that is orthonormal to 0.02 only
-            is replaced by the nearest one that is.
-        estimation_method: What the pairs are asked to bring together; None: TransformationEstimationPointToPoint().
-        criteria: When to stop; None: ICPConvergenceCriteria().
-        overlap: Share of the source's points whose nearest pairs are kept, above 0 and up to 1: the trimmed ICP of
-            Chetverikov et al. 2002. None finds the share in each iteration, as that of the least fractional RMSD
-            (Phillips et al. 2007): take it where the clouds share less than half, from a pose that is nearly right.
-            With 1, as Open3D, what lies beyond the other cloud's edge pulls the source off. Else fitness is the share
-            kept and inlier_rmse that of these pairs alone: compare poses by `evaluate_registration`.
-        max_normal_angle: Drop pairs whose normals enclose more than this [rad]; both clouds need normals.
-        degeneracy: Motions that the pairs determine by less than this share of the best determined one, as eigenvalues,
-            are left out and reported; 0 moves along all, as Open3D does, which a flat surface with gentle slopes may
-            need, and lets noise move the source along the others.
-        callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and
-            `inlier_rmse` after each iteration; costs a round trip to the device there.
-        free: The motions that are free, of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others stay as
-            `init` has them, exactly: ("x", "y", "z", "yaw") keeps a levelled scan level (`levelled`), ("x",) is a rail.
-            Turns are Rz(yaw) Ry(pitch) Rx(roll), from `init` on. Not of the symmetric and the Doppler estimator.
-        frame: The axes of those motions, 3x3, its columns in target coordinates; None: the target's own.
-        pivot: The place [3] in target coordinates that turns are about, and whose image is what moves along x, y and z;
-            None: the middle of the source under `init`.
-        prior: A pose that is known beforehand, and how well. Motions that the pairs do not determine are then held by
-            it alone, and told in `prior_directions`.
-        weights: Of the source's points, [n] or the name of an attribute: 0 and more, multiplied to what a pair counts.
-            Fitness, inlier_rmse and what is kept by `overlap` count all pairs alike.
-        noise: Standard deviation of the estimator's residuals ([m]; those of generalised ICP are in units of the
-            covariances), which weighs the pairs against the prior; None: that of the pairs of each iteration, of which
-            each counts as a measurement of its own.
+        source: The cloud to move. Non-finite points are ignored.
+        target: The fixed cloud.
+        max_correspondence_distance: Correspondences must be closer than this [m].
+        init: Initial T_target_source, 4x4; None: the identity. A rotation that is orthonormal within 0.02 is made
+            orthonormal.
+        estimation_method: The estimator; None: TransformationEstimationPointToPoint().
+        criteria: Stopping criteria; None: ICPConvergenceCriteria().
+        overlap: Fraction of source points whose nearest pairs are kept, in (0, 1] (trimmed ICP, Chetverikov et al.
+            2002). None: estimated in each iteration by the fractional RMSD (Phillips et al. 2007), for an overlap below
+            half and a nearly correct pose. 1 (Open3D): points beyond the other cloud's border bias the pose. Below 1,
+            fitness and inlier_rmse refer to the kept pairs; compare poses by `evaluate_registration`.
+        max_normal_angle: Maximum angle between the normals of a pair [rad]; both clouds need normals.
+        degeneracy: Motions whose eigenvalue is below this fraction of the largest are left out and reported. 0 keeps
+            all, as Open3D: useful for flat surfaces with gentle slopes, but noise may move the source.
+        callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and `inlier_rmse`
+            after each iteration; costs a device round trip.
+        free: Free motions of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others keep `init` exactly: ("x",
+            "y", "z", "yaw") keeps a leveled scan level (`levelled`), ("x",) is a rail. Rotations are Rz(yaw) Ry(pitch)
+            Rx(roll) from `init`. Not for the symmetric and the Doppler estimator.
+        frame: Axes of those motions as columns in target coordinates, 3x3; None: the target's axes.
+        pivot: Center of rotation [3] in target coordinates, whose image moves along x, y and z; None: the center of the
+            source under `init`.
+        prior: A known pose with its uncertainty. It determines the motions that the pairs do not, reported in
+            `prior_directions`.
+        weights: Weights >= 0 of the source points, [n] or an attribute name. Fitness, inlier_rmse and `overlap` ignore
+            them.
+        noise: Standard deviation of the residuals ([m]; for generalized ICP in units of the covariances) to weigh pairs
+            against the prior; None: that of each iteration's pairs, each an independent measurement.
 
     Returns:
-        The result. Without any correspondence it holds the pose it had then, fitness 0, and says so in `reason`.
-        Motions that the pairs do not determine (a plane along itself) are left out and reported in
-        `degenerate_directions`.
+        The result. Without correspondences: the current pose, fitness 0, and a `reason`. Undetermined motions (a plane
+        along itself) are left out and reported in `degenerate_directions`.
 
     Raises:
-        ValueError: A distance that is not positive, an init that is no rigid motion, a cloud without what the
-            estimator needs, a target too small or too large for float32, freedoms that contradict each other, or a
-            prior out of reach of the free motions: the message says what to call.
-        DeviceError: Clouds on different devices.
+        ValueError: A distance that is not positive, an init that is not rigid, missing attributes for the estimator, a
+            target too small or too large for float32, conflicting free motions, or an unreachable prior.
+        DeviceError: The clouds are on different devices.
 
     Notes:
-        Nothing goes back to the host between iterations. O(n + m) memory: 60 B a target point and 44 B a source point,
-        beside what the estimator needs. The same bits from run to run, whatever the number of threads. Besl and McKay
-        1992; a point is searched for again only where the cloud moved by more than the gap to the second nearest.
+        No host synchronization between iterations. Memory: 60 B per target point and 44 B per source point, plus the
+        estimator's needs. Bitwise reproducible for any number of threads. Besl and McKay, "A method for registration of
+        3-D shapes", PAMI 1992; a point is searched again only if the cloud moved by more than the gap to the second
+        nearest.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -163,7 +157,6 @@ def run_icp(
     constraint: Constraint | None,
     **options: Any,
 ) -> RegistrationResult:
-    """`registration_icp` with a constraint that is made already; `options` are those of `_make_problem`."""
     method, rules = check_rules(estimation_method, criteria)
     check_clouds(source, target)
     poses = check_poses("init", init, method)[None]
@@ -202,25 +195,25 @@ def registration_icp_batch(
     """Register many pairs of clouds, or one pair from many poses, in the same launches.
 
     Args:
-        sources, targets: One cloud, or one a job; a cloud that stands in several jobs is prepared once.
+        sources, targets: One cloud, or one per job; a cloud used by several jobs is prepared once.
         max_correspondence_distance: As of `registration_icp`, for all jobs.
-        inits: Poses to begin from, one [4, 4] or one a job [jobs, 4, 4]; None: the identity.
+        inits: Initial poses, one [4, 4] or one per job [jobs, 4, 4]; None: the identity.
         estimation_method, criteria, overlap, max_normal_angle, degeneracy: As of `registration_icp`, for all jobs.
         free, frame, noise: Likewise.
-        pivot: As of `registration_icp`, [3], or one a job [jobs, 3].
-        prior: Likewise, one, or one a job.
-        weights: The name of an attribute that all sources have, or an array [n] where one cloud is the source of all.
+        pivot: As of `registration_icp`, [3], or one per job [jobs, 3].
+        prior: As of `registration_icp`, one, or one per job.
+        weights: An attribute name of all sources, or an array [n] if one cloud is the source of all jobs.
 
     Returns:
-        A result a job. Each has the same bits as `registration_icp` of its pair to about the last digit; a job that
-        has stopped costs nothing more.
+        A result per job, equal to `registration_icp` of its pair to about the last digit. Finished jobs cost nothing
+        more.
 
     Raises:
-        ValueError: Numbers of jobs that do not agree, none at all, or as `registration_icp`.
-        DeviceError: Clouds on different devices.
+        ValueError: Numbers of jobs that differ, no job, or as `registration_icp`.
+        DeviceError: The clouds are on different devices.
 
     Notes:
-        Four launches an iteration for all jobs together. 12 B a source point and job beside the clouds.
+        Four launches per iteration for all jobs. 12 B per source point and job besides the clouds.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -244,11 +237,7 @@ def registration_icp_batch(
 
 
 def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimation) -> NDArray[np.float64]:
-    """A rigid pose [4, 4] in float64, its rotation made orthonormal; with a scale where the method has one.
-
-    Raises:
-        ValueError: Not a rigid motion (or a similarity).
-    """
+    """A rigid pose (or similarity, if the method has a scale) [4, 4] in float64, its rotation made orthonormal."""
     if pose is None:
         return np.eye(4)
     if isinstance(pose, TransformationEstimation | ICPConvergenceCriteria):
@@ -267,7 +256,6 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
 
 
 def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, ICPConvergenceCriteria]:
-    """The estimator and the criteria, those of Open3D where there are none."""
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = ICPConvergenceCriteria() if criteria is None else criteria
     if not isinstance(method, TransformationEstimation):
@@ -279,11 +267,6 @@ def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, I
 
 
 def check_held(method: TransformationEstimation, constraint: Constraint | None) -> None:
-    """Refuse a constraint of an estimator that moves in all ways.
-
-    Raises:
-        ValueError: The message says what to take.
-    """
     if constraint is not None and not method.constrainable:
         raise ValueError(
             f"free, prior: {type(method).__name__} moves in all ways; "
@@ -292,11 +275,7 @@ def check_held(method: TransformationEstimation, constraint: Constraint | None) 
 
 
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
-    """Tell those who watch of the pose that a turn judged, and a callback too, once a step has led to it.
-
-    Returns:
-        Whether there is a further turn.
-    """
+    """Report the last evaluated pose to observers and the callback; True if there is another iteration."""
     state, goes_on = problem.judged()
     report("icp", source=source, target=target, **state)
     if callback is not None and state["iteration_index"] > 0:
@@ -341,7 +320,6 @@ def _jobs_of(
     inits: ArrayLike | None,
     method: TransformationEstimation,
 ) -> tuple[list[PointCloud], list[PointCloud], NDArray[np.float64]]:
-    """The source, target and pose of each job."""
     left = [sources] if isinstance(sources, PointCloud) else check_list("sources", sources, "clouds")
     right = [targets] if isinstance(targets, PointCloud) else check_list("targets", targets, "clouds")
     given = np.eye(4)[None] if inits is None else check_numeric("inits", inits)
@@ -362,14 +340,14 @@ def _jobs_of(
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]
 
 
-DOUBTFUL = 0.05  # of fitness: below it is looked at where the clouds are
-APART = 5.0  # times as far from each other as the longer one is long: no start for ICP
-SURELY_OTHER_UNIT = 500.0  # times as long, where some points do meet: millimetres and metres
-OTHER_UNIT = 20.0  # times as long: no two scans of one scene
+DOUBTFUL = 0.05  # fitness below which the positions are checked
+APART = 5.0  # distance in lengths of the longer cloud: too far for ICP
+SURELY_OTHER_UNIT = 500.0  # size ratio even if some points match: millimeters and meters
+OTHER_UNIT = 20.0  # size ratio: not two scans of one scene
 
 
 def doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> None:
-    """Say where two clouds with hardly a correspondence are: most often in another unit, or far from each other."""
+    """Warn if two clouds have hardly any correspondence: most often different units, or a large distance."""
     hint, ratio, apart = _where(source, target, pose, reach)
     if result.fitness == 0:
         result.hint = hint
@@ -381,7 +359,7 @@ def doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.
 
 
 def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> tuple[str, float, float]:
-    """Where two clouds are, how many times as long one is as the other, and how many lengths apart."""
+    """The positions of two clouds in words, their size ratio, and their distance in lengths."""
     said, middles, longest = [], [], []
     for name, cloud, T in (("source", source, pose), ("target", target, np.eye(4))):
         if not len(cloud):

@@ -1,4 +1,4 @@
-"""From clouds to jobs on the device and back: what single registrations, batches and evaluations share."""
+"""ICP jobs on the device, shared by single registrations, batches and evaluations."""
 
 from __future__ import annotations
 
@@ -39,33 +39,16 @@ REASONS = {
     NO_PAIRS: "no correspondences",
     NOT_FINITE: "the step is not finite",
 }
-# Of the largest eigenvalue: below it a motion changes the residuals so little that noise of the normals may be all that
-# holds it. Planes with noise of 1/1000 of their size have up to 0.0008, corridors and tubes whose normals come from
-# 2,000 points 0.005, bumps of 5 cm on 2 m 0.006, scans of rooms, streets, terrain and objects 0.03 and more.
+# Relative to the largest eigenvalue: below it, noise of the normals may determine the motion. Planes with noise of
+# 1/1000 of their size have up to 0.0008, corridors and tubes with normals from 2,000 points 0.005, bumps of 5 cm on 2 m
+# 0.006, scans of rooms, streets, terrain and objects at least 0.03.
 DEGENERACY = 5e-3
-# Of the source's spread: a smaller change of the rmse ends ICP where the user gave none. Open3D's 1e-6 m at a metre,
-# and alike at any scale: of a cloud of a micrometre that limit is its whole size.
+# Default rmse change that ends ICP, relative to the source's spread: Open3D's 1e-6 m for 1 m, at any scale.
 STILL = 1e-6
 
 
 class IterativeRegistration:
-    """Jobs over clouds of one device: prepared once, run, read.
-
-    Args:
-        sources, targets: The cloud of each job.
-        poses: T_target_source of each job in world coordinates, float64 [jobs, 4, 4].
-        distance: Greatest distance of a correspondence [m].
-        estimation: The estimator.
-        overlap: Share of the source's points whose nearest correspondences are kept; None finds it in each iteration.
-        max_normal_angle: Correspondences whose normals enclose more than this [rad] are dropped; None keeps all.
-        degeneracy: Motions with less than this share of the largest eigenvalue are left out.
-        constraint: What the jobs are free to do, and what is known of their poses; None: all, nothing.
-        weights: What the sources' points count, by an attribute's name or of the only source; None: all alike.
-
-    Raises:
-        ValueError: A cloud lacks what the estimator needs.
-        DeviceError: Clouds on different devices.
-    """
+    """ICP jobs over clouds on one device, with `poses` T_target_source of each job, float64 [jobs, 4, 4]."""
 
     def __init__(
         self,
@@ -114,7 +97,6 @@ class IterativeRegistration:
             self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
 
     def _take_clouds(self, sources: Sequence[PointCloud], targets: Sequence[PointCloud]) -> None:
-        """Keep each cloud once, about the sensor if the estimator needs that."""
         self._sources, self.source_of = _distinct(sources)
         self._targets, self.target_of = _distinct(targets)
         for cloud in (*self._sources, *self._targets):
@@ -125,7 +107,6 @@ class IterativeRegistration:
             self._targets = [in_sensor_frame(c, n) for c, n in zip(self._targets, names[1], strict=True)]
 
     def _columns(self, with_normals: bool) -> tuple[Any, Any]:
-        """What the estimator asks of the points on either side, with normals where pairs are judged by them."""
         source_names, target_names = self._names()
         source_columns = self.estimation._source_columns(self._sources, source_names, self.distance)
         target_columns = self.estimation._target_columns(self._targets, target_names, self.distance)
@@ -135,11 +116,10 @@ class IterativeRegistration:
         return source_columns, target_columns
 
     def _names(self) -> tuple[list[str], list[str]]:
-        """What errors call the distinct sources and targets."""
         return _names("source", self.source_of), _names("target", self.target_of)
 
     def _usable_points(self, source_columns: Columns, target_columns: Columns) -> tuple[list[Any], list[Any]]:
-        """The points of sources and targets, NaN where what the estimator takes of them is not finite."""
+        """The points of both sides, NaN where a required value is not finite."""
         sides = (self._sources, source_columns), (self._targets, target_columns)
         columns = [
             {name: arrays[i] for name, arrays in side.items()} for clouds, side in sides for i in range(len(clouds))
@@ -149,7 +129,6 @@ class IterativeRegistration:
         return points[: len(self._sources)], points[len(self._sources) :]
 
     def _grow_forest(self) -> PointForest:
-        """The search trees of all targets: the one that a single target keeps, or a forest of new ones."""
         first, points = self._targets[0], self._target_points
         is_kept = len(points) == 1 and points[0] is first._device_array("points")
         tree = first.search_tree() if is_kept else None
@@ -160,7 +139,6 @@ class IterativeRegistration:
         return forest
 
     def _local_poses(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The first poses between the clouds' own origins, [jobs, 4, 4]."""
         self._source_origins = [cloud.origin for cloud in self._sources]
         self._target_origins = [cloud.origin for cloud in self._targets]
         pairs = zip(self.source_of, self.target_of, poses, strict=True)
@@ -170,7 +148,6 @@ class IterativeRegistration:
     def _constrain(
         self, constraint: Constraint | None, weights: ArrayLike | str | None, local: NDArray[np.float64]
     ) -> None:
-        """Take the constraint and the weights to the device, where there are any; `local` are the first poses."""
         self.constraint, self.freedom = constraint, None
         if constraint is not None:
             self.freedom = self._make_freedom(constraint, local)
@@ -179,7 +156,6 @@ class IterativeRegistration:
             self.loop.matches.weigh(self.source_clouds.gather(columns))
 
     def _make_freedom(self, constraint: Constraint, local: NDArray[np.float64]) -> Freedom:
-        """The constraint on the device; fixed motions are held at its anchors, else at the first poses."""
         held = local if constraint.anchors is None else self._local_poses(constraint.anchors)
         jobs = zip(self.source_of, self.target_of, strict=True)
         origins = [(self._source_origins[s], self._target_origins[t]) for s, t in jobs]
@@ -192,7 +168,7 @@ class IterativeRegistration:
         relative_rmse: float | None,
         watch: Callable[[], bool] | None = None,
     ) -> None:
-        """Run all jobs to their ends; without a `relative_rmse` [m] it is STILL of each source's spread."""
+        """Run all jobs; the default `relative_rmse` [m] is STILL times each source's spread."""
         estimation, loop = self.estimation, self.loop
         limits = (0.0, STILL) if relative_rmse is None else (relative_rmse, 0.0)
         criteria = max_iteration, relative_fitness, *limits
@@ -206,19 +182,16 @@ class IterativeRegistration:
             loop.sum_rows(estimation.rows, self._arguments, self._plain_arguments)
             loop.step(rules, self.freedom)
 
-        if max_iteration == 0 and watch is None:  # one turn judges the poses, and no graph is worth making for it
+        if max_iteration == 0 and watch is None:  # a single iteration is not worth a graph
             iterate()
             return
         loop.run(iterate, watch)
 
     def judged(self) -> tuple[dict[str, Any], bool]:
-        """What the last turn judged of the first job, and whether any job goes on.
-
-        That is steps so far, pose in world coordinates, fitness and rmse.
-        """
+        """Steps, world pose, fitness and rmse of the first job, and whether any job continues."""
         states = self.loop.states.download()  # sync
         told = {
-            # a job that goes on has taken one step more
+            # a running job has taken one more step
             "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
             "transformation": self._world(0, states["earlier"][0]),
             "fitness": float(states["fitness"][0]),
@@ -227,7 +200,6 @@ class IterativeRegistration:
         return told, bool(states["running"][0])
 
     def results(self) -> list[RegistrationResult]:
-        """The results of all jobs, in their order."""
         states = self.loop.states.download()  # sync
         outcomes, free_counts = states["outcomes"], states["free_counts"]
         told = self._told_of_freedom()
@@ -250,7 +222,7 @@ class IterativeRegistration:
         return results
 
     def _told_of_freedom(self) -> list[dict[str, Any]]:
-        """What results say of a constraint: of each job what was free, what the prior held, and its parameters."""
+        """Constraint results of each job: free motions, prior directions, and parameters."""
         if self.constraint is None or self.freedom is None:
             return [{}] * self.loop.jobs.count
         found = self.freedom.kept.download("states", "held_counts")  # sync
@@ -271,10 +243,10 @@ class IterativeRegistration:
         return to_world(pose, self._source_origins[self.source_of[job]], self._target_origins[self.target_of[job]])
 
     def _pairs_of(self, job: int) -> Pairs:
-        """(source, target) rows of a job's pairs, by source; in a voxelised target a row is that of the voxel."""
+        """(source, target) rows of a job's pairs, by source; target rows are voxels in a voxelized target."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
-        if not count:  # Warp refuses an empty part that begins behind the last element
+        if not count:  # Warp rejects an empty slice at the end
             return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
         found = self.loop.matches.pairs[first : first + count]
         rows = self.source_clouds.order[base : base + count]
@@ -304,7 +276,6 @@ class IterativeRegistration:
 
 
 def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
-    """The clouds without repetition, and which of them each is."""
     places: dict[int, int] = {}
     found: list[PointCloud] = []
     numbers = np.empty(len(clouds), np.int64)
@@ -317,7 +288,6 @@ def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[n
 
 
 def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
-    """What an error calls each distinct cloud: by the first job that it stands in."""
     _, firsts = np.unique(numbers, return_index=True)
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 

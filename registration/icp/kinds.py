@@ -1,4 +1,4 @@
-"""ICP by one estimator each, under the names that Open3D has for it."""
+"""ICP with a fixed estimator, under Open3D's names."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def registration_colored_icp(
     weights: ArrayLike | str | None = None,
     noise: float | None = None,
 ) -> RegistrationResult:
-    """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colours, the target normals."""
+    """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colors, the target normals."""
     method = TransformationEstimationForColoredICP() if estimation_method is None else estimation_method
     held: Any = {"free": free, "frame": frame, "pivot": pivot, "prior": prior, "weights": weights, "noise": noise}
     pair = source, target, max_correspondence_distance, init

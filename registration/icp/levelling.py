@@ -1,4 +1,4 @@
-"""Poses that an inertial sensor has levelled."""
+"""Leveling of poses by gravity."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from ...core.checks import check_direction, check_rigid
 from ...kernels.linear_algebra import matmul, norm
 from ..rigid import nearest_rotation, rotation_of
 
-OPPOSITE = 1e-9  # of the sine: directions as near to opposite have no shortest turn
+OPPOSITE = 1e-9  # sine: nearly opposite directions have no shortest rotation
 
 
 def levelled(
     init: ArrayLike | None, up_in_source: ArrayLike, up_in_target: ArrayLike = (0.0, 0.0, 1.0)
 ) -> NDArray[np.float64]:
-    """A pose turned by the least angle so that the source's up is the target's, as an IMU at rest tells it.
+    """Rotate a pose by the smallest angle that aligns the up directions, as known from an IMU at rest.
 
-    ICP of four degrees of freedom then holds what gravity has said: free=("x", "y", "z", "yaw").
+    ICP with four degrees of freedom keeps it level: free=("x", "y", "z", "yaw").
 
     Args:
-        init: The pose T_target_source to turn, 4x4; None: the identity.
-        up_in_source: Up in the source's coordinates, of any length: what an accelerometer at rest measures (it points
-            away from the ground), not the direction of gravity, which is its opposite. The mean of many readings.
-        up_in_target: Up in the target's coordinates.
+        init: The pose T_target_source, 4x4; None: the identity.
+        up_in_source: Up in source coordinates, any length: the mean accelerometer reading at rest, not the gravity
+            direction.
+        up_in_target: Up in target coordinates.
 
     Returns:
-        The pose, float64 [4, 4]. It turns about the source's own zero, whose image stays: the sensor, for a scan in its
-        sensor's frame. The heading is that of `init` as nearly as a level pose can have it.
+        The pose, float64 [4, 4], rotated about the source's origin (the sensor of a scan), with the heading of `init`
+        as far as possible.
 
     Raises:
-        ValueError: No rigid motion, no direction, or a source upside down, whose way back is any.
+        ValueError: The pose is not rigid, a direction is invalid, or the source is upside down.
 
     Example:
         >>> import numpy as np, pointloom as loom

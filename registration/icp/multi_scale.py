@@ -24,11 +24,11 @@ from .evaluation import evaluate_registration
 from .icp import ICPConvergenceCriteria, Watcher, check_poses, check_rules, run_icp
 from .preparation import point_weights
 
-NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels], points at most, where normals are estimated
-NEAR = 2.0  # [voxels] within which points of two clouds that lie on each other meet
-LITTLE = 0.5  # of the source that meet, below which what lies beyond the other cloud's edge pulls it off
-KEPT = 0.9  # of those, that meet under the pose found with the overlap at least: else that holds on to a part of it
-WEIGHTS = "weights of multi_scale_icp"  # the attribute that down-sampling carries along
+NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels] radius, and maximum neighbors of normals
+NEAR = 2.0  # [voxels] distance of overlapping points
+LITTLE = 0.5  # overlap below which border points bias the pose
+KEPT = 0.9  # minimum ratio of overlap after the restart: otherwise it matches only a part
+WEIGHTS = "weights of multi_scale_icp"  # the attribute that downsampling averages
 _ROLES = ("source", "target")
 
 
@@ -52,29 +52,27 @@ def multi_scale_icp(
     weights: ArrayLike | str | None = None,
     noise: float | None = None,
 ) -> RegistrationResult:
-    """Register from coarse to fine: each scale on down-sampled clouds, from the pose of the one before.
+    """Register from coarse to fine, each scale on downsampled clouds from the previous pose.
 
     Args:
         source, target, init, estimation_method: As of `registration_icp`.
-        voxel_sizes: Edges of the voxels that the clouds are down-sampled by [m], strictly descending; the last may be
-            -1 for the clouds as they are. Normals and colours are averaged over a voxel.
-        criteria_list: The criteria of each scale.
-        max_correspondence_distances: The greatest distance of a correspondence of each scale [m].
-        estimate_normals: Give those clouds normals that `estimation_method` needs them of and that have none: at each
-            scale, by up to 30 neighbours within 3 voxels (of the clouds as they are, however far). Their sign is not
-            known, which the symmetric method minds; without this, clouds that lack normals are an error.
-        overlap: Share of the source's points whose nearest pairs are kept, as of `registration_icp`. None keeps all, as
-            Open3D does, and where less than half of the points then lie within two voxels of the target begins again
-            with the share that it finds: what lies beyond the other cloud's edge pulls the source off. The second pose
-            is taken where nine tenths as many points lie so near there.
-        callback_after_iteration: As of `registration_icp`; its dict has `scale_index` too.
-        free, frame, pivot, prior, noise: As of `registration_icp`; all scales hold what is not free as `init` has it.
-        weights: Likewise; a voxel has the mean of its points'.
+        voxel_sizes: Downsampling voxel edges [m], strictly descending; the last may be -1 for the original clouds.
+            Normals and colors are averaged.
+        criteria_list: Criteria of each scale.
+        max_correspondence_distances: Maximum correspondence distance of each scale [m].
+        estimate_normals: Estimate missing normals at each scale, by up to 30 neighbors within 3 voxels (unlimited for
+            original clouds), without consistent orientation as the symmetric method needs it. Otherwise missing normals
+            are an error.
+        overlap: As of `registration_icp`. None keeps all pairs, as Open3D; if less than half of the points are then
+            within two voxels of the target, restarts with an estimated overlap, and uses that pose if at least nine
+            tenths as many points are that close.
+        callback_after_iteration: As of `registration_icp`; with `scale_index`.
+        free, frame, pivot, prior, noise: As of `registration_icp`; fixed motions keep `init` at all scales.
+        weights: Likewise; averaged per voxel.
 
     Returns:
-        The result of the last scale, whose iterations are those of all scales together. Where `overlap` is None,
-        fitness, error and correspondences are those of all pairs within the distance, even where a share was found;
-        where it is given, those of the pairs kept, as of `registration_icp`.
+        The result of the last scale, with the iterations of all scales. If `overlap` is None, fitness, error and
+        correspondences are those of all pairs, else of the kept ones.
 
     Raises:
         ValueError: Lists of different lengths, sizes that do not descend, or as `registration_icp`.
@@ -127,7 +125,7 @@ def _register(
     overlap: float | None,
     weights: str | None,
 ) -> RegistrationResult:
-    """One scale; with all pairs first, and with those of the overlap where that is None and they are few."""
+    """One scale; with overlap None first all pairs, then if necessary those of the estimated overlap."""
     result = run(overlap=1.0 if overlap is None else overlap, weights=weights)
     if overlap is not None or result.fitness == 0:
         return result
@@ -164,7 +162,6 @@ def _at_scale(callback: Watcher, scale: int, state: dict[str, Any]) -> None:
 def _check_scales(
     voxel_sizes: Sequence[float], distances: Sequence[float], criteria: Sequence[ICPConvergenceCriteria]
 ) -> tuple[list[float], list[float]]:
-    """The voxel sizes, 0 for clouds as they are, and the distances."""
     lengths = check_list("voxel_sizes", voxel_sizes, "lengths")
     sizes = [check_number("voxel_sizes", size, allow_nan=True, allow_infinite=True) for size in lengths]
     distances = check_list("max_correspondence_distances", distances, "lengths")

@@ -1,7 +1,4 @@
-"""What an estimator needs of a cloud's points: taken from the cloud where it is there, made on the device where not.
-
-Normals and colours are never made up here: whoever lacks them is told what to call.
-"""
+"""Per-point data that ICP estimators need, given or computed on the device; normals and colors must be given."""
 
 from __future__ import annotations
 
@@ -27,32 +24,23 @@ from ...kernels.memory import cast, download, upload
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.cloud import PointCloud
 
-GRADIENT_RADIUS = 2.0  # times the greatest distance of correspondences, as Open3D has it
+GRADIENT_RADIUS = 2.0  # times the maximum correspondence distance, as in Open3D
 GRADIENT_NEIGHBORS = 30
-COVARIANCE_NEIGHBORS = 20  # as in the paper on generalised ICP, and in Open3D and small_gicp
+COVARIANCE_NEIGHBORS = 20  # as in the generalized ICP paper, Open3D and small_gicp
 
 
 class ColoredSurface(NamedTuple):
-    """A target of coloured ICP: device arrays by point."""
-
     normals: wp.array
     intensities: wp.array
     gradients: wp.array
 
 
 class DopplerMeasurements(NamedTuple):
-    """A source of Doppler ICP: device arrays by point."""
-
     dopplers: wp.array
     directions: wp.array
 
 
 def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
-    """The cloud with its coordinates about zero, where the sensor is.
-
-    Raises:
-        ValueError: The cloud is not in the frame of its sensor: it is more than 10 km from zero.
-    """
     if not cloud.origin.any():
         return cloud
     if np.abs(cloud.origin).max() > ORIGIN_LIMIT:
@@ -64,13 +52,7 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
 def usable_points(
     clouds: Sequence[PointCloud], columns: Sequence[Mapping[str, wp.array]], names: Sequence[str]
 ) -> list[wp.array]:
-    """The points of clouds, vec3 [n]; NaN, with a NonFiniteWarning, where one of the columns is not finite.
-
-    Args:
-        clouds: The clouds.
-        columns: The arrays that an estimator takes of the points of each by their names, vec3 [n] or float32 [n, c].
-        names: What the user's arguments are called.
-    """
+    """The points, vec3 [n], set to NaN with a NonFiniteWarning where a required column is not finite."""
     flat = [
         [view_as(c, float32, (len(cloud), 3)) if c.dtype == vec3 else c for c in arrays.values()]
         for cloud, arrays in zip(clouds, columns, strict=True)
@@ -88,59 +70,31 @@ def usable_points(
 
 
 def require_normals(cloud: PointCloud, name: str, method: str) -> wp.array:
-    """The normals of a cloud, vec3 [n].
-
-    Args:
-        cloud: The cloud.
-        name: What the user's argument is called, such as "source".
-        method: What needs them, such as "point-to-plane ICP".
-
-    Raises:
-        ValueError: There are none.
-
-    Example:
-        >>> import pointloom as loom
-        >>> from pointloom.registration.icp.preparation import require_normals
-        >>> require_normals(loom.PointCloud([[0, 0, 0]]), "source", "point-to-plane ICP")
-        Traceback (most recent call last):
-        ...
-        ValueError: source: point-to-plane ICP needs normals, and it has none; call source = source.estimate_normals()
-    """
     if not cloud.has_normals:
         raise ValueError(f"{name}: {method} needs normals, and it has none; call {name} = {name}.estimate_normals()")
     return cloud._device_array("normals")
 
 
 def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) -> list[wp.array]:
-    """The normals of several clouds; arguments and errors as `require_normals`."""
     return [require_normals(cloud, name, method) for cloud, name in zip(clouds, names, strict=True)]
 
 
 def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
-    """The colours of a cloud, vec3 [n]; arguments and errors as `require_normals`."""
     if not cloud.has_colors:
         raise ValueError(f"{name}: {method} needs colours, and it has none; assign cloud.colors")
     return cloud._device_array("colors")
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
-    """The intensities of a source of coloured ICP, float32 [n]: the mean of red, green and blue.
-
-    Raises:
-        ValueError: It has no colours.
-    """
+    """Intensities for colored ICP, float32 [n]: the mean of red, green and blue."""
     return average_colors(require_colors(cloud, name, "coloured ICP"))
 
 
 def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target") -> ColoredSurface:
-    """Normals, intensities and their gradients along the surface, of a target of coloured ICP.
+    """Normals, intensities and their tangential gradients of a colored ICP target.
 
-    The gradients come from the 30 nearest neighbours within twice `max_correspondence_distance` [m], as in Open3D;
-    but for the projection onto the tangent plane, which Open3D left out in 2022 and the paper has: without it the
-    gradient depends on the unit of length.
-
-    Raises:
-        ValueError: It has no normals or no colours.
+    Gradients come from the 30 nearest neighbors within twice `max_correspondence_distance` [m], as in Open3D, but with
+    the projection onto the tangent plane, which Open3D dropped in 2022.
     """
     normals = require_normals(cloud, name, "coloured ICP")
     colors = require_colors(cloud, name, "coloured ICP")
@@ -150,17 +104,7 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
 
 
 def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
-    """The covariances that generalised ICP takes a cloud's points to have, float32 device array [n, 9].
-
-    Args:
-        cloud: Its attribute "covariances" is taken as it stands; else planes come from its normals; else from the 20
-            nearest points of each point.
-        epsilon: Variance across a plane, where it is 1 along it.
-        name: What the user's argument is called.
-
-    Raises:
-        ValueError: Covariances of another shape than [n, 9].
-    """
+    """Covariances for generalized ICP, float32 [n, 9]: given ones, else planes from normals or from 20 neighbors."""
     if "covariances" in cloud:
         rows = cloud._device_array("covariances")
         if rows.shape != (len(cloud), 9):
@@ -172,17 +116,7 @@ def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "clou
 
 
 def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeasurements:
-    """Radial speeds [m/s], float32 [n], and unit vectors from the sensor to the points, vec3 [n].
-
-    Args:
-        cloud: In the sensor's own frame, with the attribute "dopplers" of shape [n] or [n, 1]: the speed at which a
-            point moves away. The directions are those from zero to its world coordinates, zero for a point at zero;
-            where a cloud was moved since it was measured they have to stand in its attribute "directions" [n, 3].
-        name: What the user's argument is called.
-
-    Raises:
-        ValueError: No dopplers, or shapes that do not fit.
-    """
+    """Radial speeds [m/s], float32 [n], and unit directions from the sensor (or "directions" [n, 3]), vec3 [n]."""
     if "dopplers" not in cloud:
         raise ValueError(
             f"{name}: Doppler ICP needs radial speeds, and it has none; assign cloud['dopplers'], shape [n] in m/s"
@@ -197,7 +131,6 @@ def doppler_measurements(cloud: PointCloud, name: str = "source") -> DopplerMeas
 
 
 def _directions(cloud: PointCloud, name: str) -> wp.array:
-    """The cloud's own directions, or those to its points, made unit."""
     if "directions" in cloud:
         rows = cloud._device_array("directions")
         if rows.shape != (len(cloud), 3):
@@ -210,16 +143,6 @@ def _directions(cloud: PointCloud, name: str) -> wp.array:
 
 
 def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names: Sequence[str]) -> list[wp.array]:
-    """What the points of each cloud count, float32 device arrays [n, 1].
-
-    Args:
-        clouds: The clouds.
-        weights: The name of an attribute that all of them have, or an array [n] for the only one.
-        names: What the user's arguments are called.
-
-    Raises:
-        ValueError: Weights that are negative, not finite or all zero, another shape, or a cloud without them.
-    """
     if not isinstance(weights, str) and len(clouds) > 1:
         raise ValueError(
             f"weights: one array for {len(clouds)} clouds; assign cloud['weights'] each, and give its name"

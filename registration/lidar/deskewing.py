@@ -1,4 +1,4 @@
-"""Scans of a moving scanner as it would have seen them standing still."""
+"""Motion correction (deskewing) of scans."""
 
 from __future__ import annotations
 
@@ -20,33 +20,32 @@ from ...pcd.point_arrays import check_cloud
 from ..rigid import rotation_vector, skew, to_local
 
 TIME_NAMES = ("time", "timestamp", "timestamps", "t", "time_offset", "offset_time", "gps_time")
-MIN_TIMES = 8  # different times of a scan, below which it cannot be straightened
+MIN_TIMES = 8  # minimum number of distinct times for deskewing
 SMALL_ANGLE = 1e-4  # [rad] below it series to fourth order are exact in float64
 
 
 def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: ArrayLike | None = None) -> PointCloud:
-    """The cloud with every point as the sensor would have measured it at the end of the scan.
+    """Deskew a scan: move every point to where the sensor would have measured it at the end of the scan.
 
-    Between the first and the last time of the scan the sensor moves with constant velocity along a screw, so that a
-    vehicle in a curve is followed exactly.
+    Assumes constant velocity along a screw between the first and the last time, which is exact for a vehicle in a
+    curve.
 
     Args:
-        cloud: Points in the sensor's frame, each at its own time.
-        T_start_end: The sensor's motion during the scan, shape [4, 4]: its pose at the last time in the frame of the
-            first, as odometry or an IMU gives it.
-        timestamps: Time of each point, shape [n], in any unit and from any start; None takes the cloud's attribute
-            "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", whichever is there.
+        cloud: Points in the sensor frame, each at its own time.
+        T_start_end: Motion during the scan, shape [4, 4]: the last pose in the frame of the first, from odometry or an
+            IMU.
+        timestamps: Time of each point, shape [n], in any unit and from any origin. None: the cloud's attribute "time",
+            "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time".
 
     Returns:
-        The cloud with all its attributes; a point whose time is NaN becomes NaN. Normals are left
-        as they are.
+        The cloud with all attributes and unchanged normals; points with NaN times become NaN.
 
     Raises:
-        ValueError: No times, times of another length, none that is finite, or a motion that is not rigid.
+        ValueError: No times, a wrong length, no finite time, or a motion that is not rigid.
 
     Notes:
-        The first and last times are those of points that are finite and not at zero. One launch, 12 B a point, the
-        same bits from run to run. Vizzo et al. 2023, eqs. 2 to 4.
+        Uses the time range of points that are finite and not at zero. One launch, 12 B per point, bitwise reproducible.
+        Vizzo et al., "KISS-ICP", RA-L 2023, eqs. 2 to 4.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -77,12 +76,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
 
 
 def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | None:
-    """The points' times as a float64 device array: those given, else the cloud's own; None where there are none.
-
-    Raises:
-        ValueError: Another shape than [n].
-        TypeError: Not numbers.
-    """
+    """The given or the cloud's point times as float64 device array [n]; None if there are none."""
     if timestamps is not None:
         times = check_numeric("timestamps", timestamps)
         if times.shape != (len(cloud),):
@@ -100,7 +94,6 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
 
 
 def warn_of_coarse_times(distinct: int, count: int) -> None:
-    """Warn that the times of a scan are too coarse to straighten it."""
     warn_of_units(
         f"timestamps: {count:,} points have {distinct} different times, so that the scan is not straightened. Seconds "
         "since 1970 or of the week need float64. Leave the times out if all points were measured at once.",
@@ -109,7 +102,7 @@ def warn_of_coarse_times(distinct: int, count: int) -> None:
 
 
 def twist_of(T: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The logarithm of a pose, (rotation, translation), shape [6]: the inverse of `rigid.pose_of` below half a turn."""
+    """Logarithm (rotation, translation) of a pose, [6]: the inverse of `rigid.pose_of` below half a turn."""
     rotation = rotation_vector(T[:3, :3])
     angle, K = float(norm(rotation)), skew(rotation)
     factor = 1 / 12 + angle**2 / 720 if angle < SMALL_ANGLE else (1 - angle / 2 / math.tan(angle / 2)) / angle**2

@@ -1,7 +1,7 @@
-"""LiDAR odometry: the path of a scanner from its scans alone.
+"""LiDAR odometry: the trajectory of a scanner from its scans alone.
 
-After Vizzo et al., "KISS-ICP: In Defense of Point-to-Point ICP - Simple, Accurate, and Robust Registration If Done the
-Right Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers are that paper's.
+Vizzo et al., "KISS-ICP: In Defense of Point-to-Point ICP - Simple, Accurate, and Robust Registration If Done the Right
+Way", IEEE Robotics and Automation Letters 8(2), 2023. Equation numbers refer to that paper.
 """
 
 from __future__ import annotations
@@ -42,58 +42,54 @@ from .scan_matching import (
 Matrix = NDArray[np.float64]
 
 MOST_IN_VOXEL = 1024  # points
-MAP_VOXELS = 0.5  # alpha of section III-B: the map takes one point a voxel of half the edge
-SCAN_VOXELS = 1.5  # beta: registration takes one point a voxel of one and a half
-START_VOXELS = 3.0  # the same for the second scan, to choose with among many places
-MIN_POINTS = 32  # of a scan that tells which part of the interval scans span
-START_TURNS = 2  # registrations of the second scan after its first one, each with a better motion to straighten by
-DOUBTED_DISAGREEMENT = 0.2  # above which a scan is looked for again, farther off
-PRUNE_SHARE = 0.1  # of max_range that the sensor goes between two prunings of the map
+MAP_VOXELS = 0.5  # alpha of section III-B: map downsampling
+SCAN_VOXELS = 1.5  # beta of section III-B: scan downsampling
+START_VOXELS = 3.0  # for the second scan, to select among many starts
+MIN_POINTS = 32  # minimum to estimate the fraction of the interval
+START_TURNS = 2  # repeated registrations of the second scan, each with a better deskewing motion
+DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
+PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
 
 
 class LidarOdometry:
-    """Finds the pose of each scan against a map of those before it.
+    """Estimate the pose of each scan against a map of the previous scans.
 
-    Each scan is straightened with the motion that the last two poses predict (eqs. 1 to 4), thinned twice (section
-    III-B), and brought onto the map by robust point-to-point ICP (eqs. 9 to 12) within a threshold that follows how
-    wrong the predictions were (eqs. 5 to 8), then by ICP to the planes of the map; then it joins the map.
+    Each scan is deskewed with the predicted motion (eqs. 1 to 4), downsampled twice (section III-B), and aligned with
+    the map by robust point-to-point ICP (eqs. 9 to 12) with an adaptive threshold (eqs. 5 to 8), then by point-to-plane
+    ICP. Then it is added to the map.
 
     Args:
-        voxel_size: Edge of the map's voxels [m]; None takes a hundredth of `max_range`.
-        max_range, min_range: Points farther from or nearer to the sensor [m] do not count.
-        max_points_per_voxel: Points that a voxel of the map keeps.
-        deskew: Whether scans whose points have times are straightened.
-        interval: Time between scans in the unit of their times. None: if the azimuth grows steadily with time, as of a
-            spinning sensor, the scan's part of a turn is its part of the interval; else its times span the interval.
-        initial_threshold: Standard deviation of the prediction's error [m] before any motion was seen.
-        min_motion: Errors of the prediction below this [m] do not lower the threshold.
-        device: Where the map lies; None takes that of the first scan.
+        voxel_size: Voxel edge of the map [m]; None: a hundredth of `max_range`.
+        max_range, min_range: Points beyond or below this distance from the sensor [m] are ignored.
+        max_points_per_voxel: Maximum number of points per map voxel.
+        deskew: Deskew scans whose points have times.
+        interval: Time between scans in the unit of the point times. None: by the fraction of a revolution that a scan
+            covers if its azimuth grows steadily (spinning sensor), else the span of its times.
+        initial_threshold: Standard deviation of the prediction error [m] before any motion was observed.
+        min_motion: Prediction errors below this [m] do not lower the threshold.
+        device: Device of the map; None: that of the first scan.
 
     Raises:
-        ValueError: A number out of range.
+        ValueError: A number is out of range.
         DeviceError: No such device.
 
     Notes:
-        Memory O(map): 12 B times `max_points_per_voxel` a voxel. The map is exact after any length of travel: its
-        points are float32 inside voxels counted by whole numbers, its poses float64. The same bits from run to run
-        and for any number of threads. One host synchronisation for the sizes of a thinned scan, one for all its loops,
-        and the same again where it is straightened twice. A scan whose `register` was interrupted (Ctrl-C, no memory)
-        is part of the run or is not: `len(steps)` tells.
+        Memory O(map): 12 B times `max_points_per_voxel` per voxel. Exact over any travel distance: points are float32
+        within integer voxels, poses float64. Bitwise reproducible for any number of threads. One host synchronization
+        for the sizes of a scan and one for all iterations, twice if it is deskewed again. An interrupted `register`
+        (Ctrl-C, out of memory) leaves the scan fully in or out: see `len(steps)`.
+        Differences from the paper:
 
-        Beside the paper:
-
-        - Loops to planes follow the point-to-point one, from where it ends and from the prediction. The rings that a
-          turning scanner draws move with it, and point-to-point ICP alone goes part of the way with them.
-        - The scan is referred to its end, not its start; the motion between two poses is a screw; a scan that was
-          predicted wrongly is straightened once more with the motion found.
-        - A drive may begin at speed: the second scan is tried from 25 places within 1.5 initial thresholds, and its
-          motion straightens the first one too.
-        - Map points keep the spacing at which a voxel would be full.
-        - A scan that lies beside the map, or does not overlap it, is looked for farther off, turned by up to 40
-          degrees; is it not found, it is reported and keeps the predicted pose. It joins the map there if the next scan
-          lies on it and not on the map; else it is left out, and the path goes on as before it.
-        - What a scan does not determine, as the way along a bare corridor, is held at constant velocity and told.
-        - While the motion is not known, a place that fits as well along what planes tell little of is told too.
+        - Point-to-plane iterations follow: scan rings move with the sensor, so point-to-point ICP alone underestimates
+          the motion.
+        - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
+          estimated motion.
+        - The second scan is tried from 25 positions within 1.5 initial thresholds; its motion also deskews the first.
+        - Map points keep a minimum spacing.
+        - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees. If not found, it
+          is reported and keeps the predicted pose; it is added only if the next scan fits it and not the map.
+        - Undetermined motion, such as along a bare corridor, keeps constant velocity and is reported.
+        - While the motion is unknown, an equally good pose along poorly determined directions is reported too.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -134,7 +130,7 @@ class LidarOdometry:
         )
         self.deskew = bool(deskew)
         self.interval = None if interval is None else check_positive("interval", interval)
-        self._part: float | None = None  # of the interval that a scan spans, as the first scan with times does
+        self._part: float | None = None  # fraction of the interval that a scan spans, from the first scan with times
         initial = check_positive("initial_threshold", initial_threshold)
         least = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
@@ -145,13 +141,13 @@ class LidarOdometry:
 
     @property
     def steps(self) -> list[OdometryStep]:
-        """How each scan's pose was found."""
+        """How each pose was estimated, one step per scan."""
         self._settle()
         return self._steps
 
     @property
     def threshold(self) -> AdaptiveThreshold:
-        """How far the predictions were off."""
+        """The adaptive threshold from past prediction errors."""
         self._settle()
         return self._known.threshold
 
@@ -169,7 +165,7 @@ class LidarOdometry:
 
     @property
     def map(self) -> PointCloud:
-        """The points around the sensor that scans are matched with, in world coordinates."""
+        """The map points around the sensor, in world coordinates."""
         self._settle()
         if self._known.map is None:
             return PointCloud(device=self.device)
@@ -178,31 +174,29 @@ class LidarOdometry:
 
     @property
     def summary(self) -> OdometrySummary:
-        """The run so far in a few numbers."""
+        """Summary statistics of the run so far."""
         return summarize_steps(self.steps)
 
     def register(
         self, scan: PointCloud, timestamps: ArrayLike | None = None, *, prior: ArrayLike | None = None
     ) -> Matrix:
-        """The pose of the next scan.
+        """Estimate the pose of the next scan.
 
         Args:
-            scan: Points in the sensor's frame. Scans come at a constant rate.
-            timestamps: Time of each point, shape [n], in any unit and from any start; None takes the scan's attribute
-                "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time" where there is one.
-            prior: The sensor's motion since the last scan, T_last_sensor, shape [4, 4], as wheels or an IMU give it:
-                the scan is looked for there, and lies there along what it does not determine. None takes the motion
-                of the scans before.
+            scan: Points in the sensor's frame. Scans must come at a constant rate.
+            timestamps: Time of each point, shape [n], in any unit and from any origin. None: the scan's attribute
+                "time", "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time", if any.
+            prior: Motion since the last scan, T_last_sensor, shape [4, 4], from wheels or an IMU: the initial pose,
+                kept along undetermined directions. None: constant velocity.
 
         Returns:
-            T_world_sensor at the end of the scan, float64 [4, 4]. `steps[-1]` says how it was found: a scan without
-            points in range, without overlap with the map or beside it gets the predicted pose and is marked.
+            T_world_sensor at the end of the scan, float64 [4, 4]. A scan without points in range or without overlap
+            with the map gets the predicted pose and is flagged in `steps[-1]`.
 
         Raises:
-            TypeError: No cloud.
-            ValueError: Times of another length than the scan, a prior that is not rigid, or a path that leaves the
-                2^20 voxels from its start.
-            DeviceError: The scan is not on the odometry's device.
+            TypeError: `scan` is not a PointCloud.
+            ValueError: Times of another length, a prior that is not rigid, or a path beyond 2^20 voxels from its start.
+            DeviceError: The scan is on another device than the odometry.
         """
         check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
@@ -231,10 +225,8 @@ class LidarOdometry:
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
         return self._steps[-1].pose.copy()
 
-    # ------------------------------------------------------------------------------------------ internals
-
     def _settle(self) -> None:
-        """Bring a scan that was interrupted to its end where the map has begun to change, else forget it."""
+        """Complete an interrupted scan if the map has changed, else discard it."""
         if self._next is not None:
             if self._next.has_begun():
                 self._next.join(self.max_range)
@@ -243,7 +235,6 @@ class LidarOdometry:
         self._prune()
 
     def _adopt(self, step: Next) -> None:
-        """Take over a scan whose points are in the map."""
         if len(self._steps) == step.step.index:
             self._steps.append(step.step)
         assert step.known.map is not None
@@ -257,14 +248,12 @@ class LidarOdometry:
         return self._steps[-1].pose if self._steps else np.eye(4)
 
     def _thin(self, raw: RawScan, motion: Matrix) -> Thinned:
-        """A scan about the sensor at its end, thinned three times."""
         sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS, START_VOXELS)]
         return Thinned(*thin_in_turn(raw.straightened(motion), sizes, self.min_range, self.max_range))
 
     def _match(
         self, voxel_map: VoxelMap, scan: Thinned, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False
     ) -> OdometryStep:
-        """The pose of the thinned scan, and how it was found."""
         threshold = self._known.threshold
         index, sigma = len(self._steps), threshold.value(self.poses)
         if scan.kept.size == 0:
@@ -285,7 +274,6 @@ class LidarOdometry:
         return step
 
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
-        """The record of a scan that was matched."""
         reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
@@ -297,7 +285,7 @@ class LidarOdometry:
         )  # fmt: skip
 
     def _place(self, step: OdometryStep, scan: Thinned, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
-        """What becomes of a scan: it joins the map if it lies on it, or with the one before if it lies on that."""
+        """Decide whether a scan is added to the map: it must agree with the map or with the previous scan."""
         known, last_pose, kept = self._known, self._last_pose(), scan.kept
         parts = ((kept, step.pose),)
         aside = None
@@ -312,19 +300,18 @@ class LidarOdometry:
         threshold, first = known.threshold, known.first
         if step.iterations and step.is_sound:
             threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
-        if step.reason != NO_POINTS:  # as long as nothing was seen, the next scan is the first
+        if step.reason != NO_POINTS:  # without points so far, the next scan is the first
             first = raw.kept() if step.reason == FIRST_SCAN else None
         after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
         return Next(step, after, voxel_map.additions, parts)
 
     def _match_aside(self, aside: Aside, like: VoxelMap, scan: Thinned, predicted: Matrix) -> OdometryStep | None:
-        """The step of a scan that lies on the one before it, which lies beside the map; None where it does not."""
+        """The step of a scan that fits the previous one, which does not fit the map; None if it does not."""
         alone = aside.map_like(like, self.max_range)
         step = self._match(alone, scan, predicted, is_start=not self._known.has_motion)
         return replace(step, has_joined=True) if step.is_sound else None
 
     def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, Thinned]:
-        """Register a scan once more whose motion was not the one predicted, straightened with the one found."""
         thinned = self._thin(raw, matmul(invert_pose(self._last_pose()), step.pose))
         again = self._match(voxel_map, thinned, step.pose)
         return (again if again.is_sound else step), thinned
@@ -332,10 +319,7 @@ class LidarOdometry:
     def _straighten_start(
         self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
     ) -> tuple[OdometryStep, Thinned, VoxelMap]:
-        """Register the second scan once more: only now is there a motion to straighten the first two with.
-
-        Without this the map would begin with a scan as skewed as the start was fast, and keep it.
-        """
+        """Register the second scan again with both first scans deskewed, so that the map is not skewed."""
         start = self._last_pose()
         thinned = self._thin(second, matmul(invert_pose(start), step.pose))
         for _ in range(START_TURNS):
@@ -350,30 +334,24 @@ class LidarOdometry:
         return step, thinned, voxel_map
 
     def _prune(self) -> None:
-        """Drop what is out of range, not at every scan: what stays longer is never reached by a scan."""
+        """Remove points out of range, not after every scan: no scan reaches them."""
         known, place = self._known, self._last_pose()[:3, 3]
         if known.map is not None and norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
             near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
             self._known = replace(known, map=near, pruned_at=place.copy())
 
 
-YOUNG = 3  # scans after the first: later the map holds what was matched wrongly, and that is matched again
+YOUNG = 3  # scans after the first: later, wrongly matched scans match the map
 
 
 @dataclass(frozen=True, eq=False)
 class Aside:
-    """The last scan, where it lies beside the map: it joins the map if the next one lies on it and not on the map.
-
-    Attributes:
-        points: Of the scan, thinned for the map.
-        pose: Where it was predicted.
-    """
+    """The last scan if it does not fit the map: `points` downsampled for the map, and the predicted `pose`."""
 
     points: wp.array
     pose: Matrix
 
     def map_like(self, voxel_map: VoxelMap, max_range: float) -> VoxelMap:
-        """A map of this scan alone."""
         alone = VoxelMap(voxel_map.voxel_size, voxel_map.room, self.points.device)
         alone.add(self.points, self.pose, max_range)
         return alone
@@ -381,20 +359,7 @@ class Aside:
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """What is carried from scan to scan, beside the steps.
-
-    Attributes:
-        threshold: How far predictions were off.
-        map: Points of the scans so far; None before the first.
-        first: The first scan, until the second one came.
-        pruned_at: Where the sensor was when the map was last cut.
-        motion: From scan to scan, as the last ones that lay on the map have it.
-        has_motion: Whether any scan lay on the map of those before it.
-        has_way: Whether any did and told all of its motion, and nothing else fitted.
-        began: Number of the first scan.
-        sound: Number and pose of the last scan that lay on the map.
-        aside: The last scan, where it did not.
-    """
+    """State between scans; `sound` is the number and pose of the last scan that fits the map."""
 
     threshold: AdaptiveThreshold
     map: VoxelMap | None = None
@@ -408,7 +373,6 @@ class Known:
     aside: Aside | None = None
 
     def after(self, step: OdometryStep, last_pose: Matrix, aside: Aside | None) -> Known:
-        """The motion and the last sound scan once a step is taken; `aside` is that of the step."""
         if not step.is_sound:
             return replace(self, motion=matmul(invert_pose(last_pose), step.pose), aside=aside)
         motion = matmul(invert_pose(last_pose), step.pose)
@@ -424,20 +388,13 @@ class Known:
         )  # fmt: skip
 
     def is_young(self, index: int) -> bool:
-        """Whether nothing sure is known of the motion yet, and the run has just begun."""
+        """True if the run has just begun and no reliable motion is known."""
         return not self.has_way and index - self.began <= YOUNG
 
 
 @dataclass(frozen=True, eq=False)
 class Next:
-    """A scan on its way into the map.
-
-    Attributes:
-        step: Its step.
-        known: What holds once it is there.
-        additions: Of the map, before it.
-        parts: Points and poses that join the map: the scan's, before it those of one that was aside, or none.
-    """
+    """A scan being added to the map: `known` is the state afterwards, `parts` are the points and poses to add."""
 
     step: OdometryStep
     known: Known
@@ -445,28 +402,23 @@ class Next:
     parts: tuple[tuple[wp.array, Matrix], ...]
 
     def has_begun(self) -> bool:
-        """Whether the map has changed."""
         return self.known.map is not None and self.known.map.additions > self.additions
 
     def join(self, max_range: float) -> None:
-        """Add what is not yet in the map."""
         assert self.known.map is not None
         for points, pose in self.parts[self.known.map.additions - self.additions :]:
             self.known.map.add(points, pose, max_range)
 
 
-SAMPLE = 4096  # points that a sweep is estimated from
-BINS = 32  # of the time of a scan
-LEAST_SWEEP = np.radians(20)  # of a spinning sensor
+SAMPLE = 4096  # points for the estimate of a sweep
+BINS = 32  # time bins of a scan
+LEAST_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
 WHOLE_TURN = np.radians(345)
 
 
 @dataclass(frozen=True, eq=False)
 class RawScan:
-    """The points of a scan about an origin, and their times where it is to be straightened.
-
-    `part` is the fraction of the time between two scans that the times span.
-    """
+    """Points of a scan about an origin with optional times, which span the fraction `part` of the scan interval."""
 
     points: wp.array
     origin: NDArray[np.float64]
@@ -474,12 +426,12 @@ class RawScan:
     part: float = 1.0
 
     def kept(self) -> RawScan:
-        """The scan in arrays of its own: a sensor's driver may write the next one over this."""
+        """A copy of the scan: a sensor driver may reuse its buffer."""
         times = None if self.times is None else clone(self.times)
         return RawScan(clone(self.points), self.origin, times, self.part)
 
     def straightened(self, motion: Matrix) -> wp.array:
-        """The points about the sensor at the end of the scan; `motion` is that from scan to scan (eqs. 2 to 4)."""
+        """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
         if self.times is not None and not np.array_equal(motion, np.eye(4)):
             span = bound_times(self.points, self.times)
             return deskew_points(self.points, self.times, self.origin, span, self.part * twist_of(motion))
@@ -487,15 +439,7 @@ class RawScan:
 
 
 def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float64], interval: float | None) -> float:
-    """The fraction of the time between two scans that the times of a scan span.
-
-    Args:
-        points: Device array of vec3 about `origin`.
-        times: float64 device array.
-        origin: float64 [3].
-        interval: The time between two scans in the unit of the times; None estimates it from the sweep of a spinning
-            sensor, which is the same part of a turn: 1 if the azimuth does not grow steadily with time.
-    """
+    """The fraction of the scan interval that the times span; None: of a revolution if the azimuth is steady, else 1."""
     if interval is not None:
         first, last = download(bound_times(points, times))  # sync
         return float(last - first) / interval if last > first else 1.0
@@ -515,14 +459,14 @@ def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float
     known = (x != 0) | (y != 0)
     turns = np.diff(elementwise(math.atan2, y[known], x[known]))
     turns = (turns + np.pi) % (2 * np.pi) - np.pi
-    sweep = abs(float(turns.sum())) * BINS / max(int(known.sum()) - 1, 1)  # of the bins' middles, from end to end
+    sweep = abs(float(turns.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
     is_steady = known.all() and ((turns > 0).all() or (turns < 0).all())
     return sweep / (2 * np.pi) if is_steady and LEAST_SWEEP < sweep < WHOLE_TURN else 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class Thinned:
-    """A scan about the sensor, thinned in turn: for the map, to be registered, and to try many starts with."""
+    """A scan about the sensor, downsampled for the map, for registration, and for trying many starts."""
 
     kept: wp.array
     sparse: wp.array

@@ -1,4 +1,4 @@
-"""Odometry over many scans: one by one as they come, or all of them to a path."""
+"""LiDAR odometry over many scans, one by one or as a trajectory."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from .lidar_steps import OdometryStep
 def iterate_odometry(
     scans: Scans, *, device: Any = None, columns: Sequence[str] | None = None, **options: Any
 ) -> Iterator[OdometryStep]:
-    """Register scans one by one, and hand each step out when it is done.
+    """Register scans one by one, and yield each step.
 
     Args:
-        scans: A folder of scans, taken in natural order of their names (scan2 before scan10); or files (.bin as KITTI
-            has them, .ply, .pcd, .npz, .las, ...); or clouds.
-        device: Where files are read to, and the map lies; None for the CPU, or the device of the first cloud.
-        columns: The names of the columns of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
+        scans: A folder in natural order (scan2 before scan10); or files (KITTI's .bin, .ply, .pcd, .las, ...); or
+            clouds.
+        device: Device of files and map; None: the CPU, or that of the first cloud.
+        columns: Column names of .bin, .csv, .txt and .xyz files, as of `read_point_cloud`.
         **options: As of LidarOdometry.
 
     Raises:
@@ -53,12 +53,12 @@ def run_odometry(
     columns: Sequence[str] | None = None,
     **options: Any,
 ) -> Trajectory:
-    """The path of a scanner: the pose of each scan, T_world_sensor, the first at the identity.
+    """Estimate the trajectory of a scanner: T_world_sensor of each scan, the first at the identity.
 
     Args:
         scans: As of iterate_odometry.
-        timestamps: Time of each scan [s], which the trajectory then has.
-        progress: Called after each scan with its OdometryStep, whose `is_predicted` tells where the scan did not.
+        timestamps: Time of each scan [s] for the trajectory.
+        progress: Called with the OdometryStep of each scan.
         device, columns: As of iterate_odometry.
         **options: As of LidarOdometry.
 
@@ -66,8 +66,7 @@ def run_odometry(
         A Trajectory; `write_trajectory` writes it as KITTI or TUM.
 
     Raises:
-        FileError: No scans, or one that cannot be read.
-        ValueError: Not one timestamp for each scan.
+        FileError, ValueError: No scans, one that cannot be read, or a wrong number of timestamps.
 
     Example:
         >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""What odometry reports: one record a scan, and a summary of the run."""
+"""Records of LiDAR odometry: one per scan, and a summary of the run."""
 
 from __future__ import annotations
 
@@ -19,54 +19,47 @@ from ...kernels.linear_algebra import eigh, matmul, norm
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
 
-NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # reasons of a step
+NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step reasons
 
-# Of a scan's disagreement, above which it lies beside the map; the second where none of it lies near the map, with a
-# straight line to two thirds of it. On made-up drives whose truth is known (streets, halls, woods, corridors; 0 to 38
-# m/s, scanners that turn and one that draws roses in the hand) scans that were right had 0.005 to 0.28, lost ones 0.29
-# to 0.71; scans of other places 0.25 to 0.44, of which the former with a fitness of 0.2; submaps 3 to 12 m apart 0.49
-# to 0.59.
+# Disagreement above which a scan contradicts the map; the second value applies without nearby points, linear up to two
+# thirds. On synthetic drives (0 to 38 m/s) correct scans had 0.005 to 0.28, lost ones 0.29 to 0.71, scans of other
+# scenes 0.25 to 0.44 (the former with a fitness of 0.2), and submaps 3 to 12 m apart 0.49 to 0.59.
 STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT = 0.3, 0.1
 
-# A loop that stands still between two places is common and harmless; where more of the scans do not come to rest than
-# this, there is no place where they fit.
+# Single scans that oscillate between two poses are common and harmless; above this fraction there is no fit.
 MOST_UNSETTLED = 0.2
 
-# Of the scans or of the path that may rest on constant velocity; and so many scans on end, over which a car that brakes
-# gently (1 m/s^2, ten scans a second) leaves it by half a metre.
+# Maximum fraction of scans or path at constant velocity, and number of consecutive scans, over which a car that brakes
+# at 1 m/s^2 (ten scans a second) deviates by half a meter.
 MOST_UNDETERMINED, MOST_UNDETERMINED_ON_END = 0.1, 10
-# A scanner stands where it moved less than this in three scans [m, rad]. Then it sees nothing new, and its fitness is
-# 0.99 to 1.00; with lorries passing by on two lanes, 0.97 to 0.99; among lorries that drive with it at 1 m a scan, so
-# that it only seems to stand, 0.88 to 0.98. Half of such scans, and five at least, tell.
+# Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00; 0.97 to 0.99 with passing
+# trucks; 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
 REST, RESTING_FITNESS, MOST_CONTRADICTED, LEAST_RESTING = (0.1, 0.02), 0.97, 0.5, 5
-ALONG_AXIS = 0.99  # of a unit vector, above which a direction is called by its axis
+ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
 @dataclass(frozen=True, eq=False)
 class OdometryStep:
-    """What became of one scan.
+    """Result for one scan.
 
     Attributes:
-        index: Number of the scan, from 0.
-        pose: T_world_sensor at the end of the scan, float64 [4, 4]; the world is the sensor's frame of the first scan.
-        threshold: Standard deviation [m] of the prediction's error: correspondences lie within three of it.
-        inliers: Points of the thinned scan with a correspondence in the map.
-        fitness: Their share of the thinned scan, 0..1.
-        inlier_rmse: Root of their mean squared distance [m].
-        iterations: Turns of the ICP loop.
-        converged: Whether the loop came to rest, or there was nothing to match yet.
-        is_predicted: Whether the pose is that of constant velocity alone: the scan did not tell.
+        index: Scan number, from 0.
+        pose: T_world_sensor at the end of the scan, float64 [4, 4]; the world is the sensor frame of the first scan.
+        threshold: Standard deviation [m] of the prediction; correspondences are within three of it.
+        inliers: Downsampled points with a correspondence.
+        fitness: Their fraction, 0..1.
+        inlier_rmse: Their root mean square distance [m].
+        iterations: ICP iterations.
+        converged: True if ICP converged or there was nothing to match yet.
+        is_predicted: True if the pose is only the constant-velocity prediction.
         reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
-        misfit: `inlier_rmse` in edges of the map's voxels: some 0.3 to 0.6 where the scan lies on the map.
-        disagreement: Mean cost (0..1) of the distances from the map's planes, of points that have one: up to 0.2 where
-            the scan lies on the map.
-        undetermined: Unit vectors of the world along which the scan does not tell where the sensor is, as in a bare
-            corridor: there the pose is the predicted one.
-        undetermined_turns: Unit axes about which it does not tell how the sensor is turned, likewise.
-        rivals: Vectors [m] of the world from the pose to others where the scan lies as well, such as the next of many
-            like doors: looked for while the scanner's motion is not known.
-        has_prior: Whether the prediction was given to `register`.
-        has_joined: Whether the scan lay on the one before it, which lay beside the map, and both joined it.
+        misfit: `inlier_rmse` in voxel edges: 0.3 to 0.6 if the scan fits the map.
+        disagreement: Mean point-to-plane cost (0..1): up to 0.2 if the scan fits the map.
+        undetermined: Unit vectors of undetermined translations, where the pose is the predicted one.
+        undetermined_turns: Unit axes of undetermined rotations, likewise.
+        rivals: Translations [m] to equally good poses; searched while the motion is unknown.
+        has_prior: True if the prediction was passed to `register`.
+        has_joined: True if the scan fits the previous one, which did not fit the map, and both were added.
     """
 
     index: int
@@ -89,48 +82,43 @@ class OdometryStep:
 
     @property
     def is_undetermined(self) -> bool:
-        """Whether the scan leaves a motion open."""
         return bool(self.undetermined or self.undetermined_turns)
 
     @property
     def has_strayed(self) -> bool:
-        """Whether the scan lies beside the map, on other things than those it shows, however many points pair up."""
+        """True if the scan contradicts the map, however many points have a correspondence."""
         limit = min(STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT + STRAYED_DISAGREEMENT * self.fitness)
         return not self.is_predicted and self.disagreement > limit
 
     @property
     def is_sound(self) -> bool:
-        """Whether the scan lies on the map, or is the first: only such scans join the map and tell the motion."""
+        """True if the scan fits the map, or is the first: only such scans are added and define the motion."""
         return not self.is_predicted and not self.has_strayed
 
     @property
     def is_unsettled(self) -> bool:
-        """Whether the loop was still moving the scan when its turns ran out."""
         return self.reason == "max_iteration"
 
 
 @dataclass(frozen=True)
 class OdometrySummary(Report, Assessed):
-    """A run of odometry in a few numbers; `print` shows it as `pointloom odometry` does.
+    """Summary of an odometry run.
 
     Attributes:
-        scan_count: Scans so far.
-        distance: Length of the path [m].
-        predicted: Numbers of the scans whose pose was only predicted: the path may be torn there.
-        unsettled: Numbers of the scans whose loop did not come to rest: a few are usual, many tell of a lost path.
-        strayed: Numbers of the scans that lie beside the map and were left out: where the last scan is one of them, the
-            path is likely wrong from the first of them on.
-        mean_fitness: Of the scans that were matched; NaN where there are none.
-        mean_iterations: Likewise.
-        empty: Numbers of the scans that have no points in range.
-        undetermined: Numbers of the scans that leave a motion open, where the path is that of constant velocity.
-        open_motions: Which motion that is, such as "along x" or "along x, along y, about z"; empty where there is none.
-        undetermined_distance: Length of the path [m] that ends in these scans.
-        ambiguous: Numbers of the scans that lie as well elsewhere, while the motion was not known.
-        rival: The way [m] from the first of them to the nearest such place; empty where there is none.
-        contradicted: Numbers of the scans with which the scanner seems to stand while much of what it sees is new: what
-            moves with it may be taken for what stands.
-        resting: How many scans it seems to stand.
+        scan_count: Number of scans.
+        distance: Path length [m].
+        predicted: Scans with only a predicted pose: the path may be broken there.
+        unsettled: Scans without convergence; many indicate a lost path.
+        strayed: Left-out scans that contradict the map; if the last is one, the path is likely wrong from the first.
+        mean_fitness, mean_iterations: Means over matched scans; NaN without any.
+        empty: Scans without points in range.
+        undetermined: Scans with an undetermined motion, where the path assumes constant velocity.
+        open_motions: That motion, such as "along x"; empty if none.
+        undetermined_distance: Path length [m] of these scans.
+        ambiguous: Scans with equally good poses while the motion was unknown.
+        rival: Translation [m] from the first of them to the nearest such pose; empty if none.
+        contradicted: Scans that appear stationary with much new content: moving objects may be taken for static.
+        resting: Number of scans that appear stationary.
     """
 
     scan_count: int
@@ -151,12 +139,10 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def is_contradicted(self) -> bool:
-        """Whether the scanner seems to stand while the scans show that much moves by."""
         return len(self.contradicted) >= LEAST_RESTING and len(self.contradicted) > MOST_CONTRADICTED * self.resting
 
     @property
     def is_undetermined(self) -> bool:
-        """Whether too much of the path rests on constant velocity."""
         numbers, last = self.undetermined, MOST_UNDETERMINED_ON_END - 1
         return (
             len(numbers) > MOST_UNDETERMINED * (self.scan_count - 1)
@@ -166,12 +152,10 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def has_seen(self) -> bool:
-        """Whether any scan had points in range."""
         return len(self.empty) < self.scan_count
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         if not self.has_seen:
             return ("no scan has points in range",)
         reasons, count = [], self.scan_count
@@ -211,7 +195,6 @@ class OdometrySummary(Report, Assessed):
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types, with the unit in the name."""
         return plain(
             {
                 "scans": self.scan_count,
@@ -231,7 +214,6 @@ class OdometrySummary(Report, Assessed):
         )
 
     def fields(self) -> Fields:
-        """How many scans and how long a path, how well they fit, and which of them do not."""
         fields = [("scans", f"{self.scan_count:,}"), ("path", f"{self.distance:.2f} m")]
         if not math.isnan(self.mean_fitness):
             fit = f"fitness {format_share(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
@@ -247,7 +229,7 @@ class OdometrySummary(Report, Assessed):
 
 
 def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
-    """The run that these steps make up.
+    """Summarize the steps of a run.
 
     Example:
         >>> import pointloom as loom
@@ -288,7 +270,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
 
 
 def _resting(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
-    """Matched scans at whose pose the scanner was three scans before too."""
+    """Matched scans whose pose equals that of three scans before."""
     found = []
     for before, step in zip(steps, steps[3:], strict=False):
         way = norm(step.pose[:3, 3] - before.pose[:3, 3])
@@ -299,7 +281,7 @@ def _resting(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:
-    """What these scans leave open, in words: the directions that half of them share, or the one that most do."""
+    """The undetermined directions shared by half of the scans, or the most common one, in words."""
     ways: list[tuple[float, str]] = []
     for word, found in (
         ("along", [row for step in steps for row in step.undetermined]),

@@ -1,12 +1,8 @@
-"""A thinned scan against the map: robust ICP from one or several guesses, and the threshold that it works with.
+"""Alignment of a downsampled scan with the map: robust ICP, the adaptive threshold, and localizability.
 
-Equation numbers are those of Vizzo et al. 2023 (see odometry.py).
-
-What a scan does not fix: motions under which it lies on the map as well as where it was found.
-
-Directions are asked one by one, as Tuna et al. 2023 do ("X-ICP: Localizability-Aware LiDAR Registration for Robust
-Localization in Extreme Environments"). Those of which the planes' normals tell little are only suspects: whether the
-scan really lies as well a little farther along, its points say when they are paired anew there.
+Equation numbers are those of Vizzo et al. 2023 (KISS-ICP). Localizability is tested per direction as in Tuna et al.,
+"X-ICP: Localizability-Aware LiDAR Registration for Robust Localization in Extreme Environments", 2023; suspected
+directions are verified by matching the scan at shifted poses.
 """
 
 from __future__ import annotations
@@ -31,39 +27,24 @@ from ..rigid import make_pose, nearest_rotation, pose_of, rotation_vector
 Matrix = NDArray[np.float64]
 
 SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
-MOVED = 5.0  # times min_motion from the start, before which the initial threshold holds
-MAX_TURNS = 50  # of a loop; three are usual, and where pairs change for ever no more of them help
-TOLERANCE = 1e-4  # [rad, m] of a turn that ends it
-ROUGH = 1e-2  # the same where another loop follows
-LOST_SHARE = 0.1  # of a scan's points with a correspondence, below which a pose is rejected
-JUDGED_VOXELS = 2.0  # edges of a voxel beyond which a distance says no more than that there is nothing
-PLANE_VOXELS = 1.0  # edges of a voxel: reach of the points of a plane
-COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared edges: Geman-McClure's scale of distances from planes
-START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: distances of the guesses while no motion is known
+MOVED = 5.0  # times min_motion from the start, below which the initial threshold is used
+MAX_TURNS = 50  # three are usual; oscillating pairs do not converge with more
+TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
+ROUGH = 1e-2  # likewise if other iterations follow
+LOST_SHARE = 0.1  # minimum fraction of points with a correspondence
+JUDGED_VOXELS = 2.0  # voxels: larger distances count as missing
+PLANE_VOXELS = 1.0  # voxels: radius of plane neighborhoods
+COARSE_KERNEL, FINE_KERNEL = 0.5, 0.1  # squared voxels: Geman-McClure scale of plane distances
+START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the guesses while no motion is known
 START_DIRECTIONS = 8
-RIVAL_VOXELS = 1.5  # edges of a voxel: what lies nearer than this is the same place
-# [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; a scanner in the hand is turned so fast
+RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
+# [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
 WIDE_TURNS = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
 
 @dataclass(frozen=True, eq=False)
 class ScanMatch:
-    """Where a scan lies in a map.
-
-    Attributes:
-        pose: T_map_sensor, float64 [4, 4]; the guess where the scan does not overlap the map.
-        is_found: Whether it does.
-        converged: Whether the loop came to rest.
-        turns: Turns of the loop.
-        inliers: Points with a correspondence.
-        fitness: Their share, 0..1.
-        sqsum: Sum of their squared distances [m^2].
-        cost: Mean of Geman-McClure's cost, 0..1.
-        disagreement: Mean of the same cost over points that have a plane.
-        told: What planes tell, [6, 6].
-        rivals: Other poses where the scan lies as well.
-        open: What the scan does not fix: there the pose is the guess'; None where it fixes all.
-    """
+    """Pose of a scan in a map (`told`: information of the planes, [6, 6]; `open`: undetermined motions, or None)."""
 
     pose: Matrix
     is_found: bool
@@ -79,7 +60,6 @@ class ScanMatch:
     rivals: tuple[Matrix, ...] = ()
 
     def ways_to_rivals(self) -> tuple[tuple[float, float, float], ...]:
-        """The vectors [m] from the pose to the others."""
         ways = [rival[:3, 3] - self.pose[:3, 3] for rival in self.rivals]
         return tuple((float(x), float(y), float(z)) for x, y, z in ways)
 
@@ -95,23 +75,12 @@ def match_scan(
     dense: wp.array | None = None,
     reach: float = 0.0,
 ) -> ScanMatch:
-    """The pose of a scan.
+    """Align a scan with the map.
 
-    Robust ICP between points (eqs. 9 to 12) finds it from far. Its weights let pairs count that are no pairs, though:
-    the rings that a turning scanner draws on the ground and on walls along its way move with it, so that it favours
-    standing still. Along a plane a ring may lie anywhere: therefore loops to the planes of the map follow, from the
-    guess, from what was found, and from further guesses, and the scan lies where their cost is least.
-
-    Args:
-        aligner: What brings it there: all these loops are one course.
-        points: Device array of vec3, finite, at least one.
-        voxel_map: The map, not empty.
-        guess: T_map_sensor to begin with.
-        sigma: Standard deviation [m] of the guess' error.
-        further: Other poses to begin with, where nothing is known of the motion.
-        few: Fewer points of the scan, to choose among many poses with; None takes all.
-        dense: More points of the scan, to tell with what it fixes; None takes `points`.
-        reach: How far [m] from the guess other places are looked for along what the scan tells little of.
+    Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
+    sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses; the least cost wins.
+    `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
+    `reach` [m] limits the search along poorly determined directions.
     """
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
@@ -154,10 +123,7 @@ def _search_along(
     way: Matrix,
     reach: float,
 ) -> tuple[ScanMatch, tuple[Matrix, ...]]:
-    """Where a scan lies best along a direction of which it tells little, and other places where it lies as well.
-
-    Like doors in a corridor fit at every period: of places that fit alike, the one next to the guess is taken.
-    """
+    """The best pose along a poorly determined direction (of equal ones, the nearest to the guess), and its rivals."""
     size, count = voxel_map.voxel_size, points.size
     starts, worst = places_along(dense, voxel_map, found.pose, guess, way, reach)
     leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH)
@@ -203,7 +169,6 @@ def _leg(
 
 
 def _align(aligner: MapAligner, leg: Leg, count: int, held: Matrix | None = None) -> ScanMatch:
-    """Where a guess leads to."""
     (reached,), told = aligner.run([leg], held)
     return _match_of(reached, leg, count, told)
 
@@ -218,7 +183,7 @@ def _match_of(reached: Reached, leg: Leg, count: int, told: Matrix) -> ScanMatch
 
 
 def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
-    """A pose, and poses around it in the sensor's plane: where the first motion may have led."""
+    """A pose and poses around it in the sensor plane, for an unknown first motion."""
     guesses = [pose]
     for ring in START_RINGS:
         for k in range(START_DIRECTIONS):
@@ -229,7 +194,6 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
 
 
 def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
-    """Two poses, and both turned about the sensor's own axes: where else to look for a scan."""
     guesses = []
     for pose in (predicted, last):
         guesses.append(pose)
@@ -244,15 +208,7 @@ def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
 
 @dataclass(frozen=True)
 class AdaptiveThreshold:
-    """How far the constant-velocity prediction has been off, as a standard deviation [m] (eqs. 5 to 8).
-
-    Attributes:
-        initial: The standard deviation [m] before any motion was seen.
-        min_motion: Errors below this [m] do not count.
-        max_range: Of the sensor [m].
-        sqsum: Sum of the squared errors so far [m^2], the first of them `initial`.
-        count: Their number.
-    """
+    """Standard deviation [m] of the constant-velocity prediction (eqs. 5 to 8), from the squared errors `sqsum`."""
 
     initial: float
     min_motion: float
@@ -261,47 +217,39 @@ class AdaptiveThreshold:
     count: int = 1
 
     def value(self, poses: Matrix) -> float:
-        """The threshold for the next scan; the initial one as long as the sensor has not left its place."""
+        """The threshold for the next scan; the initial one until the sensor has moved."""
         if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
             return self.initial
         return math.sqrt(self.sqsum / self.count)
 
     def error_of(self, deviation: Matrix) -> float:
-        """How far [m] a point at full range moves with the pose found in the frame of the predicted (eqs. 6, 7)."""
+        """Displacement [m] of a point at maximum range due to a pose deviation (eqs. 6, 7)."""
         angle = float(norm(rotation_vector(deviation[:3, :3])))
         return 2 * self.max_range * math.sin(angle / 2) + float(norm(deviation[:3, 3]))
 
     def updated(self, deviation: Matrix) -> AdaptiveThreshold:
-        """The threshold that knows how far a pose found lies from the predicted one (eq. 8); the smallest motions say
-        nothing."""
+        """The threshold after one more deviation (eq. 8); the smallest motions are ignored."""
         error = self.error_of(deviation)
         if error <= self.min_motion:
             return self
         return replace(self, sqsum=self.sqsum + error**2, count=self.count + 1)
 
 
-SEARCHED_SHARE = 0.1  # the same, below which other places are looked for after the start: planes are rough by then
-LEAST_PLANES = 0.05  # of the points, below which nothing but lines and single points holds the pose
+SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where planes are rough
+LEAST_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
 MOST_PLACES = 64  # along a line
-MOST_RIVALS = 4  # of them that are looked at more closely
-# Of the worst between them, that a place may lie worse than the best and still be a rival: of equal doors that had been
-# driven past, the true one had 0.1 to 0.2, since rings that move along fit better where the scanner seems to stand.
+MOST_RIVALS = 4  # examined in detail
+# Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
+# 0.1 to 0.2, since moving scan rings fit better without motion.
 RIVAL_RISE = 0.25
-RIVAL_SEEN = 0.75  # of the points with a plane at the best place that have one there: elsewhere floors are out of reach
-LEAST_SEEN = 0.5  # of the most points with a plane at any of them: at the map's rim a scan lies well on little
-HELD_WEIGHT = 1.0e6  # of a motion that is held, in units of all pairs' weight
+RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
+LEAST_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
+HELD_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
 @dataclass(frozen=True, eq=False)
 class OpenDirections:
-    """Motions about and of a sensor that a scan does not fix, in the map's axes.
-
-    Attributes:
-        lever: Length [m] by which turns [rad] count beside translations.
-        basis: Orthonormal columns [6, k] over (turn times lever, translation).
-        is_blind: Whether all are open since the map has next to no planes there: lines that a turning scanner drew
-            hold the pose then, wherever it is.
-    """
+    """Undetermined motions in map axes: columns [6, k] over (rotation times `lever` [m], translation)."""
 
     lever: float
     basis: Matrix
@@ -309,41 +257,30 @@ class OpenDirections:
 
     @property
     def scale(self) -> Matrix:
-        """What takes (turn, translation) to the basis' units, [6]."""
         return np.array([self.lever] * 3 + [1.0] * 3)
 
     def weight(self) -> Matrix:
-        """What to add to the normal equations, in units of their trace, so that these motions are left out, [6, 6]."""
+        """Addition to the normal equations, in units of their trace, that fixes these motions, [6, 6]."""
         rows = self.scale[:, None] * self.basis
         return HELD_WEIGHT * matmul(rows, rows.T)
 
     def taken_from(self, pose: Matrix, held: Matrix) -> Matrix:
-        """A pose whose part along these directions is that of another one."""
+        """Replace the components of a pose along these directions by those of another."""
         turn = rotation_vector(matmul(held[:3, :3], pose[:3, :3].T))
         way = np.concatenate([turn, held[:3, 3] - pose[:3, 3]]) * self.scale
         return moved(pose, matmul(self.basis, matmul(self.basis.T, way)) / self.scale)
 
     def translations(self) -> tuple[tuple[float, float, float], ...]:
-        """Unit directions along which the sensor may slide, its largest part first positive."""
         return spanned(self.basis[3:])
 
     def turns(self) -> tuple[tuple[float, float, float], ...]:
-        """Unit axes about which it may turn, likewise."""
         return spanned(self.basis[:3])
 
 
 def open_directions(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, told: Matrix, count: int
 ) -> OpenDirections | None:
-    """The motions that a scan does not fix where it was found; None where it fixes all.
-
-    Args:
-        points: The scan, device array of vec3, finite.
-        voxel_map: The map.
-        pose: T_map_sensor.
-        told: What planes tell, [6, 6], as `align_to_map` gives it.
-        count: Of the points that it tells of.
-    """
+    """The motions that `count` points with plane information `told` [6, 6] do not determine, or None."""
     planes, size = float(np.trace(told[3:, 3:])), voxel_map.voxel_size
     if planes < LEAST_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
@@ -360,7 +297,7 @@ def open_directions(
 
 
 def weak_ways(told: Matrix, count: int) -> Matrix:
-    """The directions [k, 3] of translations of which planes tell little, by the turns as they are found best."""
+    """Translation directions [k, 3] that the planes determine poorly, with rotations eliminated."""
     planes = float(np.trace(told[3:, 3:]))
     if planes < LEAST_PLANES * count:
         return np.empty((0, 3))
@@ -372,18 +309,7 @@ def weak_ways(told: Matrix, count: int) -> Matrix:
 def places_along(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, reach: float
 ) -> tuple[list[Matrix], float]:
-    """Poses along a line where a scan lies better than a little before and behind, the best few, without its own.
-
-    With them comes how much worse it lies between them at worst, as the mean of the costs' differences.
-
-    Args:
-        points: The scan, device array of vec3, finite.
-        voxel_map: The map.
-        pose: T_map_sensor.
-        guess: The line is as long as `reach` [m] to either side of it.
-        way: The line's direction, [3].
-        reach: Half its length [m].
-    """
+    """Locally best poses within `reach` [m] of the guess along `way`, and the largest mean cost between them."""
     step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MOST_PLACES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - reach) / step), math.ceil((middle + reach) / step) + 1) * step

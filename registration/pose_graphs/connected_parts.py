@@ -1,4 +1,4 @@
-"""The connected parts of a graph."""
+"""Connected components of a graph."""
 
 from __future__ import annotations
 
@@ -7,14 +7,8 @@ from numpy.typing import NDArray
 
 
 def connected_parts(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int32]:
-    """The part that each node belongs to, [count], numbered in the order of the parts' first nodes.
-
-    Args:
-        source: Where edges begin, [m].
-        target: Where they end; to which side they point does not matter.
-        count: Nodes.
-    """
-    first = np.arange(count)  # of the nodes that each is known to be joined to
+    """The component of each node, [count], numbered by first node; edges are undirected, [m]."""
+    first = np.arange(count)  # lowest known node of the component
     while (first[source] != first[target]).any():
         at_source, at_target = first[source], first[target]
         np.minimum.at(first, at_source, at_target)

@@ -1,7 +1,6 @@
-"""The pose graph over fragments of one scene: refined pairs, a tree of those that agree, loops that poses close.
+"""Pose graph of fragments: pair refinement, spanning tree, loop closures.
 
-`register_fragments` (multiway.py) does it in memory at once; each step is a function of what it is given, so that a job
-may do them in processes, a pair at a time, and give the same bits.
+The steps of `register_fragments` (multiway.py), so that a job can run them in processes, bitwise identical.
 """
 
 from __future__ import annotations
@@ -30,21 +29,21 @@ Clouds = Sequence[PointCloud] | Mapping[int, PointCloud]
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 REACH = 1.5  # [voxels] of a correspondence
-CONSISTENT = 4.0  # [voxels] that a way round three clouds may miss by
-OVERLAP = 0.3  # share of the smaller cloud that has to lie on the other where a loop is closed
-PRUNE = 0.25  # confidence of a loop closure at which it is dropped
-FINE = ICPConvergenceCriteria(max_iteration=50)  # its limits hold at any scale
+CONSISTENT = 4.0  # [voxels] maximum closure error over three clouds
+OVERLAP = 0.3  # minimum overlap of the smaller cloud for a loop closure
+PRUNE = 0.25  # confidence at which a loop closure is removed
+FINE = ICPConvergenceCriteria(max_iteration=50)  # scale invariant limits
 GENERALIZED = TransformationEstimationForGeneralizedICP()
 
 
 class FragmentPair(NamedTuple):
-    """What was found of two clouds.
+    """Registration of two clouds.
 
     Attributes:
         source, target: Their indices.
         transformation: T_target_source, float64 [4, 4].
-        fitness: Share of the source's voxels that lie on the target.
-        score: Confidence of the global registration, 0..1; NaN for loops closed from a known pose.
+        fitness: Fraction of the source's voxels on the target.
+        score: Confidence of the global registration, 0..1; NaN for loops from known poses.
     """
 
     source: int
@@ -55,32 +54,26 @@ class FragmentPair(NamedTuple):
 
 
 class Extent(NamedTuple):
-    """How far a thinned cloud reaches.
-
-    Attributes:
-        origin: Its, float64 [3].
-        radius: Of its points about that [m].
-    """
+    """Origin, float64 [3], and radius [m] of a downsampled cloud."""
 
     origin: NDArray[np.float64]
     radius: float
 
     @classmethod
     def of(cls, cloud: PointCloud) -> Extent:
-        """Of a cloud."""
         points = cloud.points - cloud.origin
         return cls(cloud.origin, float(np.linalg.norm(points, axis=1).max(initial=0.0)))
 
 
 class FragmentGraph(NamedTuple):
-    """Where clouds lie by their pairs.
+    """Cloud poses by pairs.
 
     Attributes:
-        poses: T_reference_cloud, float64 [n, 4, 4]; of those that are no members anything.
-        groups: Which clouds hang together, int [n].
+        poses: T_reference_cloud, float64 [n, 4, 4]; arbitrary for non-members.
+        groups: Connected component of each cloud, int [n].
         members: The largest group, ascending; the first is the reference.
-        tree: The pairs that are accepted as certain, by their places in the list.
-        graph: The optimised graph over the members.
+        tree: Indices of the pairs accepted as certain.
+        graph: The optimized graph of the members.
     """
 
     poses: Matrices
@@ -97,10 +90,7 @@ def place_by_pairs(
     size: float,
     free: Sequence[str] | None = None,
 ) -> FragmentGraph:
-    """The optimised graph over the largest group of clouds that hang together by refined pairs.
-
-    A tree of the pairs that most others agree with gives first poses, and the rest are loop closures.
-    """
+    """The optimized graph of the largest group, initialized by a tree of mutually consistent pairs."""
     count = len(extents)
     support = _agreement(extents, pairs, CONSISTENT * size)
     tree, groups = spanning_tree(pairs, support, count)
@@ -118,7 +108,7 @@ def with_pairs(
     size: float,
     free: Sequence[str] | None = None,
 ) -> FragmentGraph:
-    """The graph optimised again, from its poses, with pairs beside those of its tree, which come first in the list."""
+    """Optimize the graph again with more pairs besides its tree, which comes first in the list."""
     poses = found.poses.copy()
     graph = _optimize(poses, found.members, pairs, information, found.tree, size, free)
     poses[found.members] = [node.pose for node in graph.nodes]
@@ -128,11 +118,7 @@ def with_pairs(
 def refine_pairs(
     clouds: Clouds, pairs: Sequence[FragmentPair], size: float, free: Sequence[str] | None = None
 ) -> tuple[list[FragmentPair], list[Matrices]]:
-    """The pairs refined, in the motions that are free, and their information matrices.
-
-    Each by itself: side by side, points are summed in an order that depends on all clouds, and the bits of a pair would
-    be others than those that a process finds which holds this pair alone.
-    """
+    """Refine the pairs one by one: batches change the summation order, so results would not be bitwise equal."""
     refined, information = [], []
     for pair in pairs:
         start = np.asarray(pair.transformation, np.float64)[None]
@@ -142,14 +128,14 @@ def refine_pairs(
         problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
         (result,), (matrix,) = problem.results(), problem.information()
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
-        # the edge's matrix weighs a misfit in the source's coordinates, the problem's one in the target's
+        # the edge's matrix is in source coordinates, the problem's in target coordinates
         A = adjoint_of(result.transformation)
         information.append(matmul(A.T, matrix, A))
     return refined, information
 
 
 def _agreement(extents: Sequence[Extent], pairs: Sequence[FragmentPair], tolerance: float) -> NDArray[np.float64]:
-    """How well each pair is supported: its score, times one more than the ways round three clouds that it closes."""
+    """Support of each pair: its score times (1 + number of consistent three-cloud loops)."""
     known, beside = {}, defaultdict[int, set[int]](set)
     for pair in pairs:
         known[pair.source, pair.target] = pair.transformation
@@ -177,7 +163,6 @@ def _optimize(
     size: float,
     free: Sequence[str] | None,
 ) -> PoseGraph:
-    """The optimised pose graph over the members; pairs beside the tree may be dropped."""
     number, certain = {int(m): i for i, m in enumerate(members)}, set(tree)
     edges = [
         PoseGraphEdge(number[p.source], number[p.target], p.transformation, matrix, uncertain=k not in certain)
@@ -194,7 +179,6 @@ def _optimize(
 def candidates_to_close(
     boxes: Sequence[Box], poses: Matrices, members: NDArray[np.int64], pairs: Sequence[FragmentPair]
 ) -> list[FragmentPair]:
-    """Pairs of members that are not known, whose boxes (of each member, under its pose) meet; not rated yet."""
     known = {frozenset((p.source, p.target)) for p in pairs}
     found = []
     for (i, a), (j, b) in itertools.combinations(enumerate(members.tolist()), 2):
@@ -205,7 +189,6 @@ def candidates_to_close(
 
 
 def those_that_overlap(clouds: Clouds, candidates: Sequence[FragmentPair], size: float) -> list[FragmentPair]:
-    """Those of some pairs that lie on each other under their poses."""
     if not candidates:
         return []
     left, right = [clouds[p.source] for p in candidates], [clouds[p.target] for p in candidates]
@@ -217,6 +200,5 @@ def those_that_overlap(clouds: Clouds, candidates: Sequence[FragmentPair], size:
 
 
 def box_under(cloud: PointCloud, pose: Matrices) -> Box:
-    """The box of a cloud under a pose."""
     box = cloud.transform(pose).get_axis_aligned_bounding_box()
     return np.asarray(box.min_bound), np.asarray(box.max_bound)

@@ -1,4 +1,4 @@
-"""Many clouds of one scene brought into one frame: pairs from no guess, a tree of them, a pose graph, closed loops."""
+"""Multiway registration: pairwise global registration, spanning tree, and pose graph with loop closures."""
 
 from __future__ import annotations
 
@@ -45,22 +45,22 @@ from .pose_graph import PoseGraph
 
 Matrices = NDArray[np.float64]
 
-ALL_PAIRS = 40  # clouds up to which every pair is tried: 780 pairs
-NEARBY = 5  # clouds that follow one, each tried with it, where there are more
-SURE = 0.5  # score above which a pair is accepted
-LEVEL_ENOUGH = 1e-6  # [rad] that a known pose of level clouds may tilt
+ALL_PAIRS = 40  # maximum clouds for all pairs: 780
+NEARBY = 5  # following clouds tried with each, if there are more
+SURE = 0.5  # minimum score of an accepted pair
+LEVEL_ENOUGH = 1e-6  # [rad] maximum tilt of known level poses
 
 
 @dataclass(frozen=True, eq=False)
 class FragmentsResult(Report):
-    """Where clouds lie in the frame of one of them; `print` shows it as `pointloom multiway` does.
+    """Result of `register_fragments`.
 
     Attributes:
-        poses: T_reference_cloud of each cloud, float64 [n, 4, 4]; the identity where a cloud could not be placed.
-        placed: Whether each cloud was placed, bool [n].
-        reference: The cloud whose frame it is: the first of the largest group of clouds that hang together.
-        groups: Which clouds hang together by pairs, int [n]: equal numbers do.
-        pose_graph: The optimised graph over the placed clouds, its nodes in their order.
+        poses: T_reference_cloud of each cloud, float64 [n, 4, 4]; the identity if not placed.
+        placed: Mask of the placed clouds, bool [n].
+        reference: Reference cloud: the first of the largest connected group.
+        groups: Connected component of each cloud, int [n].
+        pose_graph: The optimized graph of the placed clouds, in their order.
         pairs: The accepted pairs.
     """
 
@@ -73,35 +73,15 @@ class FragmentsResult(Report):
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the clouds that were placed; the first number of each is that of its cloud, from 0."""
         placed = np.flatnonzero(self.placed)
         ids = np.stack([placed, placed, np.full(len(placed), len(self.placed))], axis=1)
         return Trajectory(self.poses[placed], ids=ids)
 
     @property
     def loop_count(self) -> int:
-        """How many edges of the pose graph close loops."""
         return sum(edge.uncertain for edge in self.pose_graph.edges)
 
     def merge(self, clouds: Sequence[PointCloud]) -> PointCloud:
-        """The clouds that were placed as one, in the frame of the reference, with the attributes that all of them have.
-
-        Args:
-            clouds: Those that were registered, or others in their frames, in the same order.
-
-        Raises:
-            TypeError: Not point clouds.
-            ValueError: Not as many as were registered.
-
-        Example:
-            >>> import numpy as np, pointloom as loom
-            >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 4000))
-            >>> surface = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])
-            >>> clouds = [loom.PointCloud(surface[x < 0.6]), loom.PointCloud(surface[x > -0.6] + [1, 2, 3])]
-            >>> found = loom.registration.register_fragments(clouds, voxel_size=0.08)
-            >>> len(found.merge(clouds)) == len(clouds[0]) + len(clouds[1])
-            True
-        """
         clouds = check_list("clouds", clouds, "point clouds")
         for i, cloud in enumerate(clouds):
             check_cloud(f"clouds[{i}]", cloud)
@@ -110,7 +90,6 @@ class FragmentsResult(Report):
         return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
 
     def to_dict(self, names: Sequence[str] | None = None) -> dict[str, Any]:
-        """All of it in JSON's types; clouds are called by their numbers, from 0, or by these names."""
         called = range(len(self.placed)) if names is None else names
         return plain(
             {
@@ -129,7 +108,6 @@ class FragmentsResult(Report):
         )
 
     def fields(self) -> Fields:
-        """How many clouds were placed, by which pairs, and in whose frame."""
         edges = f"{len(self.pairs):,} that lie on each other, {len(self.pose_graph.edges):,} of them kept in the pose"
         return [
             ("clouds", f"{self.placed.sum()} of {len(self.placed)} placed"),
@@ -149,35 +127,31 @@ def register_fragments(
     free: Sequence[str] | None = None,
     progress: ReportProgress | None = None,
 ) -> FragmentsResult:
-    """Bring many clouds of one scene into one frame, from no starting poses.
+    """Register many clouds of one scene without initial poses.
 
-    Pairs are registered from no guess; accepted ones are refined, a tree of the pairs that most
-    others agree with gives first poses, and the rest are loop closures of a pose graph, which drops the wrong ones.
-    Then pairs that turn out to overlap are registered too, and the graph is optimised again.
+    Pairs are registered globally and refined. A tree of mutually consistent pairs gives initial poses; the others are
+    loop closures of a pose graph, which removes wrong ones. Then new overlapping pairs are added.
 
     Args:
-        clouds: At least one, all on one device; in the order they were taken if there is one.
-        voxel_size: Edge of a voxel [m], as of `register_globally`; poses end up far finer than it.
-        neighbors: How many of the clouds that follow it each cloud is tried with; None tries every pair of up to 40
-            clouds, and the next 5 of more.
+        clouds: At least one, all on one device, in capture order if there is one.
+        voxel_size: Voxel edge [m], as of `register_globally`; poses are far more accurate.
+        neighbors: Number of following clouds to try for each cloud; None: all pairs up to 40 clouds, else the next 5.
         seed: As of `register_globally`.
-        known: Pairs whose pose is known from elsewhere, as from odometry: they are refined with the others, and not
-            registered from no guess. Their score is their confidence beside those that are found.
-        pairs: The pairs of clouds to try, by their indices; None for those that `neighbors` says.
-        free: None, or ("x", "y", "z", "yaw") for clouds that are all level (`levelled`): pairs are sought, refined and
-            adjusted in these motions, and no pose tilts. Known pairs have to be level, too.
-        progress: Called with ("pairs", pairs done, pairs in all) while pairs are registered.
+        known: Pairs with known poses (odometry), refined but not globally registered. Their score is their confidence.
+        pairs: Index pairs to try; None: by `neighbors`.
+        free: None, or ("x", "y", "z", "yaw") for level clouds (`levelled`) and level known pairs: no pose tilts.
+        progress: Called with ("pairs", pairs done, pairs in all).
 
     Returns:
-        Poses, and which clouds could be placed; a cloud that overlaps no other is left out and said to be.
+        The poses, and the mask of placed clouds; clouds without overlap are reported.
 
     Raises:
-        ValueError: No clouds, a known pair of clouds that do not exist, or as `register_globally`.
+        ValueError: No clouds, a known pair of missing clouds, or as `register_globally`.
         DeviceError: Clouds on different devices.
 
     Notes:
-        O(total points) memory, and one registration a pair. The same bits from run to run. Choi, Zhou and Koltun 2015,
-        sections 4 and 5.
+        Memory O(total points). Bitwise reproducible. Choi, Zhou and Koltun, "Robust reconstruction of indoor scenes",
+        CVPR 2015, sections 4 and 5.
     """
     size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
     clouds, chooser = check_list("clouds", clouds, "point clouds"), check_seed(seed)
@@ -215,13 +189,12 @@ def register_fragments(
 def try_pair(
     source: int, target: int, left: Description, right: Description, seed: int, free: Sequence[str] | None = None
 ) -> tuple[FragmentPair, str]:
-    """Two clouds registered from no guess, and what speaks against it where its score is not above SURE."""
+    """Register two clouds globally; also the problem if the score is not above SURE."""
     found = register_described(left, right, seed=seed, free=free)
     return FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0), found.reason
 
 
 def fragments_result(found: FragmentGraph, pairs: list[FragmentPair]) -> FragmentsResult:
-    """What is told of a graph and of the pairs that made it."""
     poses, placed = found.poses.copy(), np.zeros(len(found.poses), bool)
     placed[found.members] = True
     poses[~placed] = np.eye(4)
@@ -229,11 +202,6 @@ def fragments_result(found: FragmentGraph, pairs: list[FragmentPair]) -> Fragmen
 
 
 def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]]:
-    """Pairs of so many clouds, (earlier, later), ascending and each once.
-
-    Raises:
-        ValueError: Both are given, or a pair of clouds that do not exist, or of one.
-    """
     if pairs is None:
         nearby = count if count <= ALL_PAIRS else NEARBY
         span = nearby if neighbors is None else check_count("neighbors", neighbors)
@@ -255,7 +223,6 @@ def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]
 
 
 def check_known(known: Sequence[FragmentPair], count: int, free: Sequence[str] | None = None) -> list[FragmentPair]:
-    """Pairs that are given, once they make sense for so many clouds, and are level where only such are free."""
     pairs = check_list("known", known, "FragmentPair")
     for k, pair in enumerate(pairs):
         if not isinstance(pair, FragmentPair):

@@ -1,4 +1,4 @@
-"""Pose graphs: places (nodes) and what was measured between them (edges), for `global_optimization` to reconcile."""
+"""Pose graphs: nodes (poses) and edges (measured motions) for `global_optimization`."""
 
 from __future__ import annotations
 
@@ -18,24 +18,23 @@ from ..rigid import skews
 if TYPE_CHECKING:
     from .reports import GlobalOptimizationReport, RefinementReport
 
-ROTATION_TOLERANCE = 0.02  # as in `check_rigid`: poses of real data sets are rounded to a few digits
+ROTATION_TOLERANCE = 0.02  # as in `check_rigid`: real data sets are rounded to a few digits
 LAST_ROW_TOLERANCE = 1e-6
-FAR_FROM_DATA = 8.0  # times the extent of the data: below it a misfit of 1 degree is 0.1 % off
-# Share of the largest entry by which an information matrix may miss symmetry, or of its trace by which an eigenvalue
-# may fall below zero: sums over points of products that a file holds with 7 digits.
+FAR_FROM_DATA = 8.0  # times the data extent: below it a residual of 1 degree is 0.1% off
+# Relative tolerance of symmetry (to the largest entry) and of negative eigenvalues (to the trace), for sums stored with
+# 7 digits.
 INFORMATION_TOLERANCE = 1e-6
 
 
 @dataclass(eq=False)
 class PoseGraphNode:
-    """A place: a fragment, a scan or a frame.
+    """A node: a fragment, a scan or a frame.
 
     Args:
         pose: T_world_node, float64 [4, 4] [m].
 
     Raises:
-        TypeError: Not numbers.
-        ValueError: Another shape. That the matrix is rigid is checked for the whole graph where it is used.
+        TypeError, ValueError: Not numbers, or a wrong shape. Rigidity is checked when the graph is used.
     """
 
     pose: NDArray[np.float64] = field(default_factory=lambda: np.eye(4))
@@ -46,21 +45,20 @@ class PoseGraphNode:
 
 @dataclass(eq=False)
 class PoseGraphEdge:
-    """A measured motion between two nodes, and how well it is known.
+    """A measured motion between two nodes with its information.
 
     Args:
-        source_node_id: Index of the node whose coordinates the motion takes.
-        target_node_id: Index of the node to whose coordinates it takes them.
-        transformation: T_target_source, float64 [4, 4] [m], as registration of the two clouds gives it.
-        information: Weights of the misfit (rotation [rad] about the axes of the source's coordinates, then
-            translation [m]), symmetric, float64 [6, 6], as `get_information_matrix_from_point_clouds` gives it: the
-            sum of squared distances that the misfit moves the correspondences by. [5, 5] is their number.
-        uncertain: Whether the edge may be wrong altogether: a loop closure, not odometry.
-        confidence: Confidence of an uncertain edge, 0..1; `global_optimization` sets it. 1 where it is certain.
+        source_node_id: Index of the source node.
+        target_node_id: Index of the target node.
+        transformation: T_target_source, float64 [4, 4] [m], as from registration.
+        information: Symmetric weights, float64 [6, 6], of the residual (rotation [rad] about the source axes, then
+            translation [m]), as from `get_information_matrix_from_point_clouds`: the sum of squared displacements of
+            the correspondences. [5, 5] is their number.
+        uncertain: True for a loop closure that may be wrong, not for odometry.
+        confidence: Confidence of an uncertain edge, 0..1, set by `global_optimization`; 1 if certain.
 
     Raises:
-        TypeError: Not numbers.
-        ValueError: Another shape. Ranges are checked for the whole graph where it is used.
+        TypeError, ValueError: Not numbers, or a wrong shape. Ranges are checked when the graph is used.
     """
 
     source_node_id: int = -1
@@ -80,17 +78,15 @@ class PoseGraphEdge:
 
 
 class PoseGraph:
-    """Nodes, and edges between them.
+    """Nodes and edges of a pose graph.
 
     Args:
-        nodes: The places.
-        edges: The measured motions.
+        nodes, edges: Initial nodes and edges.
 
     Attributes:
         nodes: list of PoseGraphNode; append to it.
         edges: list of PoseGraphEdge; append to it.
-        report: How `global_optimization`, or an alignment of fragments, came to this graph; None of graphs that were
-            built or read.
+        report: Report of the optimization or alignment; None for graphs that were built or read.
 
     Example:
         >>> import numpy as np
@@ -117,17 +113,7 @@ class PoseGraph:
 
 @dataclass(frozen=True, eq=False)
 class GraphArrays:
-    """A checked graph of n nodes and m edges, one array a field.
-
-    Attributes:
-        poses: T_world_node as given, [n, 4, 4].
-        source: Node ids, int64 [m].
-        target: Node ids, int64 [m].
-        transformations: T_target_source as given, [m, 4, 4].
-        information: Symmetric, [m, 6, 6].
-        uncertain: bool [m].
-        confidences: [m].
-    """
+    """A checked graph as arrays, with n nodes and m edges: float64 poses [n, 4, 4] and information [m, 6, 6]."""
 
     poses: NDArray[np.float64]
     source: NDArray[np.int64]
@@ -138,24 +124,12 @@ class GraphArrays:
     confidences: NDArray[np.float64]
 
     def edges_at(self, chosen: NDArray[Any]) -> GraphArrays:
-        """The graph with these edges alone."""
         fields = ("source", "target", "transformations", "information", "uncertain", "confidences")
         return dataclasses.replace(self, **{name: getattr(self, name)[chosen] for name in fields})
 
 
 def center_frames(graph: GraphArrays) -> tuple[GraphArrays, NDArray[np.float64]]:
-    """Move the origin of nodes' coordinates to their data if it is far from them for their extent.
-
-    Residuals are rotations and translations at this origin. If the nodes' coordinates are those of the world, far from
-    the data, the translations would depend on the square of the rotations.
-
-    Args:
-        graph: The graph. The middle of an edge's correspondences is the point about which its information has no terms
-            of both rotation and translation; the information about it gives their extent.
-
-    Returns:
-        The same graph in the new coordinates, and the new origins in the old coordinates, [n, 3] [m].
-    """
+    """Move the node origins to their data, since far ones couple translation residuals to rotations squared."""
     R, t = graph.transformations[:, :3, :3], graph.transformations[:, :3, 3]
     counts = np.trace(graph.information[:, 3:, 3:], axis1=1, axis2=2) / 3
     known = counts > 0
@@ -180,20 +154,14 @@ def center_frames(graph: GraphArrays) -> tuple[GraphArrays, NDArray[np.float64]]
 
 
 def _information_about(information: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Information matrices [m, 6, 6] of misfits as rotations and translations at other points, [m, 3]."""
+    """Information matrices [m, 6, 6] with respect to other points, [m, 3]."""
     shift = np.tile(np.eye(6), (len(points), 1, 1))
     shift[:, 3:, :3] = skews(points)
     return matmul(shift.transpose(0, 2, 1), matmul(information, shift))
 
 
 def check_pose_graph(graph: PoseGraph) -> GraphArrays:
-    """The graph's arrays, once every node and edge is known to be sound; all at once, as graphs may be large.
-
-    Raises:
-        TypeError: Not a pose graph, or a list that holds something else.
-        ValueError: A pose that is not rigid, a node id out of range, an edge from a node to itself, information that
-            is not finite, symmetric and positive semi-definite, or a confidence outside 0..1; names node or edge.
-    """
+    """The graph's arrays after vectorized checks of all nodes and edges; errors name the node or edge."""
     if not isinstance(graph, PoseGraph):
         raise TypeError(f"pose_graph: expected a PoseGraph, got {type(graph).__name__}")
     nodes, edges = graph.nodes, graph.edges
@@ -217,7 +185,7 @@ def check_pose_graph(graph: PoseGraph) -> GraphArrays:
 
 
 def _stacked(items: str, name: str, values: Sequence[Any], shape: tuple[int, ...]) -> NDArray[np.float64]:
-    """The values as one float64 array, whatever was assigned to the attributes since they were made."""
+    """The values as one float64 array, checked again since attributes may have been reassigned."""
     try:
         stack = np.array(values, np.float64)
     except (TypeError, ValueError):
@@ -230,7 +198,6 @@ def _stacked(items: str, name: str, values: Sequence[Any], shape: tuple[int, ...
 
 
 def _refuse(wrong: NDArray[np.bool_], items: str, expected: str, found: NDArray[Any]) -> None:
-    """Raise for the first of the items that is wrong."""
     if wrong.any():
         i = int(np.flatnonzero(wrong)[0])
         attribute, _, rest = expected.partition(":")
@@ -248,7 +215,6 @@ def _check_ends(ends: NDArray[np.float64], count: int) -> None:
 
 
 def _check_poses(items: str, name: str, poses: NDArray[np.float64]) -> None:
-    """All at once the rule of `check_rigid`, which then words the error."""
     R = poses[:, :3, :3]
     with np.errstate(invalid="ignore", over="ignore"):
         skewed = np.abs(matmul(R, R.transpose(0, 2, 1)) - np.eye(3)).max(axis=(1, 2), initial=0) > ROTATION_TOLERANCE
@@ -262,7 +228,7 @@ def _check_poses(items: str, name: str, poses: NDArray[np.float64]) -> None:
 
 
 def _check_information(information: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The matrices, symmetric to the last digit, once they are symmetric but for rounding and semi-definite."""
+    """The matrices made exactly symmetric, after checks of symmetry and semi-definiteness within rounding."""
     largest = np.abs(information).max(axis=(1, 2), initial=0)
     _refuse(~(largest <= LARGEST_NUMBER), "edges", "information: expected finite numbers", information)
     across = information.transpose(0, 2, 1)
@@ -272,7 +238,7 @@ def _check_information(information: NDArray[np.float64]) -> NDArray[np.float64]:
     slack = INFORMATION_TOLERANCE * np.trace(symmetric, axis1=1, axis2=2)
     lifted = symmetric + np.maximum(slack, np.finfo(float).tiny)[:, None, None] * np.eye(6)
     try:
-        np.linalg.cholesky(lifted)  # a fraction of the cost of eigenvalues
+        np.linalg.cholesky(lifted)  # much faster than eigenvalues
     except np.linalg.LinAlgError:
         eigenvalues = eigvalsh(symmetric)
         below = eigenvalues[:, 0] < -np.maximum(slack, 0)

@@ -1,4 +1,4 @@
-"""Files of pose graphs: Open3D's JSON, read strictly and written with all digits."""
+"""Pose graph files: Open3D's JSON, strictly read, written with all digits."""
 
 from __future__ import annotations
 
@@ -25,15 +25,14 @@ LARGEST_ID = 2**31 - 1  # Open3D's ids are 32-bit
 
 
 def read_pose_graph(path: str | os.PathLike[str]) -> PoseGraph:
-    """Read a pose graph that `write_pose_graph` or Open3D wrote.
+    """Read a pose graph written by `write_pose_graph` or Open3D.
 
     Returns:
-        The graph, checked as `global_optimization` checks it, except that its nodes need not be joined.
+        The graph, checked as in `global_optimization` except for connectivity.
 
     Raises:
-        FileError: Unreadable, not JSON, no PoseGraph of version 1.0, a key that is missing, unknown or given twice, a
-            pose that is not rigid, a node id out of range, information that is not symmetric and positive
-            semi-definite, or a confidence outside 0..1; names the place.
+        FileError: Unreadable, not JSON, not a PoseGraph of version 1.0, a missing, unknown or duplicate key, or an
+            invalid pose, node id, information or confidence; the message names it.
 
     Example:
         >>> import pointloom as loom
@@ -62,17 +61,16 @@ def read_pose_graph(path: str | os.PathLike[str]) -> PoseGraph:
 
 
 def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, overwrite: bool = True) -> None:
-    """Write a pose graph as Open3D's JSON, which Open3D reads; reading it again gives the same numbers.
+    """Write a pose graph as Open3D's JSON, losslessly and atomically.
 
     Args:
-        path: The file, `*.json`; it appears whole or not at all.
+        path: The file, `*.json`.
         pose_graph: The graph; its `report` is not written.
-        overwrite: Whether an existing file may be replaced.
+        overwrite: Replace an existing file.
 
     Raises:
-        FileError: Another extension, or the place cannot be written.
-        TypeError: Not a pose graph.
-        ValueError: A node or an edge that `read_pose_graph` would refuse.
+        FileError: Another extension, or the file cannot be written.
+        TypeError, ValueError: Not a pose graph, or an invalid node or edge.
     """
     path = check_writable(path, overwrite=overwrite)
     if path.suffix.lower() != ".json":
@@ -106,12 +104,10 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
 
 
 def _columns(matrix: Any) -> list[float]:
-    """The numbers of a matrix column by column."""
     return np.asarray(matrix, np.float64).T.ravel().tolist()
 
 
 def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: frozenset[str], place: str) -> None:
-    """That a value is an object of this class and version, with these keys and no others."""
     where = f"{place}." if place else ""
     if not isinstance(content, dict):
         raise FileError(path, f"expected an object, got a {type(content).__name__}", where=f"key {place}")

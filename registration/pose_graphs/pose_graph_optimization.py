@@ -1,14 +1,11 @@
-"""Optimisation of pose graphs: the poses that fit the edges best, without loop closures that contradict the rest.
+"""Pose graph optimization with a line process that rejects wrong loop closures.
 
-Descent of a pose graph's residual, with the line process that decides how far uncertain edges are believed.
-
-Minimised over poses and confidences l (Choi, Zhou and Koltun 2015, eq. 2 and section 5), with l = 1 of certain edges:
+Minimizes over poses and confidences l (Choi, Zhou and Koltun 2015, eq. 2 and section 5), with l = 1 for certain edges:
 
     sum over edges of l r + mu (sqrt(l) - 1)^2,    r = e^T Lambda e.
 
-The best l at given poses is (mu / (mu + r))^2; with it an uncertain edge costs mu r / (mu + r), which never passes mu
-(the function of Geman and McClure). Steps solve the normal equations with the confidences held: full ones (Gauss and
-Newton), or damped ones (Marquardt 1963), the damping after Nielsen 1999.
+The best l is (mu / (mu + r))^2, which makes the cost mu r / (mu + r) (Geman and McClure). Steps are Gauss-Newton or
+Levenberg-Marquardt (Marquardt 1963) with the damping rule of Nielsen 1999.
 """
 
 from __future__ import annotations
@@ -35,29 +32,26 @@ from .reports import GlobalOptimizationReport
 
 Array = NDArray[np.float64]
 MOST_STEPS = 100_000
-MOST_NAMED = 10  # nodes that an error lists
+MOST_NAMED = 10  # nodes listed in an error
 
 
 @dataclass(frozen=True)
 class GlobalOptimizationOption:
-    """What is optimised.
+    """Options of the pose graph optimization.
 
     Args:
-        max_correspondence_distance: Distance [m] at which correspondences were taken when the edges were measured. An
-            uncertain edge whose misfit moves its correspondences by this much (root mean square; of an average edge)
-            gets the confidence 1/4.
-        edge_prune_threshold: Uncertain edges whose confidence is at most this are dropped, 0..1.
-        preference_loop_closure: Factor of the line process' weight; larger keeps more of the uncertain edges.
-        reference_node: The node that keeps its pose; -1 keeps the mean of all instead: the motions from the given poses
-            to the optimised ones have the identity as their mean.
+        max_correspondence_distance: Correspondence distance [m] used when the edges were measured. An uncertain edge
+            with this root mean square residual gets the confidence 1/4 (if it has the mean number of correspondences).
+        edge_prune_threshold: Uncertain edges with at most this confidence are removed, 0..1.
+        preference_loop_closure: Factor of the line process weight; larger keeps more uncertain edges.
+        reference_node: Node whose pose is fixed; -1 fixes the mean motion of all poses to the identity.
 
     Raises:
         TypeError: Not numbers.
         ValueError: Out of range.
 
     Notes:
-        Open3D's Python default of `max_correspondence_distance` is 0.075 where no argument is given at all, 0.03 where
-        any is. Here it is always 0.03.
+        Open3D's default of `max_correspondence_distance` is 0.075 without any argument, else 0.03 as here.
     """
 
     max_correspondence_distance: float = 0.03
@@ -74,18 +68,17 @@ class GlobalOptimizationOption:
 
 @dataclass(frozen=True)
 class GlobalOptimizationConvergenceCriteria:
-    """When the optimisation stops; each name is what `report.reason` then says.
+    """Stopping criteria; `report.reason` is the name of the one that was met.
 
     Args:
-        max_iteration: Steps in each of the two passes, at most.
-        min_relative_increment: Length of the step over that of the poses (rotation vectors [rad], and positions [m]
-            about their mean).
-        min_relative_residual_increment: Share of the residual that a step took away.
+        max_iteration: Maximum steps in each of the two passes.
+        min_relative_increment: Step length relative to the poses (rotation vectors [rad], centered positions [m]).
+        min_relative_residual_increment: Relative decrease of the residual in a step.
         min_right_term: Largest entry of half the gradient.
-        min_residual: The residual itself.
-        max_iteration_lm: Attempts with growing damping at one step, at most.
-        upper_scale_factor: Largest factor of the damping after a step that went well, below 1.
-        lower_scale_factor: Smallest one.
+        min_residual: The residual.
+        max_iteration_lm: Maximum attempts with growing damping per step.
+        upper_scale_factor: Largest damping factor after a successful step, below 1.
+        lower_scale_factor: Smallest damping factor.
 
     Raises:
         TypeError: Not numbers.
@@ -118,18 +111,18 @@ class GlobalOptimizationConvergenceCriteria:
 
 
 class GlobalOptimizationMethod:
-    """How steps are taken: GlobalOptimizationLevenbergMarquardt or GlobalOptimizationGaussNewton."""
+    """Base of GlobalOptimizationLevenbergMarquardt and GlobalOptimizationGaussNewton."""
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}()"
 
 
 class GlobalOptimizationGaussNewton(GlobalOptimizationMethod):
-    """Full steps; stops where one does not lower the residual. The quicker from near the optimum."""
+    """Full steps; stops if one does not lower the residual. Faster near the optimum."""
 
 
 class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
-    """Steps that are damped until they lower the residual; they converge from inexact initial poses too."""
+    """Damped steps, which also converge from inexact initial poses."""
 
 
 DAMPED = GlobalOptimizationLevenbergMarquardt()
@@ -146,39 +139,35 @@ def global_optimization(
     *,
     free: Sequence[str] | None = None,
 ) -> PoseGraph:
-    """The poses that fit the edges best, without the loop closures that contradict the rest.
+    """Optimize the poses of a pose graph, and remove loop closures that contradict the rest.
 
-    Two passes: optimise, drop uncertain edges of low confidence, optimise, drop again. An uncertain edge's
-    confidence is (mu / (mu + r))^2 with its weighted squared residual r and mu = preference_loop_closure x
-    max_correspondence_distance^2 x the edges' mean number of correspondences, information[5, 5].
+    Two passes: optimize, remove uncertain edges of low confidence, optimize, remove again. The confidence is (mu / (mu
+    + r))^2 with the weighted squared residual r and mu = preference_loop_closure x max_correspondence_distance^2 x mean
+    number of correspondences (information[5, 5]).
 
     Args:
-        pose_graph: Nodes with first poses, and edges; it stays as it is. Every node must be joined to the others by
-            edges. Certain edges that contradict each other are balanced by least squares.
+        pose_graph: Connected nodes with initial poses, and edges; not modified. Contradicting certain edges are
+            balanced.
         method: GlobalOptimizationLevenbergMarquardt() or GlobalOptimizationGaussNewton().
-        criteria: When to stop.
-        option: What to optimise.
-        free: The motions of nodes that are free, of "x", "y", "z", "roll", "pitch" and "yaw" along and about the axes
-            of the world; None: all. What is fixed stays as the given poses have it: ("x", "y", "z", "yaw") keeps
-            levelled scans level. Of turns none, one, or all three.
+        criteria: Stopping criteria.
+        option: Options.
+        free: Free motions of the nodes in the world frame, of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The
+            others keep the given poses: ("x", "y", "z", "yaw") keeps scans level. Zero, one, or all rotations.
 
     Returns:
-        A new graph with the optimised poses, the edges that are left, their confidences, and a `report`. (Open3D
-        changes its graph in place and returns None.)
+        A new graph with optimized poses, remaining edges, their confidences, and a `report`. (Open3D works in place.)
 
     Raises:
-        TypeError: Operands of other kinds.
-        ValueError: A node or edge that is not sound, a certain edge whose confidence is not 1, uncertain edges without
-            any correspondence, a reference node out of range, or nodes that no edge joins to the rest; names them. Two
-            of three turns, which add up to one about the third axis; or, with turns free, no reference node where
-            positions are not, since the mean of all is then not to be had.
+        TypeError: An argument has another type.
+        ValueError: An invalid node or edge, a certain edge with a confidence other than 1, uncertain edges without
+            correspondences, a reference node out of range, or unconnected nodes; the message names them. Two free
+            rotations; or free rotations with fixed positions and no reference node.
 
     Notes:
-        Differs from Open3D in this: the rotation's residual is 2 sin(a/2), not sin(a), which is 0 for a loop closure
-        that is wrong by half a turn, and keeps that edge; a last step that lowers the residual is taken, not thrown
-        away; results do not depend on where the world's origin lies; bad graphs raise, with no warning in their place.
-        Sparse normal equations: memory grows with edges, and as the fill of a factorisation of the graph. Runs on the
-        host in float64. Same bits from run to run. Choi, Zhou and Koltun 2015, section 5.
+        Differs from Open3D: the rotation residual is 2 sin(a/2) instead of sin(a), which is 0 for a half turn; a last
+        step that lowers the residual is kept; results do not depend on the world origin; bad graphs raise.
+        Sparse normal equations on the host in float64. Bitwise reproducible. Choi, Zhou and Koltun, "Robust
+        reconstruction of indoor scenes", CVPR 2015, section 5.
 
     Example:
         >>> import numpy as np
@@ -209,7 +198,7 @@ def global_optimization(
     if not len(graph.poses):
         return _with_report(PoseGraph(), graph, [], 0, np.empty(0, np.int64))
     given, centers = graph.poses, np.zeros((len(graph.poses), 3))
-    if motions is None or motions[3:].all():  # else the nodes' own positions are what stays
+    if motions is None or motions[3:].all():  # else the nodes' own positions are fixed
         graph, centers = center_frames(graph)
     pivot = graph.poses[reference, :3, 3]
     poses = NodePoses(nearest_rotations(graph.poses[:, :3, :3]), graph.poses[:, :3, 3] - pivot)
@@ -238,7 +227,7 @@ def global_optimization(
 
 
 def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
-    """Which of the six motions are free, in the order of MOTIONS; None: all."""
+    """Mask of the free motions in the order of MOTIONS; None: all."""
     if free is None:
         return None
     names = check_free(free)
@@ -254,7 +243,7 @@ def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bo
 
 
 def _check_optimisable(graph: GraphArrays, option: GlobalOptimizationOption) -> int:
-    """The node that anchors the rest, once the graph is known to determine the others by it."""
+    """Check that the graph determines all poses; the anchor node."""
     count = len(graph.poses)
     if option.reference_node >= count > 0:
         raise ValueError(f"option.reference_node: expected -1 or one of {count} nodes, got {option.reference_node}")
@@ -284,7 +273,7 @@ def _listed(nodes: Sequence[Any] | NDArray[Any]) -> str:
 
 
 def _line_process_weight(graph: GraphArrays, option: GlobalOptimizationOption) -> float:
-    """mu: the squared distances of an average edge whose correspondences all lie at the greatest distance."""
+    """mu: the squared residual of an average edge at the maximum correspondence distance."""
     if not len(graph.source):
         return 0.0
     mean = float(graph.information[:, 5, 5].mean())
@@ -292,7 +281,7 @@ def _line_process_weight(graph: GraphArrays, option: GlobalOptimizationOption) -
 
 
 def _placed(given: Array, poses: NodePoses, pivot: Array, reference: int) -> Array:
-    """The poses [n, 4, 4] in the world, with the reference, or the mean of all, where it was."""
+    """World poses [n, 4, 4] with the reference, or the mean of all, unchanged."""
     rotations, positions = poses.rotations, poses.positions
     if reference < 0:
         rotations, positions = _mean_undone(given[:, :3, :3], given[:, :3, 3] - pivot, rotations, positions)
@@ -302,10 +291,7 @@ def _placed(given: Array, poses: NodePoses, pivot: Array, reference: int) -> Arr
 
 
 def _mean_undone(old_rotations: Array, old_positions: Array, rotations: Array, positions: Array) -> tuple[Array, Array]:
-    """The new poses, all moved alike so that the mean motion from the old ones is the identity.
-
-    Means are chordal: of rotation matrices, and of where the motions take the middle of the old positions.
-    """
+    """Move the new poses so that the (chordal) mean motion from the old ones is the identity."""
     middle = old_positions.mean(axis=0)
     turns = matmul(rotations, nearest_rotations(old_rotations).transpose(0, 2, 1))
     shifts = positions - middle - np.einsum("nij,nj->ni", turns, old_positions - middle)
@@ -316,7 +302,6 @@ def _mean_undone(old_rotations: Array, old_positions: Array, rotations: Array, p
 def _with_report(
     solved: PoseGraph, graph: GraphArrays, passes: list[Pass], reference: int, kept: NDArray[np.int64]
 ) -> PoseGraph:
-    """The optimised graph, with what its two passes say."""
     unreached = np.empty(0, np.int64)
     if len(graph.poses):
         parts = parts_of(graph.edges_at(kept))
@@ -335,27 +320,17 @@ def _with_report(
     return solved
 
 
-INITIAL_DAMPING = 1e-5  # of the stiffness: nearly full steps from the start, as Nielsen advises where it is a good one
-# Damping never falls below this: it keeps motions that no edge determines at rest, and slows no other by more than it.
+INITIAL_DAMPING = 1e-5  # relative to the stiffness: nearly full first steps (Nielsen, for good initial values)
+# Lower bound of the damping: keeps undetermined motions at rest without slowing others.
 LEAST_DAMPING = 1e-12
-GROWTH = 2.0  # of the damping after a step that failed; doubled with each further one
-# Relative change of the residual that is rounding: sums of some thousand products of float64.
+GROWTH = 2.0  # factor of the damping after a failed step, doubled each time
+# Relative change of the residual due to rounding in sums of some thousand float64 products.
 ROUNDING = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Pass:
-    """What one descent over a fixed set of edges found.
-
-    Attributes:
-        poses: The nodes'.
-        confidences: The edges' at these poses, [m].
-        iterations: Steps that were taken.
-        initial_residual: Before the first step.
-        residual: After the last.
-        weight: mu of the line process.
-        reason: The criterion that stopped it, by its name; "no descent" where a full step did not lower the residual.
-    """
+    """Result of one optimization pass; `weight` is mu of the line process, `reason` the criterion that stopped it."""
 
     poses: NodePoses
     confidences: Array
@@ -376,10 +351,7 @@ def minimise(
     damped: bool,
     motions: NDArray[np.bool_] | None = None,
 ) -> Pass:
-    """Descend from these poses; the reference stays, and where it is not joined to all, one node of each other part.
-
-    Where there are `motions`, bool [6], nodes move along those of the world's axes alone.
-    """
+    """Minimize from these poses, with the reference and one node of each unconnected part fixed."""
     descent = _Descent(graph, poses, anchors_of(graph, reference), weight, criteria, damped, motions)
     initial = descent.residual
     reason = descent.run()
@@ -387,12 +359,11 @@ def minimise(
 
 
 def parts_of(graph: GraphArrays) -> NDArray[np.int32]:
-    """The connected part that each node belongs to, [n]."""
     return connected_parts(graph.source, graph.target, len(graph.poses))
 
 
 def anchors_of(graph: GraphArrays, reference: int) -> NDArray[np.bool_]:
-    """The reference and the first node of each part that no path joins to it, as a mask [n]."""
+    """Mask [n] of the reference and the first node of each other component."""
     parts = parts_of(graph)
     firsts = np.unique(parts, return_index=True)[1]
     firsts[parts[reference]] = reference
@@ -402,8 +373,6 @@ def anchors_of(graph: GraphArrays, reference: int) -> NDArray[np.bool_]:
 
 
 class _Descent:
-    """The state between steps."""
-
     def __init__(
         self,
         graph: GraphArrays,
@@ -423,7 +392,6 @@ class _Descent:
         self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else LEAST_DAMPING, GROWTH, 0
 
     def run(self) -> str:
-        """Take steps until a criterion is met; returns its name."""
         if not len(self.system.free):
             return "min_right_term"
         while self.iterations < self.criteria.max_iteration:
@@ -433,7 +401,7 @@ class _Descent:
         return "max_iteration"
 
     def _step(self) -> str:
-        """Take one step, damped more until it leads down; returns the criterion that is met, or ""."""
+        """Take one step, with more damping until the residual falls; returns the criterion that was met, or ""."""
         system, criteria = self.system, self.criteria
         system.linearise(self.poses, self.misfit, self.confidences)
         if np.abs(system.right).max() < criteria.min_right_term:
@@ -441,7 +409,7 @@ class _Descent:
         for _ in range(criteria.max_iteration_lm if self.damped else 1):
             try:
                 solution = system.solve(self.damping)
-            except RuntimeError:  # singular to the last digit
+            except RuntimeError:  # numerically singular
                 self._damp_more()
                 continue
             if _length(solution) < criteria.min_relative_increment * (
@@ -464,7 +432,7 @@ class _Descent:
         return "max_iteration_lm" if self.damped else "no descent"
 
     def _evaluate(self, poses: NodePoses) -> tuple[Misfit, Array, float]:
-        """Misfits of the edges, their confidences, and the residual: sums of sqrt(l) r, which the formula above is."""
+        """Residuals of the edges, their confidences, and the total residual: the sum of sqrt(l) r."""
         misfit = self.edges.misfit(poses)
         share = np.ones(len(self.uncertain))
         share[self.uncertain] = self.weight / (self.weight + misfit.squares[self.uncertain])
@@ -475,7 +443,7 @@ class _Descent:
         self.growth *= GROWTH
 
     def _ease(self, ratio: float) -> None:
-        """Damp less, the more so the better the step did what its linear model said (Nielsen 1999, eq. 2.21)."""
+        """Reduce the damping by the gain ratio (Nielsen 1999, eq. 2.21)."""
         if self.damped:
             factor = 1 - (2 * ratio - 1) ** 3
             factor = min(max(factor, self.criteria.lower_scale_factor), self.criteria.upper_scale_factor)
@@ -483,11 +451,11 @@ class _Descent:
 
 
 def _length(values: Array) -> float:
-    return float(np.sqrt((values * values).sum()))  # not np.linalg.norm, whose sum depends on the number of threads
+    return float(np.sqrt((values * values).sum()))  # np.linalg.norm depends on the number of threads
 
 
 def _extent(poses: NodePoses) -> float:
-    """Length of all poses as one vector: rotation vectors [rad], and positions about their mean [m]."""
+    """Norm of all poses: rotation vectors [rad], and positions about their mean [m]."""
     quaternions = rotations_to_quaternions(poses.rotations)
     half_angles = elementwise(math.atan2, np.sqrt((quaternions[:, :3] ** 2).sum(axis=1)), quaternions[:, 3])
     centred = poses.positions - poses.positions.mean(axis=0)

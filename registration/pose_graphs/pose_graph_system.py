@@ -1,12 +1,8 @@
-"""The least squares of a pose graph: residuals of its edges, their Jacobians, and the sparse normal equations.
+"""Least squares of a pose graph: edge residuals, Jacobians, and sparse normal equations.
 
-With X = T_target_source measured and T_s, T_t the nodes' poses, an edge's misfit is E = X^-1 T_t^-1 T_s (Choi, Zhou and
-Koltun 2015, eq. 6). Its residual is (2 sin(a/2) axis, translation) of E: the vector part of the quaternion, doubled. It
-grows with the angle a all the way to half a turn, and 2 sin(a/2) is what a rotation moves points by at unit distance,
-as the information matrices presume. (Open3D takes sin(a), which falls again beyond a right angle, to 0 at half a turn.)
-
-A step turns a node about its own position and then shifts it: R <- exp(w) R, t <- t + v. So neither residuals nor their
-Jacobians depend on where the origin of the world lies.
+The edge error is E = X^-1 T_t^-1 T_s with X = T_target_source measured (Choi, Zhou and Koltun 2015, eq. 6). The
+residual is (2 sin(a/2) axis, translation) of E, which grows up to half a turn (Open3D's sin(a) does not). Steps R <-
+exp(w) R, t <- t + v do not depend on the world origin.
 """
 
 from __future__ import annotations
@@ -31,25 +27,17 @@ SYMMETRIC = {"diag_pivot_thresh": 0.0, "options": {"SymmetricMode": True}}
 
 @dataclass(frozen=True, eq=False)
 class NodePoses:
-    """Poses of the nodes: rotations [n, 3, 3] and positions [n, 3] [m]."""
-
     rotations: Array
     positions: Array
 
     def moved(self, step: Array) -> NodePoses:
-        """The poses after a step [n, 6]: turned about their own positions, then shifted."""
+        """The poses after a step [n, 6]: rotated about their own positions, then shifted."""
         return NodePoses(matmul(rotations_of(step[:, :3]), self.rotations), self.positions + step[:, 3:])
 
 
 @dataclass(frozen=True, eq=False)
 class Misfit:
-    """How far the edges are from being met.
-
-    Attributes:
-        residuals: Rotation, then translation, of each edge, [m, 6].
-        scalars: Cosine of half the angle of each, [m].
-        squares: Residuals weighted by the information, [m].
-    """
+    """Edge `residuals` (rotation, translation) [m, 6], cosines of half the angle [m], and weighted squares [m]."""
 
     residuals: Array
     scalars: Array
@@ -57,12 +45,6 @@ class Misfit:
 
 
 class EdgeMeasurements:
-    """What edges measured, in the form that residuals take it.
-
-    Args:
-        graph: The graph; its rotations are brought to the nearest orthonormal ones.
-    """
-
     def __init__(self, graph: GraphArrays):
         self.source, self.target = graph.source, graph.target
         self.information = graph.information
@@ -70,7 +52,6 @@ class EdgeMeasurements:
         self.translations = graph.transformations[:, :3, 3]
 
     def misfit(self, poses: NodePoses) -> Misfit:
-        """The residuals at these poses."""
         to_misfit, apart = self._frames(poses)
         quaternions = rotations_to_quaternions(matmul(to_misfit, poses.rotations[self.source]))
         translations = _apply(to_misfit, apart) - _apply(self.rotations.transpose(0, 2, 1), self.translations)
@@ -92,23 +73,13 @@ class EdgeMeasurements:
         return by_source, by_target
 
     def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
-        """Rotations from the world to the frames of the misfits, [m, 3, 3]; from target to source, [m, 3] [m]."""
+        """Rotations from the world to the residual frames, [m, 3, 3]; from target to source, [m, 3] [m]."""
         to_misfit = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
         return to_misfit, poses.positions[self.source] - poses.positions[self.target]
 
 
 class NormalEquations:
-    """The sparse system of one set of edges: pattern and ordering once, then numbers and a solution a step.
-
-    Args:
-        edges: The edges.
-        anchored: bool [n], nodes that stay where they are.
-        motions: bool [6], the rotations and translations along the world's axes that the others are free to do; None:
-            all.
-
-    Notes:
-        The ordering is found on the graph of nodes, a sixth of the unknowns. All sums run in a fixed order.
-    """
+    """Sparse normal equations: symbolic structure once, then numeric factorization per step, in fixed order."""
 
     def __init__(self, edges: EdgeMeasurements, anchored: NDArray[np.bool_], motions: NDArray[np.bool_] | None = None):
         self.edges = edges
@@ -131,7 +102,7 @@ class NormalEquations:
         self.moving = None if motions is None else np.tile(motions, count)
 
     def _lay_out(self, count: int) -> None:
-        """Where blocks go: the diagonal ones, the pairs', and their transposes, sorted by row and column."""
+        """Positions of the blocks: diagonal, pairs, and transposes, sorted by row and column."""
         low, high = np.divmod(self.pairs, max(count, 1))
         rows = np.concatenate([np.arange(count), low, high])
         columns = np.concatenate([np.arange(count), high, low])
@@ -143,10 +114,7 @@ class NormalEquations:
         self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
 
     def linearise(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
-        """Take the numbers of the system at these poses, each edge weighted.
-
-        Sets `right`, minus half the gradient by each free node, [6 f], and `scale`, how stiff it is held, [6 f].
-        """
+        """Linearize with edge weights; sets `right` (minus half the gradient) and `scale` (stiffness), [6 f]."""
         by_source, by_target = self.edges.jacobians(poses, misfit)
         information = weights[:, None, None] * self.edges.information
         weighted_source, weighted_target = matmul(information, by_source), matmul(information, by_target)
@@ -169,25 +137,19 @@ class NormalEquations:
             self._hold(self.moving)
 
     def _hold(self, moving: NDArray[np.bool_]) -> None:
-        """Take the unknowns that do not move out of the system: their steps are 0."""
         columns = np.repeat(np.arange(len(moving)), np.diff(self.matrix.indptr))
         self.matrix.data *= moving[columns] & moving[self.matrix.indices]
         self.matrix.data[self.diagonal[~moving]] = self.scale[~moving]
         self.right[~moving] = 0
 
     def solve(self, damping: float) -> Array:
-        """The step [6 f] of the system with `damping` times the scale on its diagonal.
-
-        Raises:
-            RuntimeError: Singular.
-        """
+        """The step [6 f] with `damping` times the scale on the diagonal; RuntimeError if singular."""
         damped = self.matrix.data.copy()
         damped[self.diagonal] += damping * self.scale
         self.factor.factor(damped)
         return self.factor.solve(self.right)
 
     def step_of(self, solution: Array, count: int) -> Array:
-        """The solution as a step of all nodes, [count, 6]; 0 of those that are anchored."""
         step = np.zeros((count, 6))
         step[self.free] = solution.reshape(-1, 6)
         return step
@@ -199,11 +161,7 @@ class NormalEquations:
 
 
 def _stiffness(nodes: Array) -> Array:
-    """How stiff each node is held in rotation and in translation, the same along all axes, [6 f].
-
-    The means over three axes do not depend on the world's; nodes that nothing holds get a trace of the rest's, so that
-    damping keeps them where they are.
-    """
+    """Isotropic stiffness of each node, [6 f]; at least 1e-9 of the largest, for undetermined nodes."""
     diagonal = np.diagonal(nodes, axis1=1, axis2=2)
     means = diagonal.reshape(-1, 2, 3).mean(axis=2)
     floor = 1e-9 * means.max(axis=0, initial=0)
@@ -212,7 +170,7 @@ def _stiffness(nodes: Array) -> Array:
 
 
 def _fill_reducing_places(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int64]:
-    """The places of nodes in an order that keeps the factors sparse (minimum degree, found by SuperLU)."""
+    """Node permutation for sparse factors (minimum degree, by SuperLU)."""
     between = (source >= 0) & (target >= 0)
     rows, columns = np.concatenate([[source, target], [target, source]], axis=1)[:, np.tile(between, 2)]
     links = sp.coo_matrix((np.full(len(rows), -1.0), (rows, columns)), shape=(count, count)).tocsc()
@@ -224,7 +182,6 @@ def _fill_reducing_places(source: NDArray[np.int64], target: NDArray[np.int64], 
 
 
 def _sums(rows: NDArray[np.int64], columns: NDArray[np.int64], shape: tuple[int, int]) -> sp.csr_matrix:
-    """The matrix that adds what stands in the columns up in the rows, in the order of the columns."""
     return sp.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=shape)
 
 

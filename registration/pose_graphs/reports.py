@@ -1,4 +1,4 @@
-"""What optimizations of a pose graph say of themselves: its `report`."""
+"""Reports of pose graph optimizations."""
 
 from __future__ import annotations
 
@@ -12,19 +12,17 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class GlobalOptimizationReport:
-    """How an optimisation went.
+    """Report of `global_optimization`.
 
     Attributes:
         iterations: Steps of both passes.
-        initial_residual: The sum that is minimised, at the given poses with all edges: of r over certain edges and
-            mu r / (mu + r) over uncertain ones.
-        residual: The same at the optimised poses, with the edges that the second pass had.
+        initial_residual: Initial cost with all edges: sum of r over certain and mu r / (mu + r) over uncertain edges.
+        residual: Final cost with the edges of the second pass.
         line_process_weight: mu of the second pass.
-        converged: Whether the second pass met a criterion rather than running out of steps or finding none downhill.
-        reason: The criterion, by its name; "no descent" where no step lowered the residual.
-        pruned_edges: Indices of the edges that were dropped, in the graph as it was given.
-        unreached_nodes: Nodes that no path of the edges that are left joins to the reference (node 0 where that is -1):
-            where they stand rests on edges that were dropped.
+        converged: True if the second pass met a criterion.
+        reason: The name of that criterion; "no descent" if no step lowered the residual.
+        pruned_edges: Indices of the removed edges in the given graph.
+        unreached_nodes: Nodes that the remaining edges do not connect to the reference (node 0 for -1).
     """
 
     iterations: int
@@ -38,14 +36,7 @@ class GlobalOptimizationReport:
 
 
 class FragmentOverlap(NamedTuple):
-    """What became of an edge.
-
-    Attributes:
-        source, target: The fragments.
-        fitness: Share of the pairs of points that the edge makes that agree with the nodes' poses; 0 without any.
-        used: Whether the edge counted.
-        correspondences: Pairs of points in the last step.
-    """
+    """Statistics of an edge: fraction of consistent pairs (`fitness`), `used`, and final `correspondences`."""
 
     source: int
     target: int
@@ -56,15 +47,14 @@ class FragmentOverlap(NamedTuple):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class RefinementReport:
-    """How an alignment of fragments went: the `report` of the pose graph that it returns.
+    """Report of a fragment alignment.
 
     Attributes:
-        overlaps: A FragmentOverlap of each edge, in the order of the edges.
-        rmse: Root mean square of the distances of points from their partners' planes [m], before each step and at the
-            end, float64 [iterations + 1]. Partners are found anew each time.
-        correspondences: Pairs of points, likewise, int64.
-        stretch: The grid's part of the error [m^2], likewise; zeros where nothing was bent.
-        turns: Turns of conjugate gradients in each step, int64 [iterations].
+        overlaps: A FragmentOverlap for each edge, in order.
+        rmse: Root mean square point-to-plane distance [m] before each step and at the end, float64 [iterations + 1].
+        correspondences: Number of point pairs, likewise, int64.
+        stretch: The grid's part of the error [m^2], likewise; zeros if rigid.
+        turns: Conjugate gradient iterations of each step, int64 [iterations].
     """
 
     overlaps: list[FragmentOverlap]

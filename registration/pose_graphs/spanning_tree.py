@@ -1,4 +1,4 @@
-"""The tree of the pairs that are borne out most, and poses along it."""
+"""Maximum spanning tree of pairs, and poses along it."""
 
 from __future__ import annotations
 
@@ -15,31 +15,20 @@ Array = NDArray[np.float64]
 
 
 class Pair(Protocol):
-    """A pose T_target_source between two of some clouds."""
+    @property
+    def source(self) -> int: ...
 
     @property
-    def source(self) -> int:
-        """The cloud that is moved."""
-        ...
+    def target(self) -> int: ...
 
     @property
-    def target(self) -> int:
-        """The cloud that stays."""
-        ...
-
-    @property
-    def transformation(self) -> Array:
-        """T_target_source, [4, 4]."""
-        ...
+    def transformation(self) -> Array: ...
 
 
 def spanning_tree(
     pairs: Sequence[Pair], support: Array | Sequence[float], count: int
 ) -> tuple[list[int], NDArray[np.int64]]:
-    """The pairs of the tree of most support, by their places, and the group of each cloud, its lowest (Kruskal 1956).
-
-    Of pairs of equal support the first comes first.
-    """
+    """Maximum spanning tree (Kruskal 1956), and each cloud's lowest group member; ties: the first pair."""
     groups = np.arange(count)
     tree = []
     for k in np.argsort(-np.asarray(support), kind="stable").tolist():
@@ -51,14 +40,7 @@ def spanning_tree(
 
 
 def chain(first: Array, roots: Iterable[int], pairs: Sequence[Pair], tree: Sequence[int]) -> Array:
-    """Poses along the tree from roots, which stay where they are, as do those that it does not lead to.
-
-    Args:
-        first: Poses to begin from, [n, 4, 4].
-        roots: Clouds.
-        pairs: All of them.
-        tree: The places of the tree's.
-    """
+    """Propagate poses [n, 4, 4] along the tree from the roots; unreached ones are unchanged."""
     poses, reached, waiting = first.copy(), set(roots), list(tree)
     while waiting:
         rest = []
@@ -73,6 +55,6 @@ def chain(first: Array, roots: Iterable[int], pairs: Sequence[Pair], tree: Seque
             else:
                 rest.append(k)
         if len(rest) == len(waiting):
-            break  # the pairs that are left belong to other groups
+            break  # the remaining pairs belong to other groups
         waiting = rest
     return poses

@@ -1,13 +1,8 @@
-"""Least squares over stations: poses of 4 or 6 degrees of freedom from pairs, targets, control, levels and positions.
+"""Least-squares adjustment of stations with 4 or 6 degrees of freedom: pairs, targets, control, levels and positions.
 
-Unknowns are a step of each station, its turn about its own zero and its shift, and the places of targets. Each group of
-rows is whitened by its own information, so that residuals of right observations have the variance 1. Gauss and Newton,
-halved where a step does not lower the sum; what nothing determines of all stations together (the datum) is held at the
-reference by as many conditions as are missing.
-
-With A the whitened rows and Q the cofactors of the unknowns, residuals have the cofactors R = I - A Q A^T; a group's
-test is v_g^T R_gg^-1 v_g, chi-squared with as many degrees of freedom as it has rows (Baarda 1968, A testing procedure
-for use in geodetic networks; of one row the square of his w).
+Rows are whitened; Gauss-Newton with step halving. Undetermined common motions (the datum) are fixed at the reference.
+With whitened rows A and cofactors Q, R = I - A Q A^T and v_g^T R_gg^-1 v_g of a group is chi-squared (Baarda, "A
+testing procedure for use in geodetic networks", 1968).
 """
 
 from __future__ import annotations
@@ -29,25 +24,18 @@ from ..pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses
 from ..rigid import rotations_of, skew
 from .observations import Array, ControlPoint, StationPair, TargetObservation
 
-LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six of a pose
-NOTHING = 1e-12  # of the largest eigenvalue: what is determined by no more is not determined
-NO_MOTION = 1e-12  # the square of the length up to which a vector of motions is zero
-UNTESTABLE = 1e-6  # of a row's redundancy: an observation that nothing checks
+LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six motions
+NOTHING = 1e-12  # relative to the largest eigenvalue: undetermined below
+NO_MOTION = 1e-12  # squared length of a zero vector of motions
+UNTESTABLE = 1e-6  # minimum redundancy of a tested row
 MOST_STEPS, MOST_HALVINGS = 60, 12
-SETTLED = 1e-7  # standard deviations that a step moves all unknowns by, together
-ROUNDING = 1e-12  # of the sum of squares
+SETTLED = 1e-7  # total step in standard deviations at convergence
+ROUNDING = 1e-12  # relative to the sum of squares
 
 
 @dataclass(frozen=True, eq=False)
 class Observed:
-    """What is to be adjusted, in the stations' level frames.
-
-    Attributes:
-        pairs, targets, control: As of `register_stations`.
-        tilt_sigma: Standard deviation of the direction of up [rad] where stations are level but may tilt; 0: none.
-        positions: Where stations are known to be [n, 3], and how well [m]; None: not.
-        pair_factor: What the standard deviations of the pairs are multiplied by.
-    """
+    """The observations in level frames; `tilt_sigma`: standard deviation of up [rad], `pair_factor`: sigma factor."""
 
     pairs: Sequence[StationPair] = ()
     targets: Sequence[TargetObservation] = ()
@@ -57,7 +45,6 @@ class Observed:
     pair_factor: float = 1.0
 
     def without(self, group: Group) -> Observed:
-        """The same without what a group stands for."""
         names = {"pair": "pairs", "target": "targets", "control": "control"}
         field = names[group.kind]
         kept = [one for one in getattr(self, field) if one is not group.observation]
@@ -66,18 +53,7 @@ class Observed:
 
 @dataclass(frozen=True, eq=False)
 class Group:
-    """Rows that belong together: one pair, one target that a station saw, one control point, one level, one position.
-
-    Attributes:
-        kind: "pair", "target", "control", "level" or "position".
-        observation: What it stands for; of levels and positions the station.
-        rows: Where its rows are.
-        residual: As it was measured: of a pair rotation [rad] and translation [m] in the source's axes, of a target [m]
-            in the station's; of control and positions [m], of levels [rad].
-        statistic: Of its test; NaN where nothing checks it.
-        freedom: Degrees of freedom of the test.
-        redundancy: Share of it that the others check, 0..1.
-    """
+    """Rows of one observation, its test `statistic` with `freedom` degrees of freedom, and `redundancy` 0..1."""
 
     kind: str
     observation: Any
@@ -90,21 +66,7 @@ class Group:
 
 @dataclass(frozen=True, eq=False)
 class Adjusted:
-    """What an adjustment found.
-
-    Attributes:
-        poses: Of the stations, [n, 4, 4].
-        targets: Where targets are, by name.
-        covariances: Of the stations' steps, [n, d, d] with d = 4 (yaw, x, y, z) or 6 (rotation, translation), with
-            a priori variances.
-        target_covariances: Of the targets, by name [3, 3].
-        groups: What was observed.
-        squares: Sum of the squared whitened residuals.
-        redundancy: Rows less what they determine.
-        loose: bool [n], stations that nothing determines.
-        datum: How many conditions hold all of it at the reference.
-        converged: Whether it came to rest.
-    """
+    """Result of an adjustment; `covariances` [n, d, d] of (yaw, x, y, z) or (rotation, translation), a priori."""
 
     poses: Array
     targets: dict[str, Array]
@@ -119,8 +81,6 @@ class Adjusted:
 
 
 class _Rows:
-    """Whitened rows as they are collected."""
-
     def __init__(self) -> None:
         self.entries: list[tuple[NDArray[Any], NDArray[Any], Array]] = []  # rows, columns, values
         self.right: list[Array] = []
@@ -128,7 +88,6 @@ class _Rows:
         self.count = 0
 
     def add(self, kind: str, observation: Any, residual: Array, root: Array, blocks: list[tuple[int, Array]]) -> None:
-        """A group: its residual, what whitens it, and its derivatives by the unknowns from each column on."""
         k = len(root)
         for first, J in blocks:
             rows, columns = np.indices((k, J.shape[1]))
@@ -139,8 +98,6 @@ class _Rows:
 
 
 class _Network:
-    """The unknowns, and the rows at given values of them."""
-
     def __init__(self, observed: Observed, count: int, level: bool, pivot: Array):
         self.observed, self.count, self.level, self.pivot = observed, count, level, pivot
         self.size = 4 if level else 6
@@ -168,12 +125,11 @@ class _Network:
         self.roots = [root_of(M[np.ix_(self.motions, self.motions)]) / observed.pair_factor for M in self.information]
 
     def rows(self, poses: NodePoses, places: dict[str, Array]) -> _Rows:
-        """All rows at these poses and places."""
         rows, observed = _Rows(), self.observed
         self._add_pairs(rows, poses)
         for one in observed.targets:
             if one.name in self.column:
-                # in the station's axes: a turn of all together changes no residual
+                # in the station's axes: a common rotation changes no residual
                 Rt, apart = poses.rotations[one.station].T, poses.positions[one.station] - places[one.name]
                 J = np.hstack([matmul(Rt, skew(apart)), Rt])[:, self.motions]
                 blocks = [(self.size * one.station, J), (self.column[one.name], -Rt)]
@@ -185,7 +141,7 @@ class _Network:
                 rows.add("control", point, residual, root, [(self.column[point.name], np.eye(3))])
         if observed.tilt_sigma and not self.level:
             upright = skew(np.array([0.0, 0.0, 1.0]))
-            for i, R in enumerate(poses.rotations):  # where up is in the station's axes
+            for i, R in enumerate(poses.rotations):  # up in the station's axes
                 J = np.hstack([matmul(R.T, upright), np.zeros((3, 3))])[:2]
                 rows.add("level", i, R[2, :2].copy(), np.eye(2) / observed.tilt_sigma, [(6 * i, J)])
         if observed.positions is not None:
@@ -207,12 +163,10 @@ class _Network:
             rows.add("pair", pair, misfit.residuals[k][self.motions], self.roots[k], blocks)
 
     def matrix(self, rows: _Rows) -> sp.csr_matrix:
-        """The derivatives of the whitened rows."""
         parts = [np.concatenate(part) for part in zip(*rows.entries, strict=True)] or [np.empty(0)] * 3
         return sp.csr_matrix((parts[2], (parts[0], parts[1])), shape=(rows.count, self.unknowns))
 
     def moved(self, poses: NodePoses, places: dict[str, Array], step: Array) -> tuple[NodePoses, dict[str, Array]]:
-        """Poses and places after a step."""
         steps = np.zeros((self.count, 6))
         steps[:, self.motions] = step[: self.size * self.count].reshape(self.count, self.size)
         moved = {name: places[name] + step[first : first + 3] for name, first in self.column.items()}
@@ -220,14 +174,7 @@ class _Network:
 
 
 def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0) -> Adjusted:
-    """The poses that meet all observations best.
-
-    Args:
-        first: Poses to begin from, [n, 4, 4]; level ones where `level`.
-        observed: What is observed.
-        level: Four degrees of freedom of each station, yaw, x, y and z; else six.
-        reference: The station that holds what nothing determines of all.
-    """
+    """The least-squares poses from initial ones [n, 4, 4]; `reference` fixes the datum."""
     pivot = first[:, :3, 3].mean(axis=0)
     network, count = _Network(observed, len(first), level, pivot), len(first)
     poses, places = NodePoses(first[:, :3, :3].copy(), first[:, :3, 3] - pivot), {}
@@ -264,7 +211,7 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
 
 
 def root_of(information: Array) -> Array:
-    """W with W^T W the information, a row for each direction that there is information of."""
+    """W with W^T W = information, one row per informative direction."""
     values, vectors = eigh((information + information.T) / 2)
     kept = values > NOTHING * max(values[-1], 0.0)
     return np.sqrt(values[kept])[:, None] * vectors[:, kept].T
@@ -273,7 +220,7 @@ def root_of(information: Array) -> Array:
 def _descend(
     network: _Network, poses: NodePoses, places: dict[str, Array], reference: int
 ) -> tuple[NodePoses, dict[str, Array], bool]:
-    """Steps until none moves anything by a share of its standard deviation."""
+    """Iterate until steps are a small fraction of the standard deviations."""
     rows = network.rows(poses, places)
     for _ in range(MOST_STEPS):
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
@@ -296,7 +243,6 @@ def _descend(
 
 
 def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
-    """What the rows do not determine, as columns, with unknowns in units of their stiffness; and that stiffness."""
     N = np.asarray((A.T @ A).todense())
     stiff = np.sqrt(np.maximum(np.diag(N), 1e-300))
     stiff = np.where(np.diag(N) > 0, stiff, 1.0)
@@ -305,7 +251,7 @@ def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
 
 
 def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, Array, Array, Array]:
-    """Rows that hold what the rows leave open: those of the datum, of loose stations, null space, stiffness."""
+    """Conditions for the datum and for loose stations, null space, stiffness."""
     Z, stiff = _null_space(A)
     part = slice(network.size * reference, network.size * (reference + 1))
     H = np.zeros((0, network.unknowns))
@@ -313,19 +259,17 @@ def _conditions(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Ar
         squares, U = eigh(matmul(Z[part], Z[part].T))
         H = np.zeros((int((squares > NO_MOTION).sum()), network.unknowns))
         H[:, part] = U[:, squares > NO_MOTION].T
-    # what is left open once the datum is held is loose
+    # what remains undetermined with the datum fixed is loose
     left = matmul(Z, _kernel(matmul(H, Z))) if Z.shape[1] else Z
     return H, left, Z, stiff
 
 
 def _kernel(M: Array) -> Array:
-    """The vectors that a matrix takes to zero, as columns."""
     squares, vectors = eigh(matmul(M.T, M))
     return vectors[:, squares <= NO_MOTION]
 
 
 def _factor_of(system: sp.spmatrix) -> SparseFactor:
-    """The factors of normal equations."""
     columns = sp.csc_matrix(system)
     factor = SparseFactor(columns.indptr, columns.indices)
     factor.factor(columns.data)
@@ -339,12 +283,12 @@ def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
 
 
 def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Array, int, int, NDArray[np.bool_]]:
-    """Cofactors of the unknowns under the datum, its conditions, those of all, and which stations are loose."""
+    """Cofactors of the unknowns, numbers of datum and of all conditions, mask of loose stations."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
     Q = _factor_of(N + _held(A, network, reference)).solve(np.eye(network.unknowns))
     Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
-    if Z.shape[1]:  # the conditions are exact: what they add is taken off again
+    if Z.shape[1]:  # the conditions are exact: their contribution is subtracted
         C = np.vstack([H, left.T])
         G = matmul(Z, inv(matmul(C, Z)))
         Q = Q - matmul(G, G.T)

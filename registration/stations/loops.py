@@ -1,4 +1,4 @@
-"""How pairs of stations close around."""
+"""Loop closure errors of station pairs."""
 
 from __future__ import annotations
 
@@ -15,13 +15,7 @@ from .observations import Array, StationPair
 
 @dataclass(frozen=True, eq=False)
 class Loop:
-    """A way round along pairs.
-
-    Attributes:
-        stations: Their numbers, in order.
-        rotation: How far it misses closing [rad].
-        translation: The same at the first station [m].
-    """
+    """A loop of stations, and its closure errors: `rotation` [rad], `translation` at the first station [m]."""
 
     stations: tuple[int, ...]
     rotation: float
@@ -29,7 +23,7 @@ class Loop:
 
 
 def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
-    """The loop that each pair beside a tree of all closes, over the fewest stations."""
+    """The shortest loop of each pair outside a spanning tree."""
     near: dict[int, dict[int, Array]] = {i: {} for i in range(count)}
     loops = []
     for pair in pairs:
@@ -47,7 +41,6 @@ def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
 
 
 def _way(near: dict[int, dict[int, Array]], a: int, b: int) -> list[int]:
-    """The stations from one to another over the fewest pairs; none where there is no way."""
     before, front = {a: a}, [a]
     while front and b not in before:
         reached = [(j, i) for i in front for j in near[i]]

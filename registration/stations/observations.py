@@ -1,4 +1,4 @@
-"""What is observed of stations: pairs of clouds that lie on each other, targets, control points."""
+"""Observations of stations: pairs of overlapping clouds, targets, control points."""
 
 from __future__ import annotations
 
@@ -13,24 +13,23 @@ from ...core.checks import check_count, check_finite, check_list, check_numeric,
 from ...core.wording import few_of
 
 Array = NDArray[np.float64]
-TARGET_SIGMA = 0.002  # [m] of a coordinate of a target that a scanner measured
-CONTROL_SIGMA = 0.002  # [m] of a coordinate of a control point
-LEAST_SIGMA, MOST_SIGMA = 1e-9, 1e9  # [m], [rad]: what is known better is no observation, what worse none
+TARGET_SIGMA = 0.002  # [m] default for scanned targets
+CONTROL_SIGMA = 0.002  # [m] default for control points
+LEAST_SIGMA, MOST_SIGMA = 1e-9, 1e9  # [m], [rad] valid range
 
 
 @dataclass(frozen=True, eq=False)
 class TargetObservation:
-    """A target as one station saw it.
+    """A target observed by one station.
 
     Args:
-        station: The number of the station, from 0.
-        name: The target's, the same in all stations and in the control.
-        position: Its middle [m] in the station's own coordinates, shape [3].
+        station: Station number, from 0.
+        name: Target name, the same in all stations and in the control.
+        position: Center [m] in station coordinates, shape [3].
         sigma: Standard deviation of each coordinate [m].
 
     Raises:
-        TypeError: A name that is no text, a station that is no number.
-        ValueError: A position that is not finite or not [3], or a sigma that is not positive.
+        TypeError, ValueError: A wrong type, a position that is not finite or not [3], or a sigma that is not positive.
 
     Example:
         >>> import pointloom as loom
@@ -51,16 +50,15 @@ class TargetObservation:
 
 @dataclass(frozen=True, eq=False)
 class ControlPoint:
-    """A target whose place in the survey's coordinates is known.
+    """A target with known survey coordinates.
 
     Args:
-        name: The target's.
-        position: Where it is [m], shape [3].
+        name: Target name.
+        position: Coordinates [m], shape [3].
         sigma: Standard deviation of its coordinates [m], one or [3].
 
     Raises:
-        TypeError: A name that is no text.
-        ValueError: A position that is not finite or not [3], or a sigma that is not positive.
+        TypeError, ValueError: A wrong type, a position that is not finite or not [3], or a sigma that is not positive.
 
     Example:
         >>> import pointloom as loom
@@ -82,11 +80,6 @@ class ControlPoint:
 
 
 def check_sigma(name: str, sigma: Any) -> float:
-    """A standard deviation that a least squares adjustment can weigh by.
-
-    Raises:
-        TypeError, ValueError: No number, or out of range.
-    """
     value = check_positive(name, sigma)
     if not LEAST_SIGMA <= value <= MOST_SIGMA:
         raise ValueError(f"{name}: expected a standard deviation from {LEAST_SIGMA:g} to {MOST_SIGMA:g}, got {value:g}")
@@ -104,17 +97,17 @@ def _check_point(point: Any) -> None:
 
 @dataclass(frozen=True, eq=False)
 class StationPair:
-    """Two stations whose clouds lie on each other.
+    """Registration of two overlapping stations.
 
     Attributes:
-        source, target: Their numbers.
+        source, target: Station numbers.
         transformation: T_target_source, float64 [4, 4].
-        information: Of the misfit of the pose, rotation [rad] then translation [m] in the source's coordinates, [6, 6];
-            zeros along what the clouds do not determine, and along what was not free.
-        fitness: Share of the source's points that lie on the target, 0..1.
-        rms: Of the distances of the matched points from the target's surface [m].
-        score: Confidence in the pose, 0..1.
-        reason: Why it is not used, or "".
+        information: Of rotation [rad] then translation [m] in source coordinates, [6, 6]; zero if undetermined or
+            fixed.
+        fitness: Fraction of source points on the target, 0..1.
+        rms: Root mean square point-to-surface distance of the matches [m].
+        score: Confidence, 0..1.
+        reason: Why it is rejected, or "".
     """
 
     source: int
@@ -128,11 +121,6 @@ class StationPair:
 
 
 def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> list[TargetObservation]:
-    """The observed targets, once each names one of `count` stations, and none a target twice.
-
-    Raises:
-        TypeError, ValueError: They do not; the message says which.
-    """
     found = [] if targets is None else check_list("targets", targets, "TargetObservation")
     seen: set[tuple[int, str]] = set()
     for k, one in enumerate(found):
@@ -149,11 +137,6 @@ def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> li
 
 
 def check_control(control: Sequence[ControlPoint] | None, targets: Sequence[TargetObservation]) -> list[ControlPoint]:
-    """The control points, each name once, and at least one of them a target that was seen.
-
-    Raises:
-        TypeError, ValueError: Not so.
-    """
     found = [] if control is None else check_list("control", control, "ControlPoint")
     names: set[str] = set()
     for k, one in enumerate(found):

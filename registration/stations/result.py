@@ -1,4 +1,4 @@
-"""What an adjustment of stations found, for surveyors and for programs: `StationsResult`."""
+"""Result of a station adjustment, for surveyors and programs: `StationsResult`."""
 
 from __future__ import annotations
 
@@ -22,36 +22,36 @@ from .observations import Array, ControlPoint, StationPair, TargetObservation
 from .snooping import Outlier
 
 MM = 1000.0
-SHOWN = 6  # names in a line
+SHOWN = 6  # names per line
 
 
 @dataclass(frozen=True, eq=False)
 class StationsResult(Report, Assessed):
-    """Where stations stand, how well that is known, and what contradicts it; `print` shows it in short.
+    """Station poses with their uncertainty, and rejected observations.
 
     Attributes:
-        names: The stations'.
-        poses: T_survey_station of each, float64 [n, 4, 4]; as given where a station could not be placed.
-        placed: Whether each was placed, bool [n].
-        sigmas: Standard deviations of position [m] and of the turns about x, y, z [rad] of each, [n, 6]; zeros of what
-            is held, NaN of stations that were not placed.
-        covariances: Of yaw, x, y, z where level (d = 4), else rotation and translation (d = 6), [n, d, d].
-        pairs: The pairs of clouds that were used.
-        rejected: Those that were not, with the reason.
-        targets: Where the targets are [m], by name.
+        names: Station names.
+        poses: T_survey_station, float64 [n, 4, 4]; as given if not placed.
+        placed: Mask of the placed stations, bool [n].
+        sigmas: Standard deviations of position [m] and rotations about x, y, z [rad], [n, 6]; 0 if fixed, NaN if not
+            placed.
+        covariances: Of yaw, x, y, z if level (d = 4), else rotation and translation (d = 6), [n, d, d].
+        pairs: The used pairs.
+        rejected: The rejected pairs, with the reason.
+        targets: Target positions [m], by name.
         target_sigmas: Their standard deviations [m], [3] each.
-        groups: Everything that was observed, with residuals and tests.
-        outliers: What was taken out.
-        loops: How pairs close around.
-        sigma0: Root of the squares' sum over the redundancy; 1 where the standard deviations said are right.
-        limits: Between which sigma0 lies in 99 of 100 surveys.
-        redundancy: How many observations more than needed.
-        scaled: Whether standard deviations were multiplied by sigma0, which is above 1 then.
-        pair_factor: What the standard deviations of pairs were multiplied by besides.
-        reference: The station that holds the frame; None where control or positions do.
-        level: Whether stations had four degrees of freedom.
-        converged: Whether the adjustment came to rest.
-        unit: The clouds', None where it is not known.
+        groups: All observations, with residuals and tests.
+        outliers: The removed observations.
+        loops: Loop closure errors of the pairs.
+        sigma0: Root of the sum of squares over the redundancy; 1 if the given standard deviations are right.
+        limits: 99% interval of sigma0.
+        redundancy: Number of redundant observations.
+        scaled: True if standard deviations were multiplied by sigma0 > 1.
+        pair_factor: Additional factor of the pairs' standard deviations.
+        reference: The station that defines the frame; None with control or positions.
+        level: True for four degrees of freedom.
+        converged: True if the adjustment converged.
+        unit: Unit of the clouds, or None.
     """
 
     names: tuple[str, ...]
@@ -78,7 +78,6 @@ class StationsResult(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         reasons = []
         lost = [name for name, there in zip(self.names, self.placed, strict=True) if not there]
         if lost:
@@ -96,15 +95,6 @@ class StationsResult(Report, Assessed):
         return tuple(reasons)
 
     def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
-        """The clouds of the stations that were placed as one, in the survey's frame, with what all of them have.
-
-        Args:
-            stations: Those that were registered, or others in their frames, in the same order.
-
-        Raises:
-            TypeError: Not point clouds.
-            ValueError: Not as many as were registered, or none was placed.
-        """
         clouds = check_list("stations", stations, "point clouds")
         for i, cloud in enumerate(clouds):
             check_cloud(f"stations[{i}]", cloud)
@@ -115,7 +105,6 @@ class StationsResult(Report, Assessed):
         return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
 
     def fields(self) -> Fields:
-        """How many stations were placed by what, and how well."""
         placed = self.placed & np.isfinite(self.sigmas[:, 0])
         worst = float(self.sigmas[placed, :3].max(initial=0.0)) * MM
         seen = sum(group.kind == "target" for group in self.groups)
@@ -131,16 +120,12 @@ class StationsResult(Report, Assessed):
         ]  # fmt: skip
 
     def report(self) -> str:
-        """All of it as a surveyor reads it: stations, pairs, targets, control, loops, and what was taken out.
-
-        Lengths are metres, residuals and standard deviations of positions millimetres, of turns seconds of arc.
-        """
+        """The complete report: stations, pairs, targets, control, loops, and outliers ([m], [mm] and [arcsec])."""
         parts = [str(self), self._stations(), self._pairs(), self._points(), self._loops(), self._taken_out()]
         verdict = "; ".join(self.warnings) or "all quality checks passed"
         return "\n\n".join([part for part in parts if part] + [verdict]) + "\n"
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types; stations by their names."""
         names = self.names
         return plain(
             {
@@ -259,7 +244,6 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def _table(rows: Sequence[Sequence[str]]) -> str:
-    """Rows under a head: the first two columns to the left where they are words, numbers to the right."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     words = [k == 0 or rows[0][k] == "" for k in range(len(widths))]
     lines = [

@@ -1,4 +1,4 @@
-"""Data snooping: observations that contradict the rest are taken out one by one, the worst first (Baarda 1968)."""
+"""Data snooping: outlier observations are removed one by one, the worst first (Baarda 1968)."""
 
 from __future__ import annotations
 
@@ -12,25 +12,18 @@ from ...kernels.linear_algebra import matmul, norm
 from .adjustment import Adjusted, Array, Group, Observed, adjust
 from .observations import TargetObservation
 
-FALSE_ALARM = 0.01  # the chance that any right observation of a survey is called wrong
+FALSE_ALARM = 0.01  # probability of any false outlier in a survey
 TESTED = ("pair", "target", "control")
-FEWEST_PAIRS = 5  # that are checked, from which on their standard deviations are judged
+FEWEST_PAIRS = 5  # minimum number of tested pairs to judge their sigmas
 MEDIAN = 0.5
-RIVALS = 3  # suspects that are tried: gross errors bend what their tests say
-TIED = 1e-6  # of a statistic: two that are as large contradict each other, and nothing says which is wrong
-EXCHANGED = 0.1  # of the misfits of two targets: what is left of them where their names were exchanged
+RIVALS = 3  # suspects tried: gross errors distort the tests
+TIED = 1e-6  # relative difference of statistics that cannot be separated
+EXCHANGED = 0.1  # residual ratio of two targets with exchanged names
 
 
 @dataclass(frozen=True, eq=False)
 class Outlier:
-    """An observation that contradicts the rest.
-
-    Attributes:
-        group: It, as it was tested.
-        critical: What its statistic should have been below.
-        rivals: Others that contradict it as much, of which one may be wrong in its place.
-        exchanged: The other target of the same station that it was exchanged with; "" where it was not.
-    """
+    """A removed observation with its `critical` value; `rivals` may be wrong instead, `exchanged`: swapped target."""
 
     group: Group
     critical: float
@@ -39,11 +32,7 @@ class Outlier:
 
 
 def snoop(first: Array, observed: Observed, *, level: bool, reference: int) -> tuple[Adjusted, Observed, list[Outlier]]:
-    """The adjustment of what is left without the outliers, what that is, and the outliers.
-
-    Standard deviations of pairs are estimates: where those that are left show that they were too small, all is done
-    again with larger ones.
-    """
+    """Adjust without outliers; repeated with larger standard deviations if those of the pairs prove too small."""
     found, left, outliers = _cleaned(first, observed, level, reference)
     factor = _pair_factor(found)
     if factor > 1:
@@ -76,7 +65,7 @@ def _critical(freedom: int, count: int) -> float:
 
 
 def _suspects(found: Adjusted) -> list[Group]:
-    """Groups that contradict the rest, the worst first: by how much less the sum of squares is without them."""
+    """Outlier groups by the decrease of the sum of squares without them."""
     beyond = {}
     for k, group in enumerate(found.groups):
         if group.kind in TESTED and group.freedom == group.rows.stop - group.rows.start > 0:
@@ -85,7 +74,7 @@ def _suspects(found: Adjusted) -> list[Group]:
 
 
 def _pair_factor(found: Adjusted) -> float:
-    """How much larger the standard deviations of pairs are than said, by the median of their tests; 1 at least."""
+    """Factor of the pairs' standard deviations by the median of their tests, at least 1."""
     tested = [g for g in found.groups if g.kind == "pair" and g.freedom]
     if len(tested) < FEWEST_PAIRS:
         return 1.0
@@ -93,7 +82,7 @@ def _pair_factor(found: Adjusted) -> float:
 
 
 def _with_exchange(outlier: Outlier, outliers: list[Outlier], found: Adjusted) -> Outlier:
-    """The outlier, with the other target of its station whose place it fits, and that fits its place."""
+    """Detect a swap with another target of the same station."""
     one = outlier.group.observation
     if not isinstance(one, TargetObservation):
         return outlier

@@ -1,11 +1,7 @@
-"""Many terrestrial scans brought into one frame: `register_stations`.
+"""Registration of many terrestrial laser scans into one frame: overlapping pairs, their covariances, joint adjustment.
 
-Pairs of stations whose clouds overlap: which they are, their poses, and what these poses are worth.
-
-The information of a pair's pose comes from its point-to-plane rows J at the end, with residuals r: N = sum J^T J, and
-with g_b = sum of J^T r over the matches in block b of space, covariance N^-1 (sum g_b g_b^T) N^-1. So whatever errors
-neighbours have in common (normals from the same points, surfaces that are not planes) counts as often as it occurs, not
-once a point (White 1980, eq. 3, in groups as Liang and Zeger 1986).
+A pair's covariance is N^-1 (sum g_b g_b^T) N^-1 with N = sum J^T J of its point-to-plane rows and g_b = sum of J^T r
+over block b of space, which accounts for correlated errors of neighbors (White 1980, eq. 3; Liang and Zeger 1986).
 """
 
 from __future__ import annotations
@@ -58,13 +54,13 @@ from .observations import Array, ControlPoint, StationPair, TargetObservation, c
 from .result import StationsResult
 from .snooping import snoop
 
-AGREES = 4.0  # [voxels] that a way round three stations may miss by
-BAND = 0.01  # of surveys whose sigma0 lies outside of its limits
-ENOUGH = 10  # redundancy from which on sigma0 is known well enough to scale by
+AGREES = 4.0  # [voxels] maximum closure error over three stations
+BAND = 0.01  # fraction of surveys with sigma0 outside its limits
+ENOUGH = 10  # minimum redundancy for scaling by sigma0
 ROUGH = 2.0  # [m]
-MOST_VOXELS = 1e6  # along a cloud
-# What errors of pairs are, in parts of what their residuals show: all pairs of a station have its noise in common,
-# which closes their loops. Measured over 16 made courtyards of five stations each, tests/registration/test_stations.py.
+MOST_VOXELS = 1e6  # maximum per axis of a cloud
+# Ratio of true to estimated pair errors: pairs of a station share its noise, which closes their loops. Measured on 16
+# synthetic courtyards of five stations, tests/registration/test_stations.py.
 SHARED = 1.25
 
 
@@ -86,46 +82,42 @@ def register_stations(
     seed: int = 0,
     progress: ReportProgress | None = None,
 ) -> StationsResult:
-    """Bring many terrestrial scans into one frame, and say how well each station is known.
+    """Register many terrestrial scans into one frame, with the uncertainty of each station.
 
-    Pairs of scans that overlap are registered, from points to planes; then all poses are adjusted together, each pair
-    with the covariance that its residuals show, beside targets, control points, levels and positions. Observations
-    that contradict the rest are taken out, the worst first, and named.
+    Overlapping pairs are registered by point-to-plane ICP. Then all poses are adjusted jointly from the pairs with
+    their covariances, targets, control points, levels and positions. Outliers are removed and reported.
 
     Args:
-        stations: The clouds, each in its scanner's own coordinates, on one device.
-        poses: Rough poses T_survey_station, [n, 4, 4]; None: nothing is known of where scanners turned to.
-        positions: Rough positions of the scanners [m], [n, 3]; NaN where one is not known. Those of `poses` where these
-            are given.
-        position_sigma: Standard deviation of the positions [m]: they are observations then, as those of GNSS; None:
-            they say what may overlap, and where a pair cannot be, and the frame alone.
-        rough: By how much two stations may be apart otherwise than poses or positions say [m].
-        level: Whether z is up in the scans, or in `poses`: four degrees of freedom each, and tilts are kept exactly.
-            Else all six.
-        level_sigma: Standard deviation of the direction of up [rad] where it is known, but not exactly: six degrees of
-            freedom, with up as an observation.
-        targets: What stations saw of targets.
-        control: Where some targets are in the survey's coordinates, in which poses then are.
-        names: The stations', for the report; None numbers them.
-        voxel_size: Edge of the voxels that clouds are thinned to [m]; None: half of what `choose_voxel_size` says.
-        overlap: Share of the smaller cloud that lies on the other in a pair.
-        reference: The station that keeps its pose where neither control nor positions hold the frame.
-        seed: Of the search for pairs.
-        progress: Called with ("prepare", stations done, in all), ("pairs", pairs done, in all) and ("adjust", done, 2).
+        stations: The clouds, each in its scanner's coordinates, on one device.
+        poses: Approximate poses T_survey_station, [n, 4, 4]; None: unknown orientations.
+        positions: Approximate scanner positions [m], [n, 3]; NaN: unknown. Default: those of `poses`.
+        position_sigma: Standard deviation of observed positions (GNSS) [m]; None: they select pairs and define the
+            frame.
+        rough: Maximum error of distances by approximate poses or positions [m].
+        level: z is up in the scans, or in `poses`: four degrees of freedom, and exact tilts. Otherwise six.
+        level_sigma: Standard deviation of the up direction [rad], used as an observation with six degrees of freedom.
+        targets: Target observations of the stations.
+        control: Survey coordinates of some targets, which define the frame.
+        names: Station names for the report; None: numbers.
+        voxel_size: Voxel edge for downsampling [m]; None: half of `choose_voxel_size`.
+        overlap: Minimum overlap of a pair as a fraction of the smaller cloud.
+        reference: The station with a fixed pose if neither control nor positions define the frame.
+        seed: Seed of the pair search.
+        progress: Called with ("prepare", stations done, all), ("pairs", pairs done, all) and ("adjust", done, 2).
 
     Returns:
-        Poses, their standard deviations, residuals and tests; check `reliable`, and print `report()`.
+        Poses, standard deviations, residuals and tests; check `reliable`, and print `report()`.
 
     Raises:
         TypeError: Not clouds, targets or control points.
-        ValueError: No station, poses that are not rigid, names that are not one a
-            station, or observations that make no sense.
+        ValueError: No station, poses that are not rigid, not one name per station, or invalid observations.
         DeviceError: Clouds on different devices.
 
     Notes:
-        A station's standard deviations are the roots of the inverse normal matrix' diagonal, times sigma0 where that
-        is above 1 and the redundancy at least 10; relative to the reference where that holds the frame. O(points)
-        memory, dense in stations and targets. The same bits from run to run. Baarda 1968; Theiler and Schindler 2012.
+        Standard deviations come from the inverse normal matrix, times sigma0 if that is above 1 and the redundancy at
+        least 10; relative to the reference if that defines the frame. Memory O(points), dense in stations and targets.
+        Bitwise reproducible. Baarda, "A testing procedure for use in geodetic networks", 1968; Theiler and Schindler
+        2012.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -174,7 +166,7 @@ def _in_turns(
     rough: float,
     tell: ReportProgress,
 ) -> StationsResult:
-    """The adjustment, and another one with the pairs registered from where it has put the stations."""
+    """Adjust, then register the pairs again from the adjusted poses and adjust once more."""
     found = None
     for turn in range(2):
         if found is not None:
@@ -193,7 +185,6 @@ def _in_turns(
 def adjust_stations(
     survey: _Survey, observed: Observed, rejected: list[StationPair], reference: int, tolerance: float
 ) -> StationsResult:
-    """The joint adjustment of what is observed in the stations' level frames, and what it says."""
     links = links_of(observed.pairs, observed.targets, survey.level, tolerance)
     parts = parts_by(links, survey.count)
     first = np.tile(np.eye(4), (survey.count, 1, 1)) if survey.poses is None else survey.inner(survey.poses)
@@ -244,14 +235,7 @@ def adjust_stations(
 
 
 class _Survey:
-    """The stations, and the frames in which they are adjusted: level where up is known, about a place near the points.
-
-    Attributes:
-        frames: From the stations' own coordinates to these, [n, 4, 4].
-        poses: Rough ones as given, or None.
-        positions: Rough ones of the frames' zeros, or None.
-        given: Those that were given as such, which hold the frame.
-    """
+    """The stations and their adjustment frames: level if up is known, centered near the points."""
 
     def __init__(self, stations: Any, names: Any, poses: Any, positions: Any, level: Any, level_sigma: Any):
         self.clouds = check_list("stations", stations, "point clouds")
@@ -276,7 +260,6 @@ class _Survey:
             self.positions = self.inner(self.poses)[:, :3, 3]
 
     def inner(self, poses: Array) -> Array:
-        """Poses of the frames, of poses of the stations."""
         found = matmul(poses, np.array([invert_pose(F) for F in self.frames]))
         if self.level:
             yaws = elementwise(math.atan2, found[:, 1, 0], found[:, 0, 0])
@@ -287,7 +270,6 @@ class _Survey:
         return found
 
     def voxel_size(self, given: float | None) -> float:
-        """The edge of the voxels."""
         if given is not None:
             size = check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
             extent = max(float((c.get_max_bound() - c.get_min_bound()).max()) for c in self.clouds)
@@ -299,7 +281,7 @@ class _Survey:
         return choose_voxel_size(*self.clouds) / 2
 
     def _frame(self, i: int, level: bool) -> Array:
-        """A station's tilt, about its zero; about the middle of its points where these are far from that."""
+        """A station's tilt about its origin, or about the center of its points if that is far away."""
         tilt, middle = np.eye(3), np.zeros(3)
         if level and self.poses is not None:
             R = self.poses[i, :3, :3]
@@ -342,7 +324,6 @@ def _in_frame(one: TargetObservation, F: Array) -> TargetObservation:
 
 
 def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
-    """The pair, with a reason not to use it where its stations are not as far apart as their positions."""
     if positions is None or pair.reason:
         return pair
     said = float(norm(positions[pair.source] - positions[pair.target]))
@@ -354,7 +335,7 @@ def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) ->
 
 
 def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int) -> Array:
-    """The poses with the reference's part where the reference began, unless something else fixes that part."""
+    """Fix the reference's connected part at its initial pose, unless observations fix it."""
     part = parts[reference]
     if fixed[part]:
         return poses
@@ -365,7 +346,7 @@ def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArra
 
 
 def _main_part(parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int, anchored: bool) -> int:
-    """The part that the survey is: of those that control fixes, else of all, the largest; the reference's of equals."""
+    """The largest part (of those with control, if any; ties: the reference's)."""
     sizes = np.bincount(parts).astype(np.float64)
     sizes[parts[reference]] += 0.5
     if anchored and fixed.any():
@@ -382,7 +363,6 @@ def _sigma0(found: Adjusted) -> tuple[float, tuple[float, float]]:
 
 
 def _sigmas(found: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Array]:
-    """Standard deviations of positions and turns [n, 6], and covariances, scaled."""
     covariances = found.covariances * scale**2
     spread = np.sqrt(np.maximum(np.diagonal(covariances, axis1=1, axis2=2), 0.0))
     sigmas = np.zeros((survey.count, 6))
@@ -391,12 +371,10 @@ def _sigmas(found: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Arra
     return sigmas, covariances
 
 
-BY_TARGETS = 0.25  # the support of a link by targets alone: below that of an accepted pair of clouds
+BY_TARGETS = 0.25  # support of a link from targets only: below an accepted pair
 
 
 class Link(NamedTuple):
-    """A pose between two stations, and its support."""
-
     source: int
     target: int
     transformation: Array
@@ -406,7 +384,7 @@ class Link(NamedTuple):
 def links_of(
     pairs: Sequence[StationPair], targets: Sequence[TargetObservation], level: bool, tolerance: float
 ) -> list[Link]:
-    """Links between stations: targets, and pairs, with more support the more loops of three stations they close."""
+    """Links between stations from targets and pairs; the support grows with the loops of three stations they close."""
     known = {(p.source, p.target): p.transformation for p in pairs}
     known |= {(b, a): invert_pose(T) for (a, b), T in known.items()}
     links = []
@@ -436,7 +414,7 @@ def _links_by_targets(targets: Sequence[TargetObservation], level: bool) -> list
 
 
 def is_enough(points: Array, level: bool) -> bool:
-    """Whether points fix a pose: two apart in plan of level stations, else three that lie on no line."""
+    """True if points determine a pose: two apart in plan for level stations, else three that are not collinear."""
     if len(points) < (2 if level else 3):
         return False
     centred = points - points.mean(axis=0)
@@ -445,7 +423,7 @@ def is_enough(points: Array, level: bool) -> bool:
 
 
 def fit(source: Array, target: Array, level: bool) -> Array:
-    """The pose that takes points nearest to others; level ones turn about z alone."""
+    """Least-squares pose between points; level ones rotate about z only."""
     if not level:
         return fit_pose(source, target)
     a, b = source - source.mean(axis=0), target - target.mean(axis=0)
@@ -455,13 +433,12 @@ def fit(source: Array, target: Array, level: bool) -> Array:
 
 
 def parts_by(links: Sequence[Link], count: int) -> NDArray[np.int32]:
-    """The part that each station belongs to."""
     ends = np.array([[link.source, link.target] for link in links], np.int64).reshape(-1, 2)
     return connected_parts(ends[:, 0], ends[:, 1], count)
 
 
 def chain_links(links: Sequence[Link], first: Array) -> Array:
-    """Poses along the tree of most support, from the first station of each part, which stays where it is."""
+    """Poses along the maximum spanning tree, from the first station of each part."""
     tree, groups = spanning_tree(links, [link.support for link in links], len(first))
     return chain(first, np.unique(groups).tolist(), links, tree)
 
@@ -474,7 +451,7 @@ def onto_control(
     positions: Array | None,
     level: bool,
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """The poses with each part moved onto the control and the positions that fix it, and which parts these are."""
+    """Move each part to its control points and positions; also returns the mask of parts that these determine."""
     places = {point.name: np.asarray(point.position) for point in control}
     moved, fixed = poses.copy(), np.zeros(int(parts.max(initial=-1)) + 1, bool)
     for part in range(len(fixed)):
@@ -494,35 +471,34 @@ def onto_control(
     return moved, fixed
 
 
-FINER = 3.0  # points to a voxel's edge, of which normals are fitted
+FINER = 3.0  # finer voxels for normals, per voxel edge
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 1.5, 60  # [voxels]
-COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] of ICP from a rough pose
+COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] ICP distances from an approximate pose
 REACH = 2.0  # [voxels] of a correspondence
-TUKEY = 4.685  # standard deviations: as good as least squares to 95 % where errors are normal
-TO_DEVIATION = 1.4826  # times the median of absolute values, for normal errors
+TUKEY = 4.685  # standard deviations: 95% efficiency for normal errors
+TO_DEVIATION = 1.4826  # MAD to standard deviation
 LEAST_LIMIT = 0.01  # [voxels]
-GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # times the limit of a match that counts, one after another
-MOST_BENT = np.radians(30.0)  # between the normals of a correspondence
+GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
+MOST_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
-SURE = 0.5  # score above which a pair is accepted
-NEAR = 4.0  # [voxels] within which rough poses show an overlap
-BLOCK = 8.0  # [voxels] edge of the blocks whose matches err alike
-FEWEST_BLOCKS = 12  # with matches in them, below which a pose's errors cannot be told
-OPEN = 1e-3  # of the largest eigenvalue, with rotations in units of the matches' radius: what matches leave open
-ALL_PAIRS = 40  # stations up to which every pair is searched for where nothing says where they are
+SURE = 0.5  # minimum score of an accepted pair
+NEAR = 4.0  # [voxels] overlap distance for approximate poses
+BLOCK = 8.0  # [voxels] edge of blocks with correlated errors
+FEWEST_BLOCKS = 12  # minimum occupied blocks for an error estimate
+OPEN = 1e-3  # relative to the largest eigenvalue, rotations in units of the radius: undetermined
+ALL_PAIRS = 40  # maximum stations for all pairs without approximate positions
 PLANE = TransformationEstimationPointToPlane()
 
 
 @dataclass(frozen=True, eq=False)
 class Scan:
-    """A station's cloud as it is registered: thinned, with normals, in its level frame."""
+    """A station's cloud for registration: downsampled, with normals, in its level frame."""
 
     cloud: PointCloud
     radius: float
 
 
 def prepare(cloud: PointCloud, size: float) -> Scan:
-    """Points thinned to voxels, with normals of finer ones around them."""
     fine = cloud.thin(size / FINER)
     fine = fine.estimate_normals(radius=NORMAL_RADIUS * size, max_nn=NORMAL_NEIGHBORS)
     thinned = fine.thin(size)
@@ -531,24 +507,15 @@ def prepare(cloud: PointCloud, size: float) -> Scan:
 
 
 class PairFinder:
-    """Finds pairs among scans.
-
-    Args:
-        scans: The stations' clouds.
-        size: Edge of the voxels [m].
-        level: Whether poses between them turn about z alone.
-        least: Share of the smaller cloud that lies on the other in a pair.
-        seed: Of the search.
-    """
+    """Finds pairs of scans; `size`: voxel edge [m], `level`: rotations about z only, `least`: minimum overlap."""
 
     def __init__(self, scans: Sequence[Scan], size: float, level: bool, least: float, seed: Any):
         self.scans, self.size, self.least, self.seed = scans, size, least, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}
-        self.limit = LEAST_LIMIT * size  # the residual from which on a match counts nothing
+        self.limit = LEAST_LIMIT * size  # cutoff of the residuals
 
     def candidates(self, poses: Array | None, positions: Array | None, rough: float) -> list[tuple[int, int]]:
-        """Which pairs may overlap: (source, target)."""
         count = len(self.scans)
         pairs = [(j, i) for i, j in itertools.combinations(range(count), 2)]
         if positions is not None:
@@ -573,7 +540,6 @@ class PairFinder:
     def find(
         self, pairs: Sequence[tuple[int, int]], poses: Array | None, tell: Callable[[str, int, int], None]
     ) -> list[StationPair]:
-        """The pairs registered; rejected ones have a reason."""
         starts, believed, kept = [], [], []
         for done, (a, b) in enumerate(pairs):
             tell("pairs", done, len(pairs))
@@ -586,7 +552,6 @@ class PairFinder:
         return self._refined(kept, starts, believed)
 
     def _start(self, a: int, b: int, poses: Array | None) -> tuple[Array | None, float]:
-        """A first pose of a pair: by ICP from the rough one; if that is rejected, by search."""
         source, target = self.scans[a].cloud, self.scans[b].cloud
         if poses is not None:
             sizes = [scale * self.size for scale in COARSE_TO_FINE]
@@ -613,7 +578,7 @@ class PairFinder:
         believed: Sequence[float],
         limit: float | None = None,
     ) -> list[StationPair]:
-        """All pairs refined in the same launches, from points to planes; from right poses where there is a limit."""
+        """Refine all pairs in the same launches, point to plane; a limit requires correct initial poses."""
         if not pairs:
             return []
         sources, targets = ([self.scans[ends[k]].cloud for ends in pairs] for k in (0, 1))
@@ -631,7 +596,7 @@ class PairFinder:
         return [self._judged(*each, self.limit) for each in zip(pairs, results, believed, strict=True)]
 
     def again(self, pairs: Sequence[StationPair], poses: Array, placed: NDArray[np.bool_]) -> list[StationPair]:
-        """The pairs registered from where an adjustment has put their stations, past minima that held them."""
+        """Register the pairs again from adjusted poses, to leave local minima."""
         kept = [k for k, pair in enumerate(pairs) if placed[pair.source] and placed[pair.target] and pair.score > 0]
         ends = [(pairs[k].source, pairs[k].target) for k in kept]
         found = self._refined(
@@ -641,7 +606,6 @@ class PairFinder:
         return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
 
     def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
-        """The residual [m] from which on a match counts nothing: edges, and what stood elsewhere."""
         sizes = [float(np.median(np.abs(self._rows(*each)[1]))) for each in zip(pairs, results, strict=True)
                  if len(each[1].correspondence_set)]  # fmt: skip
         return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, LEAST_LIMIT * self.size)
@@ -663,7 +627,7 @@ class PairFinder:
         return StationPair(a, b, X, information, overlap, rms, score, reason)
 
     def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
-        """Of the misfit in the source's frame, and the root mean square of the residuals that count."""
+        """Information of the residual in the source frame, and the root mean square of the used residuals."""
         J, r, p = self._rows(pair, result)
         inside = np.abs(r) < limit
         J, r, p = J[inside], r[inside], p[inside]
@@ -676,7 +640,7 @@ class PairFinder:
         return information, float(np.sqrt((r * r).mean())) if len(r) else 0.0
 
     def _rows(self, pair: tuple[int, int], result: RegistrationResult) -> tuple[Array, Array, Array]:
-        """Derivatives of the matches' distances from planes, these distances, and where they are in the source."""
+        """Jacobians of the point-to-plane distances, the distances, and the positions in the source."""
         a, b = pair
         source, target = self.scans[a].cloud, self.scans[b].cloud
         found = result.correspondence_set
@@ -689,10 +653,7 @@ class PairFinder:
 
 
 def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: float) -> Array:
-    """The information of the unknowns of rows whose errors are alike within blocks of space; zeros for too few.
-
-    Rows have Tukey's influence `pull`, and its derivative by the residual, `stiffness`.
-    """
+    """Information from rows with errors that correlate within blocks of space (Tukey influence `pull`)."""
     size = J.shape[1]
     keys = np.floor(places / edge).astype(np.int64)
     _, block = np.unique(keys, axis=0, return_inverse=True)

@@ -1,10 +1,6 @@
-"""The scale, and the place in the world, of a model of structure from motion.
+"""Similarity transforms of SfM models: scale from a known distance, and georeferencing by camera positions.
 
-Structure from motion knows neither. One known distance gives the scale; positions of cameras that something else
-measured (GPS, a tracker, an earlier reconstruction) give scale, rotation and translation, by consensus: wrong ones are
-found and left out.
-
-Source: Umeyama 1991 (the fit); Fischler and Bolles 1981 (consensus); Rousseeuw 1984 (least median of squares).
+Umeyama 1991 (fit); Fischler and Bolles 1981 (RANSAC); Rousseeuw 1984 (least median of squares).
 """
 
 from __future__ import annotations
@@ -32,33 +28,31 @@ from ...files.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 
-FEWEST = 3  # pairs that a similarity needs
-TRIPLES = 2000  # tried: with half of the pairs wrong one of eight is all right
-CHUNK = 256  # of them at a time
-SIGMAS = 2.5  # a pair farther off than so many deviations is wrong
-TO_SIGMA = 1.4826  # from the median of errors to their deviation
-TURNS = 20  # of fitting again to those that agree
-STRAIGHT = 1e-6  # of the cameras' extent across: below it they stand on a line
-ROUNDED = 1e-14  # of the coordinates: what float64 leaves of positions far from the origin
-EXACT = 1e-9  # of the extent: errors below are rounding
+FEWEST = 3  # minimum pairs
+TRIPLES = 2000  # with half outliers, one triple of eight is correct
+CHUNK = 256  # triples per block
+SIGMAS = 2.5  # outlier threshold in standard deviations
+TO_SIGMA = 1.4826  # MAD to standard deviation
+TURNS = 20  # refits to the inliers
+STRAIGHT = 1e-6  # relative lateral extent below which cameras are collinear
+ROUNDED = 1e-14  # float64 rounding relative to the coordinates
+EXACT = 1e-9  # relative to the extent: smaller errors are rounding
 
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
 @dataclass(frozen=True)
 class SimilarityFit:
-    """How a model is brought onto given positions.
+    """Similarity that aligns a model with given positions.
 
     Attributes:
-        transformation: T_world_model, float64 [4, 4]: scale times a rotation, and a translation; for
-            `SfmModel.transform`.
-        scale: World units a unit of the model.
-        names: The pictures whose positions were given, sorted.
+        transformation: T_world_model with scale, float64 [4, 4], for `SfmModel.transform`.
+        scale: World units per model unit.
+        names: The images with given positions, sorted.
         residuals: Distance of each camera from its given position, shape [n] [world unit].
-        inliers: Which of them the fit rests on, shape [n].
-        rmse: Root mean square of the residuals of those.
-        rotation_uncertainty: Deviation [degrees] of the rotation about the axis that the cameras leave freest, as
-            their errors and their spread across it say.
+        inliers: Mask of the positions used by the fit, shape [n].
+        rmse: Root mean square residual of the inliers.
+        rotation_uncertainty: Standard deviation [degrees] of the rotation about the least determined axis.
     """
 
     transformation: NDArray[np.float64]
@@ -71,21 +65,20 @@ class SimilarityFit:
 
 
 def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, distance: float) -> float:
-    """The factor that makes a distance of the model the known one.
+    """Compute the scale factor of a model from a known distance.
 
     Args:
         model: The model.
-        a: The name of a picture, for the place of its camera, or a point of the model, shape [3].
-        b: Likewise.
-        distance: Between the two [m], > 0.
+        a, b: Image names (their camera positions), or points of the model, shape [3].
+        distance: Distance between the two [m], > 0.
 
     Returns:
-        The factor for `SfmModel.scaled`, which makes the model's unit the metre.
+        The factor for `SfmModel.scaled`, which makes the model's unit the meter.
 
     Raises:
-        TypeError: No SfmModel, or neither names nor positions.
-        KeyError: No picture of a name.
-        ValueError: Places that are the same in the model, or a distance that is not positive.
+        TypeError: Not an SfmModel, or neither names nor positions.
+        KeyError: No image has the name.
+        ValueError: Identical positions, or a distance that is not positive.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -117,26 +110,23 @@ def _place_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
 def fit_to_positions(
     model: SfmModel, positions: Mapping[str, ArrayLike], *, max_error: float | None = None, seed: int = 0
 ) -> SimilarityFit:
-    """The similarity that brings the cameras of a model to given positions.
+    """Fit the similarity that aligns the cameras of a model with given positions.
 
     Args:
         model: The model.
-        positions: Of pictures by name, shape [3] each [m]; those of pictures that the model does not have are passed
-            over.
-        max_error: A camera farther than this from its position [m] is left out of the fit; None finds the limit from
-            the errors themselves, as long as more than half of the positions are right.
-        seed: Of the random choice of triples, where there are too many to try all.
+        positions: Position by image name, shape [3] each [m]; unknown names are ignored.
+        max_error: Maximum residual of an inlier [m]; None: estimated, if more than half of the positions are correct.
+        seed: Seed for the choice of triples if there are too many.
 
     Returns:
         The fit, with the residual of each camera.
 
     Raises:
-        TypeError: No SfmModel, or no mapping from names to positions.
-        ValueError: Fewer than 3 positions of pictures of the model, cameras on a line or at one place, positions that
-            are not finite, or fewer than 3 that agree to `max_error`.
+        TypeError: Not an SfmModel, or no mapping from names to positions.
+        ValueError: Fewer than 3 known positions or inliers, collinear or identical cameras, or non-finite positions.
 
     Notes:
-        On the host in float64; up to 2000 triples, each against all cameras. The same result from run to run.
+        On the host in float64; up to 2000 triples. Reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -189,7 +179,6 @@ def _check_spread(name: str, places: NDArray[np.float64]) -> None:
 def _best_of_triples(
     source: NDArray[np.float64], target: NDArray[np.float64], limit: float | None, seed: int
 ) -> tuple[NDArray[np.float64], float]:
-    """The similarity of the three pairs that most others agree with, and the error up to which they do."""
     count = len(source)
     best, chosen = (math.inf, math.inf), None
     floor = EXACT * float(np.abs(target - target.mean(axis=0)).max()) + ROUNDED * float(np.abs(target).max())
@@ -210,13 +199,12 @@ def _best_of_triples(
     if chosen is None:
         raise ValueError("positions: no three of them lie apart in the model as well; expected cameras spread out")
     if limit is None:
-        slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # the median of few errors is too small (Rousseeuw and Leroy 1987)
+        slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # small sample correction of the median (Rousseeuw and Leroy 1987)
         limit = SIGMAS * TO_SIGMA * slack * math.sqrt(best[0])
     return chosen, max(limit, floor)
 
 
 def _triples(count: int, seed: int):
-    """All triples of indices, or some at random, [k, 3] at a time."""
     if math.comb(count, 3) <= TRIPLES:
         every = np.array(list(itertools.combinations(range(count), 3)))
     else:
@@ -228,7 +216,7 @@ def _triples(count: int, seed: int):
 
 
 def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Similarities of many triples of pairs, [k, 3, 3] each; Umeyama 1991, eqs. 40 to 43."""
+    """Similarities of many triples, [k, 3, 3] each; Umeyama 1991, eqs. 40 to 43."""
     means = source.mean(axis=1), target.mean(axis=1)
     s, t = source - means[0][:, None], target - means[1][:, None]
     U, D, Vt = np.linalg.svd(matmul(t.transpose(0, 2, 1), s))
@@ -237,7 +225,7 @@ def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> ND
     R = matmul(U * signs[:, None], Vt)
     with np.errstate(all="ignore"):
         scale = (D * signs).sum(axis=1) / (s * s).sum(axis=(1, 2))
-        scale[~((D[:, 1] > STRAIGHT * D[:, 0]) & (scale > 0))] = np.nan  # three on a line
+        scale[~((D[:, 1] > STRAIGHT * D[:, 0]) & (scale > 0))] = np.nan  # collinear
         T = np.tile(np.eye(4), (len(s), 1, 1))
         T[:, :3, :3] = scale[:, None, None] * R
         T[:, :3, 3] = means[1] - np.einsum("kij,kj->ki", T[:, :3, :3], means[0])
@@ -247,7 +235,6 @@ def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> ND
 def _refine(
     source: NDArray[np.float64], target: NDArray[np.float64], T: NDArray[np.float64], limit: float
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Fit again to all that agree until those stay the same."""
     inliers = _distances(source, target, T) <= limit
     for _ in range(TURNS):
         if inliers.sum() < FEWEST:
@@ -265,30 +252,26 @@ def _distances(source: NDArray[np.float64], target: NDArray[np.float64], T: NDAr
 
 
 def _uncertainty(places: NDArray[np.float64], rmse: float) -> float:
-    """Deviation of the freest angle [degrees]: the error over the lever arm about the cameras' longest axis."""
+    """Standard deviation of the least determined angle [degrees]."""
     spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
     return math.degrees(rmse / math.sqrt(3.0) / math.hypot(spread[1], spread[2]))
 
 
-# ------------------------------------------------------------------------------------------------ files of positions
-
-
 def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[str, NDArray[np.float64]]:
-    """Positions of pictures from a file.
+    """Read the positions of images from a file.
 
     Args:
-        path: Lines of `name x y z` (blanks or commas between; names with or without folder and ending, or numbers in
-            the names), or a trajectory as `read_trajectory` takes it.
-        names: Of the pictures of the model.
+        path: Lines of `name x y z` (separated by blanks or commas; names with or without folder and extension, or image
+            numbers), or a trajectory as of `read_trajectory`.
+        names: Image names of the model.
 
     Returns:
-        By name. The poses of a trajectory belong to pictures by number, where the last number in the names is the
-        first id of a pose or its time; else by order, where there is one pose a picture.
+        Positions by name. Trajectory poses are assigned by the last number in the image names (first pose id or time),
+        else by order if there is one pose per image.
 
     Raises:
-        FileError: Unreadable, a line of another form, a name that stands twice or fits several pictures, no name of
-            the model, or poses that belong to no picture.
-        TypeError: Names that are no list of strings.
+        FileError: Unreadable, a malformed line, a duplicate or ambiguous name, or no name or pose of the model.
+        TypeError: `names` is not a list of strings.
 
     Example:
         >>> from pathlib import Path
@@ -323,7 +306,7 @@ def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")
         if not meant:
-            continue  # of a picture that was not registered
+            continue  # an unregistered image
         if meant[0] in found:
             raise FileError(path, f"the picture {meant[0]!r} stands twice", where=f"line {number}")
         found[meant[0]] = place
@@ -334,7 +317,6 @@ def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str
 
 
 def _positions_of(path: Path, trajectory: Trajectory, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
-    """The poses of a trajectory by number, else by order."""
     keys = trajectory.timestamps if trajectory.ids is None else trajectory.ids[:, 0].astype(np.float64)
     numbers = [float(found[-1]) if (found := _NUMBER.findall(Path(name).stem)) else math.nan for name in names]
     if keys is not None and len(set(numbers)) == len(names) and len(set(keys.tolist())) == len(keys):

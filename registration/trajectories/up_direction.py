@@ -1,10 +1,7 @@
-"""What is up in a model of structure from motion: by how cameras are held, or by attitudes that they tell.
+"""Up direction of an SfM model from level cameras, or from known attitudes.
 
-Whoever takes pictures holds the camera level: the x axes of the pictures are horizontal, whichever way it looks up or
-down. So up is the direction that is square to all of them, once they point different ways. What a drone's gimbal tells
-is better, and says it of cameras that all look straight down too.
-
-Source: the smallest axis of the sum of x xT, as in OpenSfM's alignment to the ground plane and in nerfstudio's poses.
+Photographers hold the camera level, so the x axes of the images are horizontal: up is the smallest eigenvector of the
+sum of x xT (as in OpenSfM and nerfstudio). Gimbal attitudes are better, and work for nadir images.
 """
 
 from __future__ import annotations
@@ -21,26 +18,26 @@ from ...kernels.linear_algebra import eigh, matmul, norm
 
 Array = NDArray[np.float64]
 
-FEWEST = 3  # cameras that say something together
-LEAST_SPREAD = 0.02  # of the mean square of the x axes across the way that most of them point: 8 degrees
-MOST_TILT = math.sin(math.radians(15.0))  # of x axes that are called level, median
-MOST_SIGMA = 4.0  # [degrees] of a direction that is accepted
-LEAST_SIGN = 0.2  # of the mean cosine that tells up from down
-ATTITUDE_SIGMA = 1.0  # [degrees] of a gimbal, at best
-MOST_APART = 10.0  # [degrees] between attitudes and the model, median: what is farther off is told otherwise
+FEWEST = 3  # minimum cameras
+LEAST_SPREAD = 0.02  # minimum spread of the x axes: 8 degrees
+MOST_TILT = math.sin(math.radians(15.0))  # maximum median tilt of level cameras
+MOST_SIGMA = 4.0  # [degrees] maximum standard deviation
+LEAST_SIGN = 0.2  # minimum mean cosine that separates up from down
+ATTITUDE_SIGMA = 1.0  # [degrees] gimbal accuracy
+MOST_APART = 10.0  # [degrees] maximum median difference between attitudes and the model
 TURNS = 10
-_CUT = 2.5 * 1.4826  # medians of a deviation beyond which a camera is held otherwise
+_CUT = 2.5 * 1.4826  # in median deviations, for outliers
 
 
 @dataclass(frozen=True, eq=False)
 class UpDirection:
-    """What is up in a model.
+    """Up direction of a model.
 
     Attributes:
-        direction: In the model's coordinates, of length 1, shape [3]; None where the cameras do not tell.
-        sigma: Its standard deviation [degrees]; infinite where they do not.
-        by: "attitudes" that the pictures tell, or "cameras" that are held level; "" where neither tells.
-        reason: Why nothing is known, or "".
+        direction: Unit vector in model coordinates, shape [3]; None if unknown.
+        sigma: Standard deviation [degrees]; infinite if unknown.
+        by: "attitudes", "cameras", or "".
+        reason: Why it is unknown, or "".
     """
 
     direction: Array | None
@@ -50,28 +47,7 @@ class UpDirection:
 
 
 def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | None = None) -> UpDirection:
-    """What is up in a model.
-
-    Args:
-        model: The model.
-        attitudes: Yaw, pitch up from level and roll to the right [degrees] of cameras, by the picture's name; those of
-            pictures that the model does not have are passed over.
-
-    Returns:
-        The direction, by attitudes where three or more agree with the model, else by level cameras.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> from pointloom.registration.trajectories.up_direction import up_direction
-        >>> camera = loom.CameraModel("PINHOLE", 64, 48, [60, 60, 32, 24])
-        >>> turns = np.radians([0, 70, 140, 210, 280])
-        >>> poses = np.tile(np.eye(4), (5, 1, 1))
-        >>> poses[:, 0, 0], poses[:, 0, 2] = np.cos(turns), np.sin(turns)  # turned about y, which points down
-        >>> poses[:, 2, 0], poses[:, 2, 2] = -np.sin(turns), np.cos(turns)
-        >>> found = up_direction(loom.SfmModel(["a", "b", "c", "d", "e"], [camera] * 5, poses))
-        >>> (found.direction.round(6) + 0.0).tolist()
-        [0.0, -1.0, 0.0]
-    """
+    """Up direction by three or more consistent attitudes (yaw, pitch, roll [degrees]), else by level cameras."""
     said = _by_attitudes(model, attitudes or {})
     if said.direction is not None:
         return said
@@ -82,7 +58,7 @@ def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | Non
 
 
 def up_in_camera(pitch: float, roll: float) -> Array:
-    """Up in a camera's coordinates, x right, y down, z ahead, of its pitch and roll [degrees]."""
+    """Up in camera coordinates (x right, y down, z forward) from pitch and roll [degrees]."""
     p, r = math.radians(pitch), math.radians(roll)
     return np.array([-math.sin(r) * math.cos(p), -math.cos(r) * math.cos(p), math.sin(p)])
 
@@ -102,9 +78,8 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
 
 
 def _median_way(ways: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """The mean of directions without those that lie far from the rest, and which those are that stay."""
     cosines = matmul(ways, ways.T)
-    way = ways[int(np.argmax(np.median(cosines, axis=1)))]  # more than half of them lie near it
+    way = ways[int(np.argmax(np.median(cosines, axis=1)))]  # more than half are near it
     kept = np.ones(len(ways), bool)
     for _ in range(TURNS):
         gaps = np.linalg.norm(ways - way, axis=1)
@@ -133,7 +108,7 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     if not values[1] > LEAST_SPREAD:
         return _unknown("all pictures lie the same way, or turned by half: their sides do not tell what is up")
     sigma = math.degrees(math.sqrt(max(float(values[0]), 0.0) / (float(values[1]) * kept.sum())))
-    sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # nobody holds one better
+    sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # limit of hand-held accuracy
     if sigma > MOST_SIGMA:
         return _unknown(f"cameras were held so that up is known to {sigma:.0f} degrees alone")
     sign = -float(matmul(down[kept], way).mean())
@@ -149,7 +124,7 @@ def _unknown(reason: str) -> UpDirection:
 
 
 def turn_upright(direction: Array) -> Array:
-    """The rotation [3, 3] by the least turn that brings a direction of length 1 to z."""
+    """The smallest rotation [3, 3] from a unit vector to z."""
     x, y, z = direction.tolist()
     if z < -1 + 1e-9:  # upside down: half a turn about x
         return np.diag([1.0, -1.0, -1.0])

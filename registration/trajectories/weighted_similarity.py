@@ -1,10 +1,8 @@
-"""The similarity of a model to positions of different worth: weights along each axis, up, and known lengths.
+"""Weighted similarity between a model and known positions, the up direction, and known lengths.
 
-What satellites tell is two to three times better in plan than in height, what a surveyor tells a hundred times better
-than either; what cameras tell of up settles what positions on a line leave open. All are rows of one least squares
-problem over scale, rotation and translation, solved by Gauss-Newton from a place that consensus found.
-
-Source: Triggs et al. 1999, section 4 (weighted least squares); Fischler and Bolles 1981 (consensus).
+Gauss-Newton over scale, rotation and translation from a RANSAC estimate (Triggs et al. 1999, section 4; Fischler and
+Bolles 1981). GNSS is two to three times more accurate in plan than in height, surveys a hundred times; up resolves
+collinear positions.
 """
 
 from __future__ import annotations
@@ -22,24 +20,15 @@ from .up_direction import turn_upright
 
 Array = NDArray[np.float64]
 
-TURNS = 50  # of Gauss-Newton; five are usual
-PAIRS = 4000  # tried, of pairs of cameras
-STILL = 1e-12  # of a step: nothing moves any more
-OPEN = 1e-14  # of the largest eigenvalue, below which a motion is not determined
+TURNS = 50  # Gauss-Newton iterations; five are usual
+PAIRS = 4000  # tested camera pairs
+STILL = 1e-12  # step at convergence
+OPEN = 1e-14  # relative to the largest eigenvalue, undetermined below
 
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """What is known of a model's place in the world.
-
-    Attributes:
-        source: Places in the model, shape [n, 3].
-        target: The same in the world, shape [n, 3] [m].
-        sigma: Standard deviation of each coordinate, shape [n, 3] [m]; infinite where one is not known.
-        up: What is up in the model, shape [3], or None.
-        up_sigma: Of that [rad].
-        lengths: Known lengths as rows of (in the model, [m], standard deviation [m]), shape [m, 3].
-    """
+    """Observed positions [n, 3] with `sigma` [m], up, and `lengths` (model length, length [m], sigma [m]), [m, 3]."""
 
     source: Array
     target: Array
@@ -51,16 +40,7 @@ class Rows:
 
 @dataclass(frozen=True, eq=False)
 class WeightedFit:
-    """The similarity that fits rows best.
-
-    Attributes:
-        T: T_world_model, float64 [4, 4].
-        scale: World units a unit of the model.
-        scale_sigma: Standard deviation of the scale, as a share of it.
-        tilt_sigma, yaw_sigma: Of the rotation about level axes (the larger), and about up [degrees].
-        covariance: Of log scale, rotation from the left [rad] and translation at `middle`, shape [7, 7].
-        middle: The mean of the places, in the model, shape [3].
-    """
+    """Optimal similarity with uncertainties [degrees] and the covariance of (log scale, rotation, translation)."""
 
     T: Array
     scale: float
@@ -71,25 +51,19 @@ class WeightedFit:
     middle: Array
 
     def of(self, places: Array) -> Array:
-        """Where it brings places of the model, [n, 3]."""
         return matmul(places, self.T[:3, :3].T) + self.T[:3, 3]
 
     def covariance_of(self, places: Array) -> Array:
-        """How sure it is of where it brings places of the model, [n, 3, 3], which themselves are taken for sure."""
+        """Covariances of transformed (exact) model positions, [n, 3, 3]."""
         J = _derivatives(matmul(places - self.middle, self.T[:3, :3].T))
         return matmul(J, self.covariance, J.transpose(0, 2, 1))
 
 
 class UndeterminedError(ValueError):
-    """What is known leaves scale, rotation or position open."""
+    """The observations do not determine scale, rotation or position."""
 
 
 def fit_rows(rows: Rows, T: Array) -> WeightedFit:
-    """The similarity that fits rows best, from one that is near.
-
-    Raises:
-        UndeterminedError: They leave it open.
-    """
     scale = scale_of(T)
     R = T[:3, :3] / scale
     middle = rows.source.mean(axis=0)
@@ -113,7 +87,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
         place = place + step[4:]
         if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
             break
-    R = nearest_rotation(R)  # what rounding of many turns leaves
+    R = nearest_rotation(R)  # accumulated rounding
     found = np.eye(4)
     found[:3, :3], found[:3, 3] = scale * R, place + anchor - matmul(scale * R, middle)
     covariance = inv(normal).astype(np.float64)
@@ -125,7 +99,7 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
 def _system(
     rows: Rows, scale: float, R: Array, place: Array, x: Array, y: Array, weights: Array
 ) -> tuple[Array, Array]:
-    """Derivatives by log scale, rotation from the left and translation, [k, 7], and residuals, over their sigmas."""
+    """Whitened Jacobian by log scale, left rotation and translation, [k, 7], and residuals."""
     turned = matmul(scale * x, R.T)
     J = _derivatives(turned)
     blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
@@ -143,7 +117,7 @@ def _system(
 
 
 def _derivatives(turned: Array) -> Array:
-    """Of places by log scale, rotation from the left and translation, [n, 3, 7]."""
+    """Derivatives of positions by log scale, left rotation and translation, [n, 3, 7]."""
     J = np.zeros((len(turned), 3, 7))
     J[:, :, 0] = turned
     J[:, :, 1:4] = -skews(turned)
@@ -152,20 +126,7 @@ def _derivatives(turned: Array) -> Array:
 
 
 def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:
-    """The similarity that keeps `up` up and that most places agree with: scale, turn about up and translation.
-
-    Args:
-        source: In the model, shape [n, 3].
-        target: In the world, shape [n, 3] [m]; heights may be NaN.
-        up: What is up in the model, of length 1.
-        seed: Of the pairs that are tried, where there are too many to try all.
-
-    Returns:
-        T_world_model [4, 4], by the median of distances in plan.
-
-    Raises:
-        UndeterminedError: No two places lie apart.
-    """
+    """RANSAC similarity that keeps `up` [3] vertical, by the median horizontal distance; target heights may be NaN."""
     turn = turn_upright(up)
     s = matmul(source, turn.T)
     a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]

@@ -1,4 +1,4 @@
-"""Posed RGB-D frames to a coloured mesh: `fuse`."""
+"""Posed RGB-D frames to a colored mesh: `fuse`."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from .results import FusionResult
 
 Pose = NDArray[np.float64]
 
-VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room then takes some 100 MB
+VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room takes about 100 MB
 
 NO_FRAME = "frames: expected at least one frame, got none"
 
@@ -57,31 +57,29 @@ def fuse(
     """Fuse posed RGB-D frames into a mesh, as `pointloom fuse` does.
 
     Args:
-        frames: Of `open_dataset`, `open_frames`, `frames_from`, a camera, or anything with `intrinsic`, `depth_scale`
-            and either `len` and `read(i)` or an iterator. Each frame says where it was taken, `T_world_camera`.
-        voxel_size: Edge of a voxel [m].
-        truncation: Distance from the surface [m] up to which depth is trusted; None takes 4 voxels.
-        depth_max: Farther depth is left out [m].
-        weight_threshold: Voxels seen more often than this count; None takes 3 from 30 frames on, 1 from 10, else 0.
-        refine: Align each frame with the model that those before it made, from its pose; a frame that does not fit
-            keeps the pose given.
-        device: Where to compute; None for the CPU.
-        read_ahead: Frames that are read while others are integrated; 0 reads each when its turn comes.
-        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
-        clock: Counts the seconds of the stages: waiting for frames ("read"), "integrate", "extract".
+        frames: From `open_dataset`, `open_frames`, `frames_from`, a camera, or any source with `intrinsic`,
+            `depth_scale` and either `len` and `read(i)` or an iterator. Each frame has its `T_world_camera`.
+        voxel_size: Voxel edge [m].
+        truncation: Truncation distance [m]; None: 4 voxels.
+        depth_max: Maximum depth [m].
+        weight_threshold: Minimum weight (exclusive) of surface voxels; None: 3 from 30 frames on, 1 from 10, else 0.
+        refine: Align each frame with the model first; a frame that does not fit keeps its pose.
+        device: Compute device; None: the CPU.
+        read_ahead: Number of frames read ahead; 0: none.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
+        clock: Measures the stages "read" (waiting for frames), "integrate", "extract".
 
     Returns:
-        The mesh, the volume that it was taken from, and the figures.
+        The mesh, its volume, and the figures.
 
     Raises:
-        TypeError: No frames of one camera.
-        ValueError: A length that is not positive, no frame, a frame without pose, or a pose that is no rigid motion.
-        FileError: A frame that cannot be read.
+        TypeError, ValueError: Not frames of one camera, a length that is not positive, no frame, or an invalid pose.
+        FileError: A frame cannot be read.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run on one device: frames are integrated in their order, however they are read.
-        Memory: the volume and `read_ahead` frames. Curless and Levoy 1996.
+        Bitwise reproducible on one device. Memory: the volume and `read_ahead` frames. Curless and Levoy, "A volumetric
+        method for building complex models from range images", SIGGRAPH 1996.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -114,8 +112,6 @@ def fuse(
 
 
 class _AsGiven:
-    """A volume that takes each frame at the pose given; with colour if the first frame has it."""
-
     volume: TSDFVolume
     refinement: PoseRefinement | None = None
 
@@ -123,7 +119,6 @@ class _AsGiven:
         self._frames, self._depth_max, self._sizes = frames, depth_max, sizes
 
     def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
-        """Fold a frame in; gives the pose at which it was."""
         if not hasattr(self, "volume"):
             self.volume = TSDFVolume(color=frame.color is not None, **self._sizes)
         limits = {"depth_scale": depth_unit(self._frames, frame), "depth_max": self._depth_max}
@@ -133,20 +128,16 @@ class _AsGiven:
 
 
 class _Refined:
-    """... and at the pose that the model says."""
-
     def __init__(self, frames: FrameSource | RGBDSource, depth_max: float, sizes: dict[str, Any]):
         limits = {"depth_scale": frames.depth_scale, "depth_max": depth_max}
         model = Model(frames.intrinsic, **limits, **sizes)
         self.volume, self._refiner = model.volume, PoseRefiner(model)
 
     def __call__(self, frame: Any, T_world_camera: Pose) -> Pose:
-        """Fold a frame in; gives the pose at which it was."""
         return self._refiner.integrate(frame, T_world_camera)
 
     @property
     def refinement(self) -> PoseRefinement | None:
-        """What became of the poses."""
         return self._refiner.refinement
 
 
@@ -158,7 +149,7 @@ def _integrate_frames(
     say: ReportProgress,
     clock: Clock,
 ) -> tuple[Pose, tuple[float, float]]:
-    """Fold all frames in; gives the poses at which they were, and the shares of pixels measured and used."""
+    """Integrate all frames; returns their poses, and the fractions of pixels measured and used."""
     poses, shares, count = [], [], count_of(frames)
     say("frames", 0, count)
     with contextlib.closing(read_frames(frames, read_ahead)) as taken:

@@ -1,4 +1,4 @@
-"""Whether frames lie on the surface that all of them make: at wrong poses each sees something else than the others."""
+"""Check of given poses: frames at wrong poses do not lie on the fused surface."""
 
 from __future__ import annotations
 
@@ -13,20 +13,14 @@ from ...meshing.volume.tsdf import TSDFVolume
 
 Pose = NDArray[np.float64]
 
-MOST_FRAMES = 16  # that are held against the surface, spread over all
-WIDTH = 80  # [px] of their pictures then
-NOISE = 0.02  # of the depth: farther from the surface than a depth camera's noise, and than half the truncation
-CONTRADICTED = 0.15  # share of what frames see beyond that; right poses leave 1 to 5 %, poses 15 cm off half
+MOST_FRAMES = 16  # sampled frames
+WIDTH = 80  # [px] of the sampled depth maps
+NOISE = 0.02  # relative depth noise
+CONTRADICTED = 0.15  # fraction off the surface: correct poses have 1 to 5%, poses 15 cm off half
 
 
 class PoseCheck:
-    """Keeps a few small depth maps of a sequence whose length nobody knows, and holds them against the surface.
-
-    Args:
-        intrinsic: The camera of all frames.
-        depth_unit: What one metre is in the numbers of a depth map of whole numbers.
-        depth_max: Farther depth is left out [m].
-    """
+    """Keeps a few small depth maps of a stream, and compares them with the surface."""
 
     def __init__(self, intrinsic: PinholeCameraIntrinsic, depth_unit: float, depth_max: float):
         self._unit, self.depth_max = depth_unit, depth_max
@@ -38,7 +32,6 @@ class PoseCheck:
         self._every, self._count = 1, 0
 
     def add(self, depth: Any, T_world_camera: Pose) -> None:
-        """A frame and where it was taken."""
         if self._count % self._every == 0:
             if len(self._kept) == MOST_FRAMES:
                 self._kept = self._kept[::2]
@@ -48,7 +41,7 @@ class PoseCheck:
         self._count += 1
 
     def seen_extent(self) -> float:
-        """The longest side of the box round what the frames kept see, along the world's axes [m]; 0 of nothing."""
+        """Longest side of the bounding box of the sampled frames [m]; 0 if empty."""
         K, ends = self._camera, []
         for depth, pose in self._kept:
             z = self._metres(depth)
@@ -66,14 +59,7 @@ class PoseCheck:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
 
     def share_off(self, volume: TSDFVolume) -> float | None:
-        """The share of what frames see that lies off the surface: by half the truncation, and by more than noise.
-
-        Args:
-            volume: What the frames were fused in.
-
-        Returns:
-            The median over the frames, or None of fewer than two that see anything.
-        """
+        """Median fraction of frame pixels off the surface by half the truncation; None for fewer than two frames."""
         shares = []
         for depth, pose in self._kept:
             z = self._metres(depth)

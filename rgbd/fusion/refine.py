@@ -1,4 +1,4 @@
-"""Given poses, moved onto what the frames before saw: `PoseRefiner`, one frame after another."""
+"""Refinement of given poses by frame-to-model alignment: `PoseRefiner`."""
 
 from __future__ import annotations
 
@@ -18,26 +18,19 @@ from ..slam.model import Model
 
 Pose = NDArray[np.float64]
 
-# A pose that would have to move farther than this is another's place, not this one's error: structure from motion errs
-# by some 20 cm and a few degrees at its worst.
+# Larger corrections indicate a wrong match: errors of structure from motion are at most about 20 cm and a few degrees.
 FARTHEST_SHIFT = 0.3  # [m]
 FARTHEST_TURN = 10.0  # [degrees]
 
-# Posed frames often lie far apart, so that most of what they see was seen by few others: all of it is aligned with.
+# Posed frames are often far apart, so most surfaces were seen by few others: use all of them.
 SEEN_ONCE = 0.0
 
-MANY_KEPT = 0.5  # share of the frames beyond which the refinement did not do what was asked for
+MANY_KEPT = 0.5  # fraction of unrefined frames above which the refinement failed
 
 
 @dataclasses.dataclass(frozen=True)
 class PoseRefinement(Assessed):
-    """What became of poses that were given.
-
-    Attributes:
-        kept: Frames that keep the pose given, by number, and why. The first keeps its own without a reason.
-        shifts: How far each of the others was moved [m].
-        turns: Likewise [degrees].
-    """
+    """Frames that keep their pose with the reason, and corrections of the others: `shifts` [m], `turns` [degrees]."""
 
     kept: dict[int, str]
     shifts: tuple[float, ...]
@@ -54,12 +47,10 @@ class PoseRefinement(Assessed):
 
     @property
     def frame_count(self) -> int:
-        """How many frames there were."""
         return 1 + len(self.kept) + len(self.shifts)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         kept, count = self.kept, self.frame_count
         if len(kept) <= MANY_KEPT * (count - 1):
             return ()
@@ -70,7 +61,6 @@ class PoseRefinement(Assessed):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         return {
             "refined": len(self.shifts),
             "kept": [{"frame": number, "reason": reason} for number, reason in self.kept.items()],
@@ -81,11 +71,7 @@ class PoseRefinement(Assessed):
 
 
 class PoseRefiner:
-    """Aligns each frame with the model that those before it made, from the pose given.
-
-    Args:
-        model: Its volume is what is fused.
-    """
+    """Aligns each frame with the model of the previous frames, from the given pose."""
 
     def __init__(self, model: Model):
         self._model, self._count = model, 0
@@ -94,7 +80,6 @@ class PoseRefiner:
         self._turns: list[float] = []
 
     def integrate(self, frame: Any, T_world_camera: Pose) -> Pose:
-        """Fold a frame into the model; gives the pose at which it was."""
         number, self._count = self._count, self._count + 1
         prepared = self._model.prepare(frame)
         pose = T_world_camera
@@ -115,7 +100,6 @@ class PoseRefiner:
 
     @property
     def refinement(self) -> PoseRefinement:
-        """What became of the poses so far."""
         return PoseRefinement(dict(self._kept), tuple(self._shifts), tuple(self._turns))
 
 

@@ -1,4 +1,4 @@
-"""What fusing posed frames gives: a surface, and how it came about."""
+"""Result of the fusion of posed frames."""
 
 from __future__ import annotations
 
@@ -17,25 +17,24 @@ from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
 from .pose_check import CONTRADICTED
 from .refine import PoseRefinement
 
-COARSE = 0.05  # of what the frames see: with voxels above it nothing of it has a shape
+COARSE = 0.05  # of the seen extent: larger voxels show no shape
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FusionResult(Assessed):
-    """A surface and how it came about; `print(result)` shows its figures, `result.reliable` whether its checks passed.
+    """Result of `fuse`.
 
     Attributes:
-        mesh: The surface; empty where no voxel was seen often enough.
-        volume: What it was extracted from.
-        T_world_camera: Where the camera was, float64 [n, 4, 4] [m].
-        depth_max: Farther depth was left out [m].
-        depth_share: Share of all pixels that have a depth.
-        used_share: Share of all pixels that have a depth up to `depth_max`.
-        weight_threshold: A voxel counts where it was seen more often than this.
-        refinement: What became of the poses given, where they were refined.
-        share_off: How much of what frames see lies off the surface, where poses were taken as given: some frames, the
-            median share of their pixels; None where nobody can tell.
-        seen_extent: The longest side of what the frames see [m]; None where nobody asked.
+        mesh: The surface; may be empty.
+        volume: The volume it was extracted from.
+        T_world_camera: Camera poses, float64 [n, 4, 4] [m].
+        depth_max: Maximum depth [m].
+        depth_share: Fraction of all pixels with depth.
+        used_share: Fraction of all pixels with depth up to `depth_max`.
+        weight_threshold: Minimum weight (exclusive) of surface voxels.
+        refinement: Result of the pose refinement, if any.
+        share_off: Median fraction of pixels off the surface at the given poses; None if unknown.
+        seen_extent: Longest side of the observed scene [m]; None if not measured.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -66,7 +65,6 @@ class FusionResult(Assessed):
 
     @property
     def frame_count(self) -> int:
-        """How many frames were integrated."""
         return len(self.T_world_camera)
 
     @property
@@ -83,7 +81,6 @@ class FusionResult(Assessed):
         return None
 
     def _why_coarse(self, extent: float) -> str:
-        """The size of a voxel compared with the extent of the scene."""
         size = self.volume.voxel_size
         is_than = "is larger than" if size > extent else "is more than a twentieth of"
         usual = f"{0.005 * extent:.1g}"
@@ -91,7 +88,6 @@ class FusionResult(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         refinement = () if self.refinement is None else self.refinement.warnings
         return failed(self._why_no_surface, *refinement, self._why_contradicted)
 
@@ -106,7 +102,6 @@ class FusionResult(Assessed):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         volume, size = self.volume, describe_mesh(self.mesh).to_dict()
         return {
             "device": str(volume.device),
@@ -127,7 +122,6 @@ class FusionResult(Assessed):
         }
 
     def fields(self) -> Fields:
-        """The figures as labels and values."""
         volume, mesh = self.volume, self.mesh
         seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
         size = f"{volume.voxel_size * 1000:g} mm, truncation {volume.truncation * 1000:g} mm"

@@ -1,6 +1,4 @@
-"""The motion of a depth camera between two frames: RGB-D odometry that says when it failed.
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""RGB-D odometry: the motion between two depth camera frames, with reliability checks.
 
 Example:
     >>> import numpy as np, pointloom as loom

@@ -1,4 +1,4 @@
-"""One frame brought onto another, from a pose nearby, with checks of reliability."""
+"""RGB-D frame alignment with reliability checks."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .options import Method
 from .results import OdometryResult
 from .verdicts import judge
 
-REACH = 25.0  # deviations of depth noise that a pixel may lie off
+REACH = 25.0  # outlier limit in depth noise deviations
 SHORT_STEP = 0.03  # [px]
-STEPS = (12, 12, 10, 8, 6)  # at most in each level, the coarsest first
-BRIGHTNESS_SHARE = 0.02  # of the brightness term beside the surface's: its errors are alike from pixel to pixel
+STEPS = (12, 12, 10, 8, 6)  # maximum per level, the coarsest first
+BRIGHTNESS_SHARE = 0.02  # relative weight of the brightness term: its errors correlate between pixels
 
 
 def align_frames(
@@ -30,25 +30,24 @@ def align_frames(
     *,
     method: Method = Method.Hybrid,
 ) -> OdometryResult:
-    """The motion between two frames of a depth camera.
+    """Estimate the motion between two frames of a depth camera.
 
     Args:
-        source: The frame that is moved.
-        target: The frame that stays.
-        T_target_source: Where to begin, 4x4; None: the identity.
-        method: What is compared: surfaces, brightness, or both.
+        source: The frame to move.
+        target: The fixed frame.
+        T_target_source: Initial pose, 4x4; None: the identity.
+        method: Residuals: surfaces, brightness, or both.
 
     Returns:
-        The result; `reliable` is False, with `warnings`, for frames that do not overlap, do not determine the
-        motion, or are blank.
+        The result; `reliable` is False, with `warnings`, for frames that do not overlap, do not determine the motion,
+        or are blank.
 
     Raises:
-        ValueError: A start that is no rigid motion.
-        TypeError: Not two OdometryFrames.
+        TypeError, ValueError: Not two OdometryFrames, or an initial pose that is not rigid.
         DeviceError: Frames on different devices.
 
     Notes:
-        The same bits from run to run, for any number of threads. 4.3 MB of sums and nothing else a VGA pair.
+        Bitwise reproducible for any number of threads. 4.3 MB of sums per VGA pair.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -76,8 +75,7 @@ def align_steps(
     steps: Sequence[int] = STEPS,
     share: float = BRIGHTNESS_SHARE,
 ) -> OdometryResult:
-    """As `align_frames`, of what is known to be right, with at most so many steps a level, the coarsest first, and a
-    share of brightness beside the surface."""
+    """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
     found, verdict_level = descend(source, target, start, method, steps, share)
     return judge(found, source, verdict_level, target.blur)
 
@@ -90,7 +88,7 @@ def descend(
     steps: Sequence[int] = STEPS,
     share: float = BRIGHTNESS_SHARE,
 ) -> tuple[Alignment, int]:
-    """The pose that the levels of two frames lead to, and the level that was judged."""
+    """The final pose over all levels, and the level that was judged."""
     shift = _shift_between(source, target)
     first = min(max(0, -shift), source.levels.count - 1)
     last = min(source.levels.count, target.levels.count - shift) - 1
@@ -106,6 +104,6 @@ def descend(
 
 
 def _shift_between(source: OdometryFrame, target: OdometryFrame) -> int:
-    """How many levels of the target come before the one whose pixels are as wide as those of the source's first."""
+    """Number of finer levels of the target before the one with the pixel width of the source's first."""
     ratio = target.levels.host_lenses[0, 0] / source.levels.host_lenses[0, 0]
     return round(math.log2(ratio))

@@ -1,4 +1,4 @@
-"""A depth and colour frame prepared once for odometry."""
+"""Depth and color frames prepared for odometry."""
 
 from __future__ import annotations
 
@@ -16,36 +16,35 @@ from ...kernels.rgbd.level_copies import level_rows
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 
-MOST_PIXELS = 100_000  # of the finest level: half VGA; a larger one costs four times that and wins little
+MOST_PIXELS = 100_000  # finest level: half VGA; larger ones cost four times as much with little gain
 LEAST_SIDE = 24  # [px] of the coarsest level
-PLANE_RADIUS = 2  # [px] of the window of a plane
-DEPTH_MAX = 6.0  # [m] beyond it a depth camera measures little
+PLANE_RADIUS = 2  # [px] radius of plane windows
+DEPTH_MAX = 6.0  # [m] range of depth cameras
 
 
 class OdometryFrame:
-    """A frame's pyramid on a device, made once, used in each alignment with it.
+    """Image pyramid of a frame on a device, reusable for several alignments.
 
     Args:
-        depth: Shape [h, w]; integers of 16 bits and more, or floats; or an RGBDImage, which brings its
-            colours along. 0, NaN and what is beyond `depth_max` is no measurement.
-        intrinsic: The camera, of the picture's size.
-        color: 8-bit colours, shape [h, w, 3], or grey [h, w]; None for depth alone.
-        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-        depth_max: Farthest depth that counts [m].
-        device: Where the frame goes; None for the GPU that the depth lies on, else the CPU.
+        depth: [h, w], integers of 16 bits and more, or floats; or an RGBDImage. 0, NaN and values > `depth_max` are
+            invalid.
+        intrinsic: The camera, of the image size.
+        color: 8-bit colors, shape [h, w, 3], or gray [h, w]; None: depth only.
+        depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
+        depth_max: Maximum depth [m].
+        device: None: the GPU of the depth array, else the CPU.
 
     Attributes:
-        levels: The pyramid's device arrays, finest first.
-        intrinsic: The camera of the frame as it was given.
-        has_color: Whether there is brightness.
-        blur: How far its surface may be off beside a camera's noise [m]: 0 of a camera's frame.
+        levels: Device arrays of the pyramid, finest first.
+        intrinsic: The given camera.
+        has_color: True if there is brightness.
+        blur: Additional uncertainty of the surface [m]: 0 for camera frames.
 
     Raises:
-        ValueError: Wrong shapes, sizes that differ, a camera of another size.
-        TypeError: Wrong element types.
+        ValueError, TypeError: Wrong shapes, sizes or element types, or a camera of another size.
 
     Notes:
-        The finest level has at most 100,000 pixels: a picture of 640 x 480 is halved first. 24 B a pixel of the levels.
+        The finest level has at most 100,000 pixels: 640 x 480 is halved first. 24 B per pixel of the levels.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -86,16 +85,7 @@ class OdometryFrame:
         normals: wp.array | None = None,
         blur: float = 0.0,
     ) -> Self:
-        """A frame of device arrays.
-
-        Args:
-            depth: float32 [pixels] [m], 0 where there is none.
-            brightness: float32 0..1, below 0 where there is none, or 8-bit colours [pixels, 3], or None.
-            intrinsic: The camera.
-            most_pixels: Of the finest level.
-            normals: vec3 [pixels], for the planes of the finest level where that is the picture itself.
-            blur: How far the surface may be off beside a camera's noise [m].
-        """
+        """A frame of device arrays [pixels]: float32 depth [m], float32 brightness (< 0: none) or 8-bit colors."""
         frame = cls.__new__(cls)
         frame._make(depth, brightness, intrinsic, most_pixels, normals)
         frame.blur = blur
@@ -103,7 +93,7 @@ class OdometryFrame:
 
     @classmethod
     def from_image(cls, image: RGBDImage, intrinsic: PinholeCameraIntrinsic, least: float, most: float) -> Self:
-        """A frame of an RGB-D image whose depths outside of a range are no measurement."""
+        """Create a frame from an RGB-D image with a valid depth range."""
         frame = cls.__new__(cls)
         depth = fill_missing(mark_missing(image.depth_array, least, most))
         frame._make(depth, image.color_array, check_intrinsic(intrinsic, image.width, image.height))
@@ -134,7 +124,7 @@ class OdometryFrame:
         self._coarsest: tuple[NDArray[np.float32], NDArray[np.float32]] | None = None
 
     def coarsest(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        """Depth [h, w] and planes [h, w, 4] of the coarsest level, on the host: a sync when first asked for."""
+        """Depth [h, w] and planes [h, w, 4] of the coarsest level, on the host: synchronizes on first access."""
         if self._coarsest is None:
             width, height = (int(side) for side in self.levels.sizes[-1])
             rows = download(level_rows(self.levels, self.levels.count - 1))  # sync
@@ -143,12 +133,12 @@ class OdometryFrame:
 
     @property
     def width(self) -> int:
-        """Columns of the picture [px]."""
+        """Image columns [px]."""
         return self.intrinsic.width
 
     @property
     def height(self) -> int:
-        """Rows of the picture [px]."""
+        """Image rows [px]."""
         return self.intrinsic.height
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""What Open3D's odometries are told, under its names, checked."""
+"""Options of the RGB-D odometry with Open3D's names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOST_LEVELS = 12
 
 
 class Method(enum.Enum):
-    """What two frames are compared by: surfaces, brightness, or both."""
+    """Residuals of two frames: surfaces, brightness, or both."""
 
     PointToPlane = 0
     Intensity = 1
@@ -21,7 +21,7 @@ class Method(enum.Enum):
 
 
 class RGBDOdometryJacobianFromColorTerm:
-    """Brightness alone (Steinbruecker, Sturm and Cremers 2011)."""
+    """Brightness only (Steinbruecker, Sturm and Cremers 2011)."""
 
     def __repr__(self) -> str:
         return "RGBDOdometryJacobianFromColorTerm()"
@@ -36,17 +36,16 @@ class RGBDOdometryJacobianFromHybridTerm:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryOption:
-    """How `compute_rgbd_odometry` works: Open3D's fields and defaults.
+    """Options of `compute_rgbd_odometry` with Open3D's fields and defaults.
 
     Args:
-        iteration_number_per_pyramid_level: Steps at most in each level, the coarsest first; more levels than numbers
-            begin with the first number. With `weights="open3d"`: exactly so many, in so many levels.
-        depth_diff_max: Pixels whose depths differ by more are no pair [m]. It holds for `weights="open3d"`; otherwise
-            the reach follows the noise of the frames.
-        depth_min, depth_max: Depths outside are no measurement [m].
+        iteration_number_per_pyramid_level: Maximum steps per level, the coarsest first; further levels repeat the first
+            number. Exact numbers of steps and levels with `weights="open3d"`.
+        depth_diff_max: Maximum depth difference of a pixel pair [m] with `weights="open3d"`; otherwise by the noise.
+        depth_min, depth_max: Valid depth range [m].
 
     Raises:
-        ValueError, TypeError: A number out of range.
+        ValueError, TypeError: A number is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -76,15 +75,15 @@ class OdometryOption:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryConvergenceCriteria:
-    """When a level of `rgbd_odometry_multi_scale` ends.
+    """Stopping criteria of a level of `rgbd_odometry_multi_scale`.
 
     Args:
-        max_iteration: Steps at most.
-        relative_rmse, relative_fitness: With `weights="open3d"` the relative changes below both of which a level ends;
-            otherwise it ends when a step moves pixels by less than 0.03 px.
+        max_iteration: Maximum number of steps.
+        relative_rmse, relative_fitness: Relative changes below which a level ends with `weights="open3d"`; otherwise it
+            ends when a step moves pixels by less than 0.03 px.
 
     Raises:
-        ValueError, TypeError: A number out of range.
+        ValueError, TypeError: A number is out of range.
 
     Example:
         >>> import pointloom as loom
@@ -106,15 +105,15 @@ class OdometryConvergenceCriteria:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryLossParams:
-    """Limits of the residuals, for `weights="open3d"`; otherwise they follow the noise of the frames.
+    """Residual limits for `weights="open3d"`; otherwise they follow the frame noise.
 
     Args:
-        depth_outlier_trunc: Residuals of depth beyond do not count [m].
-        depth_huber_delta: Where Huber's loss of depth becomes linear [m].
-        intensity_huber_delta: Where that of brightness does, 0..1.
+        depth_outlier_trunc: Maximum depth residual [m].
+        depth_huber_delta: Huber threshold of depth [m].
+        intensity_huber_delta: Huber threshold of brightness, 0..1.
 
     Raises:
-        ValueError, TypeError: A number that is not positive.
+        ValueError, TypeError: A number is not positive.
 
     Example:
         >>> import pointloom as loom

@@ -17,23 +17,21 @@ class OdometryResult(Assessed):
     """The motion between two frames. Unpacks as Open3D's (reliable, transformation, information).
 
     Attributes:
-        transformation: T_target_source, float64 [4, 4]; where it failed, the latest guess.
-        information: Of the pixels that agree, about the target's camera, rotation first, float64 [6, 6], as Open3D's
-            pose graphs want it: its last entry counts them, scaled to the full picture. Zero where it failed.
+        transformation: T_target_source, float64 [4, 4]; the last estimate if it failed.
+        information: Of the inlier pixels, about the target's camera, rotation first, float64 [6, 6], as in Open3D's
+            pose graphs; the last entry is their number at full size. Zero if it failed.
         warnings: Why the motion is unreliable; empty if it is reliable.
-        inliers: Pixels of the source that lie on the target's surface, at the size that was compared.
-        fitness: Their share of the source's pixels with depth.
-        overlap: Share of the source's pixels with depth that the target shows with depth.
-        inlier_rmse: Distance from the target's surface [m], root of the mean square.
-        intensity_rmse: Difference of brightness, 0..1, after the exposures are brought together; NaN without colours.
-        smallest_eigenvalue: How much the least determined motion costs by 1 cm: a pixel's mean square, in variances
-            of the noise. Below 0.015 the frames do not determine it.
-        iterations: Steps taken in all levels.
-        contradiction: What the pixels that lie on the target's surface say against the motion by their normals, their
-            distances or their brightness; empty where nothing. Somebody who stands in front of a scene hides pixels,
-            but does not change what the others say.
-        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6]: how far it may be
-            off by noise. It holds where nothing speaks against the motion.
+        inliers: Source pixels on the target's surface, at the compared size.
+        fitness: Their fraction of the source's depth pixels.
+        overlap: Fraction of the source's depth pixels where the target has depth.
+        inlier_rmse: Root mean square distance from the target's surface [m].
+        intensity_rmse: Brightness difference, 0..1, after exposure correction; NaN without color.
+        smallest_eigenvalue: Mean squared cost of 1 cm along the least determined motion, in noise variances; below
+            0.015 the motion is undetermined.
+        iterations: Steps in all levels.
+        contradiction: Contradiction of the inliers by normals, distances or brightness, or empty; ignores occlusion.
+        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6], due to noise;
+            valid if the motion is not contradicted.
     """
 
     transformation: NDArray[np.float64]
@@ -59,7 +57,7 @@ class OdometryResult(Assessed):
 
 
 def spread_information(count: float, moments: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Sum of G^T G, G = [-[q]x, I], of points q by their sums and those of their products above the diagonal."""
+    """Sum of G^T G, G = [-[q]x, I], from the first and second moments of points q."""
     x, y, z, xx, xy, xz, yy, yz, zz = moments
     out = np.zeros((6, 6))
     out[:3, :3] = [[yy + zz, -xy, -xz], [-xy, xx + zz, -yz], [-xz, -yz, xx + yy]]

@@ -1,8 +1,7 @@
-"""Open3D's two odometries under its names, with checks of reliability that it does not have.
+"""Open3D's RGB-D odometry functions, with additional reliability checks.
 
-With `weights="open3d"` they are Open3D 0.20's as they are, for conformance: equal weights or half a Huber loss, no
-convergence test. A step is one reduction, read back and solved on the host in float64. A result that Open3D raises an
-error for, or fills with NaN, is unreliable here.
+`weights="open3d"` reproduces Open3D 0.20: equal weights or half a Huber loss, no convergence test. Steps are solved on
+the host in float64. Where Open3D raises or returns NaN, the result is unreliable here.
 """
 
 from __future__ import annotations
@@ -42,7 +41,7 @@ from .options import (
 from .results import OdometryResult, spread_information
 
 WEIGHTS = ("robust", "open3d")
-WIDEST = 20.0  # sides of a picture to a focal length: 168 degrees
+WIDEST = 20.0  # image sides per focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
@@ -57,29 +56,29 @@ def compute_rgbd_odometry(
     *,
     weights: str = "robust",
 ) -> OdometryResult:
-    """The motion between two RGB-D images of one camera.
+    """Estimate the motion between two RGB-D images of one camera.
 
     Args:
-        source: The image that is moved.
-        target: The image that stays.
+        source: The image to move.
+        target: The fixed image.
         pinhole_camera_intrinsic: The camera of both, or its matrix [3, 3].
-        odo_init: Where to begin, T_target_source, 4x4; None: the identity.
-        jacobian: Brightness alone or with surfaces; None: RGBDOdometryJacobianFromHybridTerm().
+        odo_init: Initial T_target_source, 4x4; None: the identity.
+        jacobian: Brightness only, or with surfaces; None: RGBDOdometryJacobianFromHybridTerm().
         option: None: OdometryOption().
-        weights: "robust" weighs each pixel by the noise of the frames, as `align_frames`, and judges the result;
-            "open3d" does what Open3D 0.20 does, without checks of reliability.
+        weights: "robust" weighs pixels by the frame noise, as `align_frames`, and checks the result; "open3d"
+            reproduces Open3D 0.20 without checks.
 
     Returns:
         The result, which unpacks as Open3D's (reliable, transformation, information).
 
     Raises:
-        ValueError: Images of different sizes, a camera of another size, a start that is no rigid motion.
-        TypeError: An argument of another kind.
+        ValueError: Different image sizes, a camera of another size, or an initial pose that is not rigid.
+        TypeError: An argument has another type.
         DeviceError: Images on different devices.
 
     Notes:
-        The same bits from run to run, for any number of threads. `OdometryFrame` saves preparing an image twice.
-        Park, Zhou and Koltun 2017; Steinbruecker, Sturm and Cremers 2011.
+        Bitwise reproducible for any number of threads. `OdometryFrame` avoids preparing an image twice. Park, Zhou and
+        Koltun, "Colored point cloud registration revisited", ICCV 2017; Steinbruecker, Sturm and Cremers 2011.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -120,28 +119,26 @@ def rgbd_odometry_multi_scale(
     *,
     weights: str = "robust",
 ) -> OdometryResult:
-    """The motion between two RGB-D images of one camera, by one of three methods.
+    """Estimate the motion between two RGB-D images of one camera by one of three methods.
 
     Args:
-        source: The image that is moved.
-        target: The image that stays.
+        source: The image to move.
+        target: The fixed image.
         intrinsics: The camera of both, or its matrix [3, 3].
-        init_source_to_target: Where to begin, 4x4; None: the identity.
-        depth_scale: As Open3D has it; an RGBDImage is in metres, so nothing is divided by it.
-        depth_max: Depths from there on are no measurement [m].
-        criteria_list: One for each level, the coarsest first; None: 10, 5 and 3 steps.
+        init_source_to_target: Initial pose, 4x4; None: the identity.
+        depth_scale: For Open3D compatibility; unused, since an RGBDImage is in meters.
+        depth_max: Exclusive maximum depth [m].
+        criteria_list: One per level, the coarsest first; None: 10, 5 and 3 steps.
         method: Surfaces, brightness, or both.
         params: None: OdometryLossParams().
         weights: As in `compute_rgbd_odometry`.
 
     Returns:
-        The result. With "open3d" its `inlier_rmse` is Open3D's, the mean Huber loss.
+        The result. With "open3d" its `inlier_rmse` is Open3D's, the mean Huber loss. Where Open3D raises ("Singular
+        6x6", "Invalid inlier_count"), the result is failed, with the reason.
 
     Raises:
         ValueError, TypeError, DeviceError: As `compute_rgbd_odometry`.
-
-    Notes:
-        Where Open3D raises ("Singular 6x6", "Invalid inlier_count"), the result says that it failed, and why.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -177,15 +174,15 @@ def compute_odometry_information_matrix(
     depth_scale: float | None = None,
     depth_max: float = 3.0,
 ) -> NDArray[np.float64]:
-    """The information of the pixels of two depth images that lie on each other, for a pose graph.
+    """Compute the information matrix of the matching pixels of two depth images, for a pose graph.
 
     Args:
         source_depth, target_depth: Shape [h, w]; integers of 16 bits and more, or floats.
         intrinsic: The camera of both, or its matrix [3, 3].
-        source_to_target: Their pose, 4x4.
-        dist_threshold: Points farther apart do not count [m].
-        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-        depth_max: Depths from there on are no measurement [m].
+        source_to_target: Relative pose, 4x4.
+        dist_threshold: Maximum point distance [m].
+        depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
+        depth_max: Exclusive maximum depth [m].
 
     Returns:
         Sum of G^T G, G = [-[q]x, I], over the target points q, float64 [6, 6], rotation first; zero without any.
@@ -194,7 +191,7 @@ def compute_odometry_information_matrix(
         ValueError, TypeError: Wrong shapes or numbers.
 
     Notes:
-        Choi, Zhou and Koltun 2015, "Robust reconstruction of indoor scenes". Sums in float64 in a fixed order.
+        Choi, Zhou and Koltun, "Robust reconstruction of indoor scenes", CVPR 2015. Float64 sums in a fixed order.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -215,11 +212,7 @@ def compute_odometry_information_matrix(
     return measure_information(first, second, camera, pose, reach, farthest)
 
 
-# ---------------------------------------------------------------------------------------------- internals
-
-
 def _told(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: Any) -> OdometryResult:
-    """The result, once those who watch know of it."""
     report("rgbd_odometry", source=source, target=target, intrinsic=camera, result=result)
     return result
 
@@ -241,7 +234,6 @@ def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: Any)
 
 
 def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCameraIntrinsic:
-    """The camera of pictures of a size, given as one or as its matrix."""
     if not isinstance(camera, PinholeCameraIntrinsic):
         matrix = check_finite(name, check_shape(name, camera, (3, 3)))
         try:
@@ -261,7 +253,6 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
 
 
 def _upload(name: str, depth: ArrayLike, depth_scale: float | None, device: Any) -> tuple[Any, int, int]:
-    """A depth image on a device; errors call it by its own name."""
     try:
         metric, _, height, width = upload_depth(depth, depth_scale, np.inf, device)
     except (ValueError, TypeError) as error:
@@ -299,8 +290,8 @@ def _check_criteria(criteria: Sequence[OdometryConvergenceCriteria] | None) -> l
     return listed
 
 
-DEPTH_SHARE = 0.968  # of the legacy hybrid term
-HALF_ROOT = 0.707  # of the tensor one, in its digits
+DEPTH_SHARE = 0.968  # in the legacy hybrid term
+HALF_ROOT = 0.707  # in the tensor hybrid term, with its digits
 
 
 def run_legacy(
@@ -311,7 +302,6 @@ def run_legacy(
     with_depth: bool,
     option: OdometryOption,
 ) -> OdometryResult:
-    """Open3D's `compute_rgbd_odometry`."""
     width, height = intrinsic.width, intrinsic.height
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     depths, shades = [], []
@@ -359,7 +349,6 @@ def run_tensor(
     method: Method,
     params: OdometryLossParams,
 ) -> OdometryResult:
-    """Open3D's `rgbd_odometry_multi_scale`."""
     levels = _tensor_levels(source, target, intrinsic, depth_max, len(criteria), method, params)
     kind = {Method.Intensity: rows.COLOR, Method.Hybrid: rows.HYBRID, Method.PointToPlane: rows.PLANE}[method]
     root = HALF_ROOT if method is Method.Hybrid else 1.0
@@ -396,20 +385,17 @@ def measure_information(
     reach: float,
     depth_max: float,
 ) -> NDArray[np.float64]:
-    """Open3D's `compute_odometry_information_matrix` of depths on a device."""
+    """Open3D's `compute_odometry_information_matrix` on device arrays."""
     depths = [images.mark_missing(depth, 0.0, _below(depth_max)) for depth in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
     return _information(depths[0], level, pose, rows.TENSOR, reach)[0]
 
 
-# ---------------------------------------------------------------------------------------------- internals
-
-
 def _below(depth_max: float) -> float:
-    with np.errstate(over="ignore"):  # a limit beyond float32 is none
+    with np.errstate(over="ignore"):  # limits beyond float32 are infinite
         limit = np.float32(depth_max)
-    return float(np.nextafter(limit, np.float32(0)))  # the tensor form's limit is excluded
+    return float(np.nextafter(limit, np.float32(0)))  # the tensor form's limit is exclusive
 
 
 def _tensor_levels(
@@ -443,7 +429,7 @@ def _tensor_levels(
 
 
 def _grey(image: RGBDImage) -> wp.array:
-    """Brightness in whole steps of 1 / 255, as Open3D's tensor images have it."""
+    """Brightness in integer steps of 1 / 255, as in Open3D's tensor images."""
     grey = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
     return images.round_shades(grey)
 
@@ -466,7 +452,7 @@ def _sum(
 
 
 def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """The step of the sums as Rz Ry Rx and a translation; None where there is none."""
+    """The step as Rz Ry Rx and a translation; None if singular."""
     h = np.zeros((6, 6))
     h[np.triu_indices(6)] = sums[:21]
     h = h + np.triu(h, 1).T
@@ -490,7 +476,6 @@ def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
 def _information(
     depth: wp.array, level: rows.Open3DLevel, pose: NDArray[np.float64], form: int, reach: float
 ) -> tuple[NDArray[np.float64], int]:
-    """The information of the pairs, and how many pixels of the source have depth."""
     arguments = [depth, level, mat44d(*pose.ravel()), form, float(reach)]
     sums = download(reduce(rows.sum_open3d_information, depth.size, arguments))[0]  # sync
     return spread_information(sums[0], sums[1:10]), int(sums[10])

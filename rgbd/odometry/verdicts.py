@@ -14,28 +14,28 @@ from .results import OdometryResult, spread_information
 
 POINTS = slice(at.POINTS, at.POINTS + 9)
 
-UNDETERMINED = "the frames do not determine the motion"  # a reason that says nothing against the pose
+UNDETERMINED = "the frames do not determine the motion"  # does not contradict the pose
 
-# Seen over 400 pairs of a kitchen and 1,000 of different places (benchmarks/rgbd_odometry_accuracy.py): right | wrong.
-LEAST_OVERLAP = 0.25  # of the source's pixels meet depth in the target: less tells little, right or wrong
-LEAST_INLIERS = 0.6  # of these lie on its surface: 0.69 and more | half of them below 0.35
-MOST_IN_FRONT = 0.1  # of these lie where the target looked through: up to 0.04 | half of them above 0.28
-LEAST_AGREEMENT = 0.87  # of the normals agree: 0.93 and more | half of them below 0.3, one passed all else with 0.79
-MOST_EXCESS = 5.5  # times as much as noise explains, squared, 16 at most a pixel: up to 4.8 | all but 2 % above
-LEAST_CORRELATION = 0.3  # of the brightness: 0.65 and more | nearly all below 0.57
-LEAST_EIGENVALUE = 0.015  # 0.07 and more | walls without texture 0.004 and less
+# Measured over 400 pairs of a kitchen and 1,000 of different scenes (benchmarks/rgbd_odometry_accuracy.py): right |
+# wrong.
+LEAST_OVERLAP = 0.25  # overlap: less is inconclusive
+LEAST_INLIERS = 0.6  # fraction on the surface: 0.69 and more | half of them below 0.35
+MOST_IN_FRONT = 0.1  # fraction in front of the surface: up to 0.04 | half of them above 0.28
+LEAST_AGREEMENT = 0.87  # normal agreement: 0.93 and more | half below 0.3, one otherwise accepted has 0.79
+MOST_EXCESS = 5.5  # squared distance in noise variances, at most 16 per pixel: up to 4.8 | all but 2% above
+LEAST_CORRELATION = 0.3  # brightness correlation: 0.65 and more | nearly all below 0.57
+LEAST_EIGENVALUE = 0.015  # 0.07 and more | untextured walls 0.004 and less
 FEWEST = 12  # inliers
-IMITATED = 0.004  # of an eigenvalue: what noise and rounded edges make of walls without texture
-LEAST_KEPT = 1e-4  # of it, so that a covariance is finite: a meter and more
-LEAST_EXCESS = 0.1  # of the noise that was found: means of many pixels are never as exact as their number says
-MOST_OPEN = 0.06  # [m] that a frame is off where nothing holds it but where the steps began
-SHARED = 25.0  # pixels of a plane's window, whose errors are one
-SHADED = 0.3  # share of the inliers that must have brightness for it to count
-SHIFT = 0.01  # [m] what an eigenvalue is the price of: a pixel's mean square, in variances of the noise
+IMITATED = 0.004  # eigenvalue of untextured walls due to noise and rounded edges
+LEAST_KEPT = 1e-4  # of it, for a finite covariance: a meter and more
+LEAST_EXCESS = 0.1  # of the measured noise: means of many pixels are less exact than their number suggests
+MOST_OPEN = 0.06  # [m] deviation along undetermined motions
+SHARED = 25.0  # pixels per plane window, with common errors
+SHADED = 0.3  # minimum fraction of inliers with brightness
+SHIFT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise variances
 
 
 def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
-    """The result of an Alignment whose sums are those of a level of the source; `blur` is the target's [m]."""
     v = found.verdict
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(found, pixels, seen, inliers, blur)
@@ -76,7 +76,7 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, b
 
 
 def _contradiction(v: NDArray[np.float64], blur: float) -> str:
-    """What the pixels that lie on the target's surface say against the pose, whatever hides the others."""
+    """Contradiction of the inlier pixels with the pose, independent of occlusion."""
     inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
@@ -88,25 +88,25 @@ def _contradiction(v: NDArray[np.float64], blur: float) -> str:
 
 
 def _excess(v: NDArray[np.float64], blur: float) -> float:
-    """The mean square distance of the surfaces, in variances of the noise and of a blur [m] beside it."""
+    """Mean squared surface distance in variances of noise and blur [m]."""
     if not v[at.PLANES]:
         return 0.0
     excess = float(v[at.EXCESS] / v[at.PLANES])
     if not blur or not v[at.SQUARES]:
         return excess
-    noise = v[at.SQUARES] / v[at.EXCESS]  # [m^2] that the squares are so many times of
+    noise = v[at.SQUARES] / v[at.EXCESS]  # [m^2] unit of the normalized squares
     return excess / (1.0 + blur * blur / float(noise))
 
 
 def correlation(v: NDArray[np.float64]) -> float:
-    """The correlation of the brightness of pixels that meet; 1 where there is no contrast."""
+    """Brightness correlation of matched pixels; 1 without contrast."""
     n, s, t, ss, tt, st = v[at.SHADE_COUNT : at.SHADE_COUNT + 6]
     variances = (ss / n - (s / n) ** 2) * (tt / n - (t / n) ** 2)
     return float((st / n - s * t / n / n) / np.sqrt(variances)) if variances > 1e-8 else 1.0
 
 
 def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> float:
-    """Of the normal equations about the middle of the points, rotations in units of their spread, as a share."""
+    """Relative smallest eigenvalue of the normal equations about the center, rotations in units of the spread."""
     if v[at.INLIERS] < FEWEST:
         return 0.0
     b = _about_middle(v)
@@ -115,11 +115,7 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
 
 
 def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Of the motion about the target's camera, rotation first; infinite where pixels are too few.
-
-    The inverse of the normal equations without what lies at edges, less what noise imitates, times the noise that was
-    found and what neighbours have in common.
-    """
+    """Covariance of the motion about the target's camera, rotation first; infinite with too few pixels."""
     n = v[at.INLIERS]
     if n < FEWEST or not v[at.PLANES]:
         return np.full((6, 6), np.inf)
@@ -133,7 +129,7 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:
-    """From a motion about the middle of the inliers, rotations in units of their spread, to one about the camera."""
+    """Transform from motions about the inlier center (rotations in units of their spread) to the camera."""
     n = v[at.INLIERS]
     c = v[at.POINTS : at.POINTS + 3] / n
     spread = np.sqrt(max((v[at.POINTS + 3] + v[at.POINTS + 6] + v[at.POINTS + 8]) / n - matmul(c, c), 1e-12))

@@ -1,6 +1,4 @@
-"""The reconstruction system: frames of a moving depth camera, without poses, to one model, in stages that can resume.
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""Reconstruction system: RGB-D frames without poses to one model, in resumable stages.
 
 Example:
     >>> import pointloom as loom

@@ -1,4 +1,4 @@
-"""Configuration of the reconstruction system: Open3D's names, from Python or from its JSON files, read strictly."""
+"""Configuration of the reconstruction system with Open3D's names, from Python or strictly read JSON files."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 from ...core.known_names import nearest_name
 
-TSDF_RESOLUTION = 512  # voxels along the edge of Open3D's cube, `tsdf_cubic_size`
-LEAST_TRUNCATION = 0.04  # [m] Open3D's; more than the noise of depth cameras at 3 m
+TSDF_RESOLUTION = 512  # voxels per edge of Open3D's cube, `tsdf_cubic_size`
+LEAST_TRUNCATION = 0.04  # [m] as in Open3D; above depth camera noise at 3 m
 TRUNCATION_VOXELS = 4.0
-FRAGMENT_VOXELS = 5.0  # to the edge of a registration's voxel: fragments are thinned to a quarter of it at most
+FRAGMENT_VOXELS = 5.0  # per registration voxel: fragments are downsampled to at most a quarter of it
 
 ICP_METHODS = ("point_to_point", "point_to_plane", "color", "generalized")
 GLOBAL_METHODS = ("ransac", "fgr", "robust")
 ODOMETRY_METHODS = ("hybrid", "intensity", "point_to_plane")
 
-# Other names of the same: of older configurations, and of Open3D's tensor system (t_reconstruction_system).
+# Aliases: older configurations, and Open3D's tensor system (t_reconstruction_system).
 ALIASES = {
     "max_depth": "depth_max",
     "min_depth": "depth_min",
@@ -39,14 +39,14 @@ ALIASES = {
     "icp_voxelsize": "voxel_size",
     "surface_weight_thr": "surface_weight_threshold",
 }
-# Names that only the tensor system has: beside one of them `voxel_size` is that of the volume.
+# Names of the tensor system only; with one of them `voxel_size` is that of the volume.
 _TENSOR_NAMES = frozenset(("icp_voxelsize", "fragment_size", "odometry_loop_interval", "trunc_voxel_multiplier"))
 _TENSOR_GROUPS = frozenset(("general", "input", "odometry", "registration", "integration", "slac"))
 VALUE_ALIASES = {
     "icp_method": {"colored": "color", "point2point": "point_to_point", "point2plane": "point_to_plane"},
     "odometry_method": {"point2plane": "point_to_plane"},
 }
-# Without meaning here: how Open3D spreads its work and its memory, which follows the machine here.
+# Ignored: Open3D's parallelization and memory options.
 IGNORED = frozenset(
     (
         *("name", "python_multi_threading", "multiprocessing", "block_count", "est_point_count", "engine"),
@@ -58,39 +58,35 @@ IGNORED = frozenset(
 
 @dataclasses.dataclass(frozen=True)
 class ReconstructionConfig:
-    """What the reconstruction system does; names and most defaults are those of Open3D's reconstruction_system.
+    """Options of the reconstruction system; names and most defaults are Open3D's.
 
     Args:
-        path_dataset: Folder of the frames, for who reads the configuration; the functions here take a source.
-        path_intrinsic: File of the camera, likewise.
-        depth_min, depth_max: Depth that is used [m].
-        depth_scale: Units of stored depth a metre; None takes the source's.
-        depth_diff_max: Greatest difference in depth of two pixels that odometry takes for one point [m].
-        odometry_method: "hybrid", "intensity" or "point_to_plane"; frames without colour take the last.
-        n_frames_per_fragment: Frames of a fragment, at most.
-        n_frames_least: Frames of a fragment, at least; shorter ones are kept out and reported.
-        n_keyframes_per_n_frame: Frames from one keyframe to the next; loops are sought between keyframes.
-        preference_loop_closure_odometry: Of the pose graph of a fragment, as `GlobalOptimizationOption`.
-        voxel_size: Edge of the voxels by which fragments are registered [m]; refined at a half and a quarter of it.
-        global_registration: Open3D's choices are accepted; all mean what
-            `registration.register_fragments` does.
-        icp_method: "point_to_point", "point_to_plane", "color" or "generalized"; "color" becomes point-to-plane where
-            fragments have no colour.
-        preference_loop_closure_registration: Of the pose graph of the fragments.
-        tsdf_cubic_size: 512 voxels [m]: sets the voxel of the scene's volume where `tsdf_voxel_size` does not.
-        tsdf_voxel_size: Edge of a voxel of the scene's volume [m].
-        fragment_voxel_size: Edge of a voxel of the fragments' volumes [m]; None for a fifth of `voxel_size`.
-        sdf_trunc: Truncation of the scene's volume [m]; None for 4 voxels, but at least 4 cm.
-        surface_weight_threshold: Voxels seen more often than this make the scene's surface; None takes what fits the
-            number of frames, as `fuse` does.
-        seed: Chooses correspondences where there are very many.
-        max_iterations, distance_threshold, fitness_threshold, regularizer_weight, method, save_output_as: Of the
-            non-rigid refinement (SLAC).
-        folder_fragment, folder_scene, folder_slac: Places of files, within the job's folder; so are all names that
-            begin with `template_`.
+        path_dataset: Folder of the frames, for callers; the functions here take a source.
+        path_intrinsic: Camera file, likewise.
+        depth_min, depth_max: Used depth range [m].
+        depth_scale: Stored depth units per meter; None: the source's.
+        depth_diff_max: Maximum depth difference of matching pixels in odometry [m].
+        odometry_method: "hybrid", "intensity" or "point_to_plane" (always for frames without color).
+        n_frames_per_fragment: Maximum frames per fragment.
+        n_frames_least: Minimum frames per fragment; shorter ones are left out and reported.
+        n_keyframes_per_n_frame: Frames between keyframes, which are used for loop closures.
+        preference_loop_closure_odometry: For the pose graph of a fragment, as `GlobalOptimizationOption`.
+        voxel_size: Voxel edge of the fragment registration [m]; refined at a half and a quarter of it.
+        global_registration: Open3D's choices are accepted; all mean `registration.register_fragments`.
+        icp_method: "point_to_point", "point_to_plane", "color" (point-to-plane without color) or "generalized".
+        preference_loop_closure_registration: For the pose graph of the fragments.
+        tsdf_cubic_size: 512 voxels [m]: defines the scene's voxel edge if `tsdf_voxel_size` does not.
+        tsdf_voxel_size: Voxel edge of the scene's volume [m].
+        fragment_voxel_size: Voxel edge of the fragments' volumes [m]; None: a fifth of `voxel_size`.
+        sdf_trunc: Truncation of the scene's volume [m]; None: 4 voxels, but at least 4 cm.
+        surface_weight_threshold: Minimum weight (exclusive) of the scene's surface; None: by the frames, as `fuse`.
+        seed: Selects correspondences if there are very many.
+        max_iterations, distance_threshold, fitness_threshold, regularizer_weight, method, save_output_as: Options of
+        the non-rigid refinement (SLAC).
+        folder_fragment, folder_scene, folder_slac: Folders within the job's folder, as all `template_` names.
 
     Raises:
-        TypeError, ValueError: A value of another type or out of range; names it.
+        TypeError, ValueError: A value of another type or out of range; named in the message.
 
     Example:
         >>> import pointloom as loom
@@ -158,7 +154,7 @@ class ReconstructionConfig:
 
     @property
     def volume_voxel_size(self) -> float:
-        """Edge of a voxel of the scene's volume [m]."""
+        """Voxel edge of the scene's volume [m]."""
         return self.tsdf_voxel_size or self.tsdf_cubic_size / TSDF_RESOLUTION
 
     @property
@@ -168,19 +164,18 @@ class ReconstructionConfig:
 
     @property
     def fragment_voxel(self) -> float:
-        """Edge of a voxel of the fragments' volumes [m]."""
+        """Voxel edge of the fragments' volumes [m]."""
         return self.fragment_voxel_size or self.voxel_size / FRAGMENT_VOXELS
 
     @classmethod
     def from_names(cls, names: Mapping[str, Any]) -> ReconstructionConfig:
-        """A configuration from names and values as a JSON file holds them, Open3D's other names among them.
+        """Create a configuration from names and values as in a JSON file, including Open3D's aliases.
 
-        Names of the tensor system are taken too, in its groups ("odometry", "integration", ...) or without; beside
-        `icp_voxelsize` its `voxel_size` is the volume's. Those that say how Open3D spreads its work
-        (`python_multi_threading`, `block_count`, ...) are passed over.
+        Names of the tensor system are accepted with or without groups; with `icp_voxelsize`, its `voxel_size` is the
+        volume's. Options of Open3D's parallelization (`python_multi_threading`, `block_count`, ...) are ignored.
 
         Raises:
-            TypeError, ValueError: A name that is unknown, with the nearest one, or given twice; or a value as above.
+            TypeError, ValueError: An unknown name (with the nearest known one), a duplicate, or an invalid value.
         """
         if not isinstance(names, Mapping):
             raise TypeError(f"names: expected a mapping of names to values, got {type(names).__name__}")
@@ -188,10 +183,10 @@ class ReconstructionConfig:
 
     @classmethod
     def read(cls, path: FilePath) -> ReconstructionConfig:
-        """The configuration in a JSON file, Open3D's or one that `write` wrote.
+        """Read the configuration from a JSON file of Open3D or `write`.
 
         Raises:
-            FileError: Unreadable, not JSON, a name that is unknown or given twice, or a value that makes no sense.
+            FileError: Unreadable, not JSON, an unknown or duplicate name, or an invalid value.
         """
         content = read_json_object(path)
         try:
@@ -200,14 +195,14 @@ class ReconstructionConfig:
             raise FileError(path, str(error)) from error
 
     def to_names(self) -> dict[str, Any]:
-        """All names and values, in JSON's types."""
+        """All names and values, as JSON types."""
         return dataclasses.asdict(self)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> None:
-        """Write all names and values as JSON; the file appears whole or not at all.
+        """Write all names and values as JSON, atomically.
 
         Raises:
-            FileError: The place cannot be written, or the file exists and may not be replaced.
+            FileError: The file cannot be written, or exists and may not be replaced.
         """
         text = json.dumps(self.to_names(), indent=4) + "\n"
         with atomic_write(path, overwrite=overwrite) as file:
@@ -226,7 +221,6 @@ _MAY_BE_ZERO = frozenset(("depth_min", "regularizer_weight", "fitness_threshold"
 
 
 def _checked(name: str, value: Any, default: Any) -> Any:
-    """A value of a field, in the field's type."""
     if name == "surface_weight_threshold":
         return None if value is None else check_positive(name, value, allow_zero=True)
     if name in _MAY_BE_NONE:
@@ -246,7 +240,6 @@ def _checked(name: str, value: Any, default: Any) -> Any:
 
 
 def _check_place(name: str, text: str) -> None:
-    """That a place lies within the job's folder, and has room for a number where there is one file a fragment."""
     path = PurePosixPath(text)
     if not path.parts or path.is_absolute() or ".." in path.parts:
         raise ValueError(f"{name}: expected a path within the job's folder, got {shown(text)}")
@@ -255,7 +248,6 @@ def _check_place(name: str, text: str) -> None:
 
 
 def _flat(names: Mapping[str, Any]) -> dict[str, Any]:
-    """Names without the groups of the tensor system."""
     flat: dict[str, Any] = {}
     for name, value in names.items():
         inner = value if name in _TENSOR_GROUPS and isinstance(value, Mapping) else {name: value}
@@ -267,7 +259,6 @@ def _flat(names: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _translated(names: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields that names and values as of Open3D stand for."""
     known = {field.name for field in dataclasses.fields(ReconstructionConfig)}
     of_volume = not _TENSOR_NAMES.isdisjoint(names)
     fields: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""A model by fragments, in stages whose files stay: `model_by_fragments`."""
+"""Reconstruction by fragments with files for each stage: `model_by_fragments`."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from .job import run_system
 from .places import Places
 from .report import SystemReport
 
-# What of the system's report belongs to the account; the rest is of the mesh and of the run.
+# Entries of the system's report in the account; the rest is about the mesh and the run.
 _TOLD = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
 
 
 @dataclasses.dataclass(frozen=True)
 class FragmentOptions:
-    """How `loom.reconstruct` works by fragments, which are registered with each other from any pose.
+    """Options of `loom.reconstruct` by fragments, which are registered globally.
 
     Attributes:
-        folder: Of the stages' files; it is made where it is missing, and earlier results in it are replaced.
-        config: Settings of the stages; None takes the usual ones with depth up to 4 m.
-        resume: Keep what an earlier run finished there and what still fits.
-        slac: Find the distortion of the camera's depth too, and take it out of the frames.
+        folder: Folder of the stage files; created if missing; earlier results are replaced.
+        config: Settings of the stages; None: the defaults with depth up to 4 m.
+        resume: Keep valid results of an earlier run.
+        slac: Estimate and remove the camera's depth distortion.
 
     Raises:
-        TypeError: No path, no configuration.
+        TypeError: Not a path, or not a configuration.
 
     Example:
         >>> import pointloom as loom
@@ -59,16 +59,16 @@ class FragmentOptions:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FragmentsAccount(Assessed):
-    """How fragments made a model.
+    """Result of a reconstruction by fragments.
 
     Attributes:
-        trajectory: The poses of the frames in the model; ids hold their numbers.
-        system: What was done, as `run_system` tells it.
-        device: Where it was computed.
-        voxel_size: Edge of a voxel of the mesh [m].
-        depth_max: Farther depth was left out [m].
-        folder: Of the stages' files.
-        uncertain: Frames whose pose is uncertain: none, as frames of a fragment overlap.
+        trajectory: Poses of the frames in the model; ids are frame numbers.
+        system: The report of `run_system`.
+        device: Compute device.
+        voxel_size: Voxel edge of the mesh [m].
+        depth_max: Maximum depth [m].
+        folder: Folder of the stage files.
+        uncertain: Always empty, since frames of a fragment overlap.
     """
 
     trajectory: Trajectory
@@ -81,27 +81,19 @@ class FragmentsAccount(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.system.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         told, sizes = self.system.to_dict(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
         return {"device": self.device, **{name: told[name] for name in _TOLD}, **sizes, "work": self.folder}
 
     def fields(self) -> Fields:
-        """The frames and the fragments as labels and values."""
         return [*self.system.parts(f", on {self.device}"), ("stages", self.folder)]
 
 
 def settings_for(
     config: ReconstructionConfig | None, voxel_size: float | None, depth_max: float | None
 ) -> ReconstructionConfig:
-    """A configuration, or the usual one, with what else was asked for.
-
-    Raises:
-        TypeError, ValueError: Lengths out of range, or that do not go together.
-    """
     given = {"tsdf_voxel_size": voxel_size, "depth_max": depth_max}
     settings = ReconstructionConfig(depth_max=DEPTH_MAX) if config is None else config
     return dataclasses.replace(settings, **{name: value for name, value in given.items() if value is not None})
@@ -110,11 +102,6 @@ def settings_for(
 def model_by_fragments(
     frames: Any, options: FragmentOptions, *, device: Any, progress: ReportProgress, clock: Clock
 ) -> tuple[TriangleMesh, FragmentsAccount]:
-    """Run the system, and take its mesh, empty where there is none, and its path.
-
-    Raises:
-        FileError: A file of a stage that cannot be written; what was finished stays.
-    """
     settings, work = settings_for(options.config, None, None), Path(options.folder)
     switches = {"slac": options.slac, "resume": options.resume}
     report = run_system(frames, settings, work, **switches, device=device, progress=progress)

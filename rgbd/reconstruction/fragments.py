@@ -1,9 +1,7 @@
-"""Frames to fragments: odometry, loops within a fragment, a pose graph, and a cloud of what the frames saw.
+"""Split RGB-D frames into fragments: odometry, loop closures within a fragment, pose graph, and point cloud.
 
-Frames one after the other, cut into fragments: each follows the one before by odometry, or begins a new fragment.
-
-A pair that odometry does not align breaks the fragment; no motion is made up for it. The frame behind a break is tried
-with the last frame of the fragment before, a few frames back: what covered the lens may be gone.
+A pair that odometry cannot align ends the fragment. The frame after the gap is also aligned with one of the last frames
+of the previous fragment, since an occlusion may have ended.
 """
 
 from __future__ import annotations
@@ -42,8 +40,7 @@ from .volumes import cloud_of, fuse_frames, make_volume
 Matrix = NDArray[np.float64]
 
 STAGE = "fragment"
-PRUNE = 0.25  # confidence of a loop closure at which it is dropped: Open3D's
-# What of the configuration decides fragments.
+PRUNE = 0.25  # confidence at which a loop closure is removed, as in Open3D
 SETTINGS = (
     *("depth_min", "depth_max", "depth_diff_max", "odometry_method", "n_frames_per_fragment", "n_frames_least"),
     *("n_keyframes_per_n_frame", "preference_loop_closure_odometry"),
@@ -52,19 +49,18 @@ SETTINGS = (
 
 @dataclass(frozen=True, eq=False)
 class Fragment:
-    """Frames that hang together, and the cloud of what they saw.
+    """Connected frames and their point cloud.
 
     Attributes:
-        number: Its place among the fragments.
-        indices: Places of its frames in the source, int64 [n].
-        names: Their names.
-        poses: T_fragment_frame, float64 [n, 4, 4]; its coordinates are those of its first frame.
-        joint: How odometry hangs it on an earlier fragment; None where it does not.
-        broke: Why it does not go on from the fragment before; empty where it does.
-        loops: Pairs of keyframes that close loops in it: those tried, aligned, and kept by the pose graph.
-        colored: Whether all of its frames have colour.
+        number: Index of the fragment.
+        indices, names: Indices of its frames in the source, int64 [n], and their names.
+        poses: T_fragment_frame, float64 [n, 4, 4], relative to its first frame.
+        joint: Odometry link to an earlier fragment; None if there is none.
+        broke: Reason for the gap before this fragment; empty if there is none.
+        loops: Number of keyframe pairs tried, aligned, and kept by the pose graph.
+        colored: True if all frames have color.
         cloud_path: The file of its cloud.
-        made_from: Digest of all that decided it.
+        made_from: Digest of its inputs.
     """
 
     number: int
@@ -82,24 +78,16 @@ class Fragment:
         return len(self.indices)
 
     def read_cloud(self, device: Any = None) -> PointCloud:
-        """Its cloud, with normals and, where all frames had colour, colours."""
         return read_point_cloud(self.cloud_path, device=device)
 
     def T_earlier(self, earlier: Fragment) -> Matrix:
-        """T_earlier_this by the joint."""
         assert self.joint is not None
         return matmul(earlier.poses[-1], self.joint.T_last_first)
 
 
 @dataclass(frozen=True, eq=False)
 class FragmentSet:
-    """All fragments of a source.
-
-    Attributes:
-        fragments: In order of their frames.
-        lost: Frames that are in none, in order.
-        kept: How many of the fragments an earlier run had made.
-    """
+    """All `fragments` in frame order, the `lost` frames, and the number of fragments `kept` from an earlier run."""
 
     fragments: list[Fragment]
     lost: list[LostFrame]
@@ -115,34 +103,31 @@ def make_fragments(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> FragmentSet:
-    """Cut frames into fragments, and write a pose graph and a cloud of each.
+    """Split frames into fragments, and write a pose graph and a point cloud for each.
 
-    Each frame is aligned with the one before. A pair that cannot be aligned ends the fragment: no motion is made up,
-    the next fragment begins, and registration has to find where it lies. Every few frames is a keyframe; keyframes that
-    by their poses see the same are aligned too, and a pose graph of all alignments says where the frames were. The
-    cloud of a fragment comes from a volume of its frames.
+    Consecutive frames are aligned by odometry; a pair that fails ends the fragment. Keyframes with overlapping views
+    are aligned as loop closures, and a pose graph gives the poses. The cloud is from a TSDF volume.
 
     Args:
-        source: Frames that can be read by their place, each twice or more.
-        config: Sizes and names.
-        folder: Of the job; it is made where it is missing.
-        resume: Keep fragments that are done and still fit: same frames, same configuration, files unchanged.
-        device: Where to compute; None for the CPU.
+        source: Frames with random access; each is read at least twice.
+        config: The ReconstructionConfig.
+        folder: Job folder; created if missing.
+        resume: Keep finished fragments whose frames, configuration and files are unchanged.
+        device: Compute device; None: the CPU.
         progress: Called with ("frames", done, all).
 
     Returns:
-        The fragments, and the frames that are in none, with the reason: frames without depth, frames that cannot be
-        read, too few that hang together. Where nothing else is left, the longest run that is too short is kept.
+        The fragments, and the frames in none of them with the reason (no depth, unreadable, too few connected frames).
+        If all runs are too short, the longest is kept.
 
     Raises:
-        TypeError: No such source or configuration.
+        TypeError: Wrong type of source or configuration.
         ValueError: No frame.
-        FileError: A file that cannot be written. What was finished stays, and `resume` goes on from there.
+        FileError: A file cannot be written; finished fragments stay, and `resume` continues.
         DeviceError: No such device.
 
     Notes:
-        At most one fragment's keyframes are in memory. Each fragment's files are written whole, its record last. The
-        same bits from run to run, resumed or not.
+        Keeps one fragment's keyframes in memory. Files are written atomically. Bitwise reproducible, resumed or not.
 
     Example:
         >>> import pointloom as loom
@@ -182,18 +167,15 @@ def _settings_of(frames: Frames) -> dict[str, Any]:
     return sizes | {"voxel": config.fragment_voxel, "depth_scale": frames.depth_scale, "camera": lens}
 
 
-# ------------------------------------------------------------------------------------------------ one fragment
-
-
 def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Sequence[LostFrame]) -> Fragment:
-    """Close a draft's loops, fuse its frames, and write its files; the record comes last."""
+    """Close the loops of a draft, fuse its frames, and write its files, the record last."""
     graph, tried = _close_loops(draft, frames)
     solved = _optimize(graph, frames.config)
     found = sum(edge.uncertain for edge in graph.edges)
     loops = tried, found, sum(edge.uncertain for edge in solved.edges)
     poses = np.array([node.pose for node in solved.nodes])
     volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
-    fuse_frames(frames, draft.indices, poses, volume)  # a frame that has gone since: its neighbours saw the same
+    fuse_frames(frames, draft.indices, poses, volume)  # frames that are now unreadable: their neighbors saw the same
     cloud, number = cloud_of(volume), draft.number
     paths = places.fragment_graph(number), places.fragment_graph_optimized(number), places.fragment_cloud(number)
     write_pose_graph(paths[0], graph)
@@ -218,7 +200,6 @@ def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Seq
 
 
 def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
-    """The pose graph of a draft, and how many loops were tried."""
     edges = [
         make_edge(i + 1, i, found.transformation, found.information, uncertain=False)
         for i, found in enumerate(draft.motions)
@@ -229,13 +210,13 @@ def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
         found = align(frames.config, b.frame, a.frame, T)
         if found.reliable:
             edges.append(make_edge(b.place, a.place, found.transformation, found.information, uncertain=True))
-    draft.keyframes.clear()  # their pyramids
+    draft.keyframes.clear()  # frees their pyramids
     return PoseGraph([PoseGraphNode(pose) for pose in draft.poses], edges), len(candidates)
 
 
 def make_edge(source: int, target: int, T_target_source: Matrix, information: Matrix, *, uncertain: bool) -> Any:
-    """An edge of a pose graph from what registration measured, whose information is about the target."""
-    A = adjoint_of(T_target_source)  # the edge's weighs a misfit in the source's coordinates
+    """A pose graph edge from a registration, whose information refers to the target."""
+    A = adjoint_of(T_target_source)  # the edge's matrix is in source coordinates
     matrix = matmul(A.T, information, A)
     return PoseGraphEdge(source, target, T_target_source, (matrix + matrix.T) / 2, uncertain)
 
@@ -248,9 +229,6 @@ def _optimize(graph: PoseGraph, config: ReconstructionConfig) -> PoseGraph:
         reference_node=0,
     )
     return global_optimization(graph, option=option)
-
-
-# ------------------------------------------------------------------------------------------------ resuming
 
 
 def _to_json(fragment: Fragment) -> dict[str, Any]:
@@ -274,7 +252,6 @@ def _result_of(places: Places, number: int) -> dict[str, Any]:
 
 
 def read_fragments(places: Places) -> list[Fragment]:
-    """The fragments that are done, as far as their files are whole."""
     fragments = []
     while True:
         number = len(fragments)
@@ -285,16 +262,10 @@ def read_fragments(places: Places) -> list[Fragment]:
 
 
 def digest_of_all(fragments: Sequence[Fragment]) -> str:
-    """A digest of all that decided some fragments."""
     return digest_of([fragment.made_from for fragment in fragments])
 
 
 def fragments_in(places: Places) -> list[Fragment]:
-    """The fragments of a job, at least one.
-
-    Raises:
-        FileError: None are there.
-    """
     fragments = read_fragments(places)
     if not fragments:
         raise FileError(places.root, "holds no fragments", remedy="Run make_fragments with this folder first")
@@ -318,7 +289,6 @@ def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
 
 
 def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
-    """The fragments that still fit, and the frames lost between them."""
     done, lost, before, first = [], [], "", 0
     for fragment in read_fragments(places):
         last = int(fragment.indices[-1])
@@ -336,7 +306,7 @@ def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tupl
 
 
 def _forget(places: Places, number: int) -> None:
-    """Remove fragments from a number on, which are out of date; their records first, so that none speaks for a part."""
+    """Remove outdated fragments from a number on, their records first."""
     for record in sorted(places.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
         digits = record.stem.removeprefix(f"{STAGE}_")
         if digits.isdecimal() and int(digits) >= number:
@@ -347,18 +317,12 @@ def _forget(places: Places, number: int) -> None:
 
 
 METHODS = {"hybrid": Method.Hybrid, "intensity": Method.Intensity, "point_to_plane": Method.PointToPlane}
-BRIDGE = 30  # frames that may lie between two fragments that odometry joins: a second
+BRIDGE = 30  # maximum frames between two linked fragments: a second
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """How a fragment hangs on an earlier one by odometry.
-
-    Attributes:
-        fragment: Number of the earlier one; the motion starts from its last frame.
-        T_last_first: Pose of the later one's first frame in the earlier one's last.
-        skipped: Frames between the two.
-    """
+    """Odometry link from the last frame of an earlier fragment to the first of this one, across `skipped` frames."""
 
     fragment: int
     T_last_first: Matrix
@@ -367,20 +331,7 @@ class Joint:
 
 @dataclass(eq=False)
 class Draft:
-    """Frames that follow each other, before their loops are closed.
-
-    Attributes:
-        number: Of the fragment.
-        indices, names: Its frames.
-        poses: T_first_frame of each, from odometry.
-        motions: The consecutive alignments; one less than frames.
-        keyframes: Every n-th frame, prepared for alignment.
-        colored: Whether all of its frames have colour.
-        joint: How it hangs on the fragment before; None where it does not.
-        broke: Why it began, or is a beginning; empty where the fragment before was full.
-        made_from: Digest of all that decided it.
-        velocity: The motion that is expected of the frame behind it.
-    """
+    """Consecutive frames before loop closure; `motions` are the alignments, `velocity` the predicted next motion."""
 
     number: int
     indices: list[int] = field(default_factory=list)
@@ -400,14 +351,7 @@ class Draft:
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """Where a walk takes up: behind the last fragment that is done.
-
-    Attributes:
-        number: Of the next fragment.
-        index: The first frame behind.
-        velocity: The motion that is expected of it.
-        made_from: Digest of the fragments so far.
-    """
+    """The state after the last finished fragment, where processing continues."""
 
     number: int = 0
     index: int = 0
@@ -416,35 +360,25 @@ class Start:
 
 
 def digest_of_fragment(settings: dict[str, Any], before: str, digests: list[str]) -> str:
-    """What decides a fragment: the settings, the fragments before it, its frames, and the one that ends it."""
     return digest_of([settings, before, digests])
 
 
 class Walk:
-    """A walk through frames; `lost` grows while `drafts` is run.
-
-    Args:
-        frames: Of the source.
-        settings: What of the configuration decides fragments, for their digests.
-        device: Where to compute.
-        start: Where to take up.
-        say: Told how many frames are done.
-    """
+    """Iterates through frames and yields drafts of fragments; `lost` grows meanwhile."""
 
     def __init__(self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, say: ReportProgress):
         self.frames, self.settings, self.device, self.start, self.say = frames, settings, device, start, say
         self.config: ReconstructionConfig = frames.config
         self.lost: list[LostFrame] = []
         self.number, self.made_from, self._first = start.number, start.made_from, start.index
-        self._digests: dict[int, str] = {}  # of the frames behind the last fragment
+        self._digests: dict[int, str] = {}  # frames after the last fragment
         self._draft: Draft | None = None
-        self._previous: tuple[OdometryFrame, int] | None = None  # the frame before, where it can be aligned with
+        self._previous: tuple[OdometryFrame, int] | None = None  # the previous frame, if it can be aligned
         self._anchor: tuple[OdometryFrame, int, int] | None = None  # last frame of the last fragment, its index, number
         self._velocity = start.velocity
-        self._spare: Draft | None = None  # the longest of those that are too short, while there is no fragment
+        self._spare: Draft | None = None  # the longest run that is too short, while there is no fragment
 
     def drafts(self) -> Generator[Draft, None, None]:
-        """The fragments, in order."""
         begin, count = self.start.index, self.frames.count
         if self.start.number:
             last = self.prepare(self.frames.read(begin - 1))
@@ -462,14 +396,13 @@ class Walk:
             yield self._kept(draft)
 
     def prepare(self, frame: ReadFrame) -> OdometryFrame:
-        """A frame as alignment takes it."""
         assert frame.depth is not None
         return OdometryFrame(
             frame.depth, self.frames.intrinsic, color=frame.color, depth_max=self.config.depth_max, device=self.device
         )
 
     def _take(self, frame: ReadFrame) -> Generator[Draft, None, None]:
-        """One frame: it joins the open draft, or closes it and begins another."""
+        """Add a frame to the open draft, or close the draft and begin another."""
         if frame.depth is None:
             self.lost.append(LostFrame(frame.index, frame.name, frame.reason))
             yield from self._close(f"{frame.name}: {frame.reason}")
@@ -493,7 +426,7 @@ class Walk:
         return self.config.n_frames_per_fragment
 
     def _follow(self, current: OdometryFrame, previous: OdometryFrame) -> OdometryResult:
-        """The motion from the frame before, begun where it is expected, or else from no motion."""
+        """Align with the previous frame, starting from the predicted motion or else from no motion."""
         found = align(self.config, current, previous, self._velocity)
         if not found.reliable and not np.array_equal(self._velocity, np.eye(4)):
             found = align(self.config, current, previous, np.eye(4))
@@ -516,7 +449,7 @@ class Walk:
         draft.colored = draft.colored and frame.color is not None
 
     def _begin(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult | None, reason: str) -> None:
-        """A new draft; it hangs on the fragment before where odometry says so."""
+        """Begin a draft, linked to the previous fragment if odometry succeeded."""
         draft = Draft(self.number, broke="" if found is not None else reason)
         if found is not None and self._anchor is not None and self._anchor[1] == frame.index - 1:
             self._velocity = np.asarray(found.transformation)
@@ -528,7 +461,7 @@ class Walk:
         self._draft = draft
 
     def _bridge(self, frame: ReadFrame, current: OdometryFrame) -> Joint | None:
-        """How a frame hangs on the last fragment, across some that do not."""
+        """Align a frame with the end of the previous fragment across skipped frames."""
         if self._anchor is None or not 1 < frame.index - self._anchor[1] <= BRIDGE:
             return None
         found = align(self.config, current, self._anchor[0], np.eye(4))
@@ -537,7 +470,6 @@ class Walk:
         return Joint(self._anchor[2], np.asarray(found.transformation), frame.index - self._anchor[1] - 1)
 
     def _close(self, reason: str) -> Generator[Draft, None, None]:
-        """End the open draft: a fragment, or frames that are lost."""
         draft, self._draft = self._draft, None
         if draft is None:
             return
@@ -557,7 +489,6 @@ class Walk:
             self._spare = draft
 
     def _kept(self, draft: Draft) -> Draft:
-        """A draft that becomes a fragment, with the digest of what decided it."""
         last = draft.indices[-1]
         decided = [self._digests[i] for i in range(self._first, last + 1)] + [self._digests.get(last + 1, "")]
         draft.made_from = self.made_from = digest_of_fragment(self.settings, self.made_from, decided)
@@ -570,28 +501,20 @@ class Walk:
 def align(
     config: ReconstructionConfig, source: OdometryFrame, target: OdometryFrame, T_target_source: Matrix
 ) -> OdometryResult:
-    """Odometry between two frames as the configuration says; by depth alone where one has no colour."""
+    """Odometry between two frames with the configured method; depth only if one has no color."""
     method = METHODS[config.odometry_method if source.has_color and target.has_color else "point_to_plane"]
     return align_frames(source, target, T_target_source, method=method)
 
 
-SAMPLES = 300  # depth pixels of a keyframe, that say what it shares with another
-SHARED = 0.35  # share of them that the other should see: 0.3 is what Open3D asks of a loop between fragments
-SAME_DEPTH = 0.1  # of the depth: farther behind what the other sees there, a sample is hidden from it
-MOST_LOOPS = 3  # for a keyframe: the widest apart in time, which say most, and its neighbour
+SAMPLES = 300  # sampled depth pixels per keyframe
+SHARED = 0.35  # minimum common fraction; Open3D uses 0.3 between fragments
+SAME_DEPTH = 0.1  # relative depth difference beyond which a sample is occluded
+MOST_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
 
 
 @dataclass(frozen=True, eq=False)
 class Keyframe:
-    """A frame that loops are sought for.
-
-    Attributes:
-        place: Within its fragment.
-        frame: Prepared for alignment.
-        points: Some of what it sees, float64 [k, 3], in its camera's coordinates [m].
-        depths: The depth map at every few pixels, [m].
-        step: How many.
-    """
+    """A candidate for loop closures, with sampled `points`, float64 [k, 3] [m], and `depths` at every `step` pixels."""
 
     place: int
     frame: Any
@@ -601,7 +524,6 @@ class Keyframe:
 
     @classmethod
     def make(cls, place: int, frame: Any, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
-        """A keyframe of a frame's depth [m]."""
         step = max(1, min(depth.shape) // 60)
         depths = depth[::step, ::step].copy()
         rows, columns = np.nonzero(depths)
@@ -613,7 +535,7 @@ class Keyframe:
         return cls(place, frame, np.stack([x, y, z], axis=1), depths, step)
 
     def share_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
-        """Share of what it sees that another sees too, under a pose: in its picture, and not behind what it sees."""
+        """Fraction of the points that another keyframe sees without occlusion."""
         points = matmul(self.points, T_other_self[:3, :3].T) + T_other_self[:3, 3]
         points = points[points[:, 2] > 0]
         z = points[:, 2]
@@ -629,14 +551,13 @@ class Keyframe:
 def find_candidates(
     keyframes: list[Keyframe], poses: list[Matrix], intrinsic: PinholeCameraIntrinsic
 ) -> list[tuple[int, int, Matrix]]:
-    """Pairs of keyframes (later, earlier, T_earlier_later) that should see the same, in order."""
     found = []
     for b, later in enumerate(keyframes):
         chosen = []
         for a, earlier in enumerate(keyframes[:b]):
             T = matmul(invert_pose(poses[earlier.place]), poses[later.place])
             if later.place - earlier.place < 2:
-                continue  # that pair is odometry's
+                continue  # the pair of odometry
             if min(_shares(later, earlier, T, intrinsic)) >= SHARED:
                 chosen.append((b, a, T))
         found += chosen if len(chosen) <= MOST_LOOPS else [*chosen[: MOST_LOOPS - 1], chosen[-1]]

@@ -1,4 +1,4 @@
-"""Frames of a source, read one at a time as often as a stage needs them, with what is wrong with those that are."""
+"""Random access to source frames, with the reason for unusable ones."""
 
 from __future__ import annotations
 
@@ -19,19 +19,11 @@ from ...core.records import digest_of_bytes
 from ...files.frames.frames import read_in_order
 from .config import ReconstructionConfig
 
-HARDLY_ANY = 0.01  # share of the pixels with a depth in reach, below which a frame tells nothing of where it was
+HARDLY_ANY = 0.01  # minimum fraction of valid depth pixels
 
 
 @dataclass(frozen=True)
 class LostFrame:
-    """A frame that is not in the model.
-
-    Attributes:
-        index: Its place in the source.
-        name: Its name.
-        reason: Why it is not.
-    """
-
     index: int
     name: str
     reason: str
@@ -39,17 +31,7 @@ class LostFrame:
 
 @dataclass(frozen=True, eq=False)
 class ReadFrame:
-    """A frame as it was read, or why it cannot be used.
-
-    Attributes:
-        index: Its place in the source.
-        name: Its name.
-        depth: float32 [h, w] [m], 0 where there is none in reach; None where the frame cannot be used.
-        color: uint8 [h, w, 3], or None.
-        T_world_camera: The true pose, where the source knows it.
-        digest: Of its pictures.
-        reason: Why it cannot be used; empty where it can.
-    """
+    """A frame: depth float32 [h, w] [m] (0: invalid), color uint8 [h, w, 3]; `reason` if unusable, else empty."""
 
     index: int
     name: str
@@ -61,17 +43,6 @@ class ReadFrame:
 
 
 class Frames:
-    """The frames of a source within reach of depth.
-
-    Args:
-        source: Any `FrameSource`: of `open_dataset`, `open_frames`, `room_sequence`.
-        config: Says the reach and the scale of depth.
-
-    Raises:
-        TypeError: No such source; a stream is one once it is recorded.
-        ValueError: It has no frame.
-    """
-
     def __init__(self, source: Any, config: ReconstructionConfig):
         for name in ("__len__", "read", "intrinsic"):
             if not hasattr(source, name):
@@ -90,25 +61,19 @@ class Frames:
 
     @property
     def intrinsic(self) -> PinholeCameraIntrinsic:
-        """The camera of all frames."""
         return self.source.intrinsic
 
     @property
     def name(self) -> str:
-        """What the source is, for reports."""
         folder = getattr(self.source, "folder", None)
         return type(self.source).__name__ if folder is None else os.fspath(folder)
 
     def digest(self, index: int) -> str:
-        """A digest of a frame's files, or of its pictures where it has no files; empty where it cannot be read.
-
-        Files count by name, size and time of change, so that a folder is looked through without decoding a picture.
-        """
+        """Digest of a frame's files (by name, size and modification time) or images; empty if unreadable."""
         stamp = self._stamp(index)
         return self.read(index).digest if stamp is None else stamp
 
     def read(self, index: int) -> ReadFrame:
-        """A frame by its place; one that cannot be used says why."""
         stamp = self._stamp(index)
         try:
             frame = self.source.read(index)
@@ -125,7 +90,7 @@ class Frames:
             return ReadFrame(index, name, None, None, pose, digest, reason)
         meters = depth.astype(np.float32) / np.float32(self.depth_scale if depth.dtype.kind in "iu" else 1.0)
         near, far = self.config.depth_min, self.config.depth_max
-        in_reach = (meters >= near) & (meters <= far)  # not of NaN
+        in_reach = (meters >= near) & (meters <= far)  # False for NaN
         share = float(np.mean(in_reach))
         if share < HARDLY_ANY:
             reason = f"{share:.1%} of its pixels have a depth from {near:g} to {far:g} m"
@@ -133,17 +98,15 @@ class Frames:
         return ReadFrame(index, name, np.where(in_reach, meters, np.float32(0)), color, pose, digest, "")
 
     def read_all(self, indices: Iterable[int]) -> Generator[ReadFrame, None, None]:
-        """Frames in the order asked for, some of them decoded in threads before their turn comes."""
         with contextlib.closing(read_in_order(self.read, indices)) as frames:
             for take in frames:
                 yield take()
 
     def closing(self, indices: Iterable[int]) -> contextlib.closing[Generator[ReadFrame, None, None]]:
-        """`read_all` for a `with`: its threads end with the block."""
         return contextlib.closing(self.read_all(indices))
 
     def _stamp(self, index: int) -> str | None:
-        """A digest of the state of a frame's files, empty where one is missing; None of frames without files."""
+        """Digest of the state of a frame's files, empty if one is missing; None without files."""
         try:
             files = self.source.frames[index]
             paths = [Path(path) for path in (files.depth, files.color) if path is not None]
@@ -156,7 +119,6 @@ class Frames:
         return digest_of_bytes(f"{name} {state.st_size} {state.st_mtime_ns}\n".encode() for name, state in states)
 
     def _fault(self, depth: NDArray[Any], color: Any) -> str:
-        """Why pictures cannot be used; empty where they can."""
         size = (self.intrinsic.height, self.intrinsic.width)
         if depth.shape != size:
             return f"its depth is {list(depth.shape)}, the camera's pictures are {list(size)}"

@@ -1,4 +1,4 @@
-"""RGB-D frames without poses to a coloured mesh: `reconstruct`."""
+"""RGB-D frames without poses to a colored mesh: `reconstruct`."""
 
 from __future__ import annotations
 
@@ -32,25 +32,13 @@ EMPTY = "the mesh is empty: no voxel was seen often enough; use more frames"
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ReconstructionResult(Assessed):
-    """A mesh of frames whose poses nobody knew, and how it came about.
-
-    `print(result)` shows its figures, `result.reliable` whether its checks passed.
+    """Result of `reconstruct`.
 
     Attributes:
-        mesh: The surface; empty where nothing was seen often enough.
-        account: What became of the frames: a SlamAccount (`path`, `loops`, ...), or by fragments a FragmentsAccount.
-        error: ATE and RPE of the path, aligned by a rigid motion, where the frames came with true poses.
-        focal: Whether another focal length fits the frames better; None where the camera turned too little to tell, or
-            the frames came one after another and are gone.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> v, u = np.mgrid[:48, :64]
-        >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-        >>> result = loom.reconstruct(loom.frames_from([(None, depth)] * 2, camera), voxel_size=0.05)
-        >>> result.method, len(result.trajectory), result.account.loops, result.reliable
-        ('slam', 2, (), True)
+        mesh: The surface; empty if nothing was seen often enough.
+        account: A SlamAccount (`path`, `loops`, ...), or a FragmentsAccount.
+        error: ATE and RPE after rigid alignment, if true poses are known.
+        focal: Check of the focal length; None with too little rotation, or if the frames were a stream.
     """
 
     mesh: TriangleMesh
@@ -63,27 +51,22 @@ class ReconstructionResult(Assessed):
 
     @property
     def method(self) -> str:
-        """How it was made: "slam" or "fragments"."""
         return "slam" if isinstance(self.account, SlamAccount) else "fragments"
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the frames that have one, T_world_camera, in the frame of the mesh; ids hold their numbers."""
         return self.account.trajectory
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         model = self.account.warnings or (() if len(self.mesh) else (EMPTY,))
         return (*model, *(() if self.focal is None else self.focal.warnings))
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types; not those of `error`."""
         focal = None if self.focal is None else self.focal.to_dict()
         return {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
-        """The frames, the path or the fragments, and the mesh as labels and values."""
         account, size = self.account, describe_mesh(self.mesh).to_dict()
         told = account.fields(frames_per_second) if isinstance(account, SlamAccount) else account.fields()
         voxels = f"voxels of {account.voxel_size * 1000:.4g} mm"
@@ -105,31 +88,29 @@ def reconstruct(
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
 ) -> ReconstructionResult:
-    """Make a mesh of the frames of a moving depth camera whose poses nobody knows, as `pointloom reconstruct` does.
+    """Reconstruct a mesh from RGB-D frames without poses, as `pointloom reconstruct` does.
 
-    Each frame is held against the model of those before it, and where the camera comes back to a place the loop is
-    closed (`loom.slam`); or, with `fragments`, runs of frames become fragments that are registered with each other
-    from any pose, in stages whose files stay (`loom.reconstruction`).
+    Frame-to-model tracking with loop closure (`loom.slam`); or, with `fragments`, registration of fragments in stages
+    with files (`loom.reconstruction`).
 
     Args:
-        frames: Of `open_frames`, `frames_from`, a camera, or anything with `intrinsic`, `depth_scale` and either `len`
-            and `read(i)` or an iterator; in their order. Poses of theirs are kept as the truth, and not used.
-        voxel_size: Edge of a voxel of the mesh [m]; None takes 0.02, by fragments what their configuration says.
-        depth_max: Farther depth is left out [m]; None takes 4, by fragments what their configuration says.
-        fragments: Work by fragments; None tracks.
-        device: Where to compute; None for the CPU.
-        read_ahead: Frames that are read while others are tracked; 0 reads each when its turn comes.
-        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
-        clock: Counts the seconds of the stages.
+        frames: From `open_frames`, `frames_from`, a camera, or any ordered source with `intrinsic`, `depth_scale` and
+            either `len` and `read(i)` or an iterator. Their poses are only used as the truth.
+        voxel_size: Voxel edge of the mesh [m]; None: 0.02, or the fragments configuration.
+        depth_max: Maximum depth [m]; None: 4, or the fragments configuration.
+        fragments: Options of the fragments method; None: tracking.
+        device: Compute device; None: the CPU.
+        read_ahead: Number of frames read ahead; 0: none.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
+        clock: Measures the stages.
 
     Raises:
-        TypeError: No frames of one camera, no options.
-        ValueError: A length out of range, or no frame.
-        FileError: No frame can be read, or a file of a stage cannot be written.
+        TypeError, ValueError: Not frames of one camera, wrong options, a length out of range, or no frame.
+        FileError: No frame can be read, or a file cannot be written.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, for any number of threads.
+        Bitwise reproducible for any number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -166,7 +147,7 @@ def reconstruct(
 
 
 def _true_poses(frames: Any, trajectory: Trajectory) -> list[NDArray[np.float64] | None]:
-    """The true pose of each frame of a trajectory, or None: those of a folder without decoding a picture."""
+    """The true pose of each trajectory frame, or None, without decoding images of a folder."""
     assert trajectory.ids is not None
     numbers = trajectory.ids[:, 0].tolist()
     if not can_read(frames):

@@ -1,4 +1,4 @@
-"""The whole system as one job: frames without poses in, a model out, and an account of what is not in it."""
+"""The complete reconstruction system as one job."""
 
 from __future__ import annotations
 
@@ -38,36 +38,33 @@ def run_system(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> SystemReport:
-    """Frames of a moving depth camera, without poses, to a mesh and the camera's path.
+    """Reconstruct a mesh and the camera trajectory from RGB-D frames without poses.
 
-    `make_fragments`, `register_fragments`, `refine_registration`, `refine_with_slac` where it is asked for, and
-    `integrate_scene`, one after the other, in one folder. Each stage writes whole files and then a record of what they
-    were made from.
+    Runs `make_fragments`, `register_fragments`, and optionally `refine_registration` and `refine_with_slac`, then
+    `integrate_scene`.
 
     Args:
-        source: Frames of one camera that can be read by their place: `open_frames`, `open_dataset`, `room_sequence`. A
-            stream (any other `RGBDSource`) is recorded to `frames/` in the job's folder first, until it ends.
-        config: Sizes and names; None for the defaults.
-        folder: Of the job; it is made where it is missing, and earlier results in it are replaced.
-        resume: Keep what an earlier run finished and what still fits: the same frames, configuration and files. A run
-            that was interrupted loses at most the fragment that it was at. Of a stream what was recorded is taken.
-        refine: Whether to run `refine_registration`.
-        slac: Whether to run `refine_with_slac`, and fuse the frames through its grid.
-        device: Where to compute; None for the CPU.
-        progress: Called with each stage, how many of its steps are done, and how many there are (0: nobody knows).
+        source: Frames of one camera with random access: `open_frames`, `open_dataset`, `room_sequence`. A stream (any
+            other `RGBDSource`) is first recorded to `frames/` in the job's folder.
+        config: The configuration; None: the defaults.
+        folder: Job folder; created if missing; earlier results are replaced.
+        resume: Keep valid results of an earlier run; an interruption loses at most one fragment. A recording is reused.
+        refine: Run `refine_registration`.
+        slac: Run `refine_with_slac`, and undistort the frames.
+        device: Compute device; None: the CPU.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
 
     Returns:
-        What was done: the frames in the model, those that are not, with stage and reason, the fragments, the files, and
-        warnings if the result is unreliable. Where nothing hangs together no model is written, and that is said.
+        A report: frames inside and outside the model with reasons, fragments, files, and warnings if unreliable.
+        Without connected frames no model is written.
 
     Raises:
         TypeError, ValueError: As of `make_fragments` and, with `slac`, of `refine_with_slac`.
-        FileError: A file that cannot be written, as on a full disk; a recording that is there already, without
-            `resume`. What was finished stays for `resume`.
+        FileError: A file cannot be written, or a recording exists without `resume`. Finished stages stay.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, resumed or not, whatever the number of threads.
+        Bitwise reproducible, resumed or not, for any number of threads.
 
     Example:
         >>> import pointloom as loom
@@ -86,7 +83,7 @@ def run_system(
     say = check_progress(progress)
     options: dict[str, Any] = {"resume": resume, "device": device, "progress": say}
     if slac:
-        slac_params(config)  # what it does not take is told before the work
+        slac_params(config)  # fail before the work
     config.write(places.root / CONFIG_FILE)
     frames = _readable(source, places, resume, say)
     clock.stop("record")
@@ -114,7 +111,6 @@ def run_system(
 
 
 def _readable(source: Any, places: Places, resume: bool, say: ReportProgress) -> FrameSource:
-    """Frames that can be read by their place: the source's own, or a recording of it."""
     if hasattr(source, "read") and hasattr(source, "__len__"):
         return source
     if not isinstance(source, RGBDSource):

@@ -1,4 +1,4 @@
-"""The stage of SLAC: placed fragments aligned together with the distortion of their camera."""
+"""The SLAC stage: joint alignment of fragments and camera distortion."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ SETTINGS = ("max_iterations", "voxel_size", "distance_threshold", "fitness_thres
 
 @dataclass(frozen=True, eq=False)
 class BentPlacement:
-    """Where fragments lie once their camera's distortion is known.
+    """Result of the SLAC stage.
 
     Attributes:
-        placement: Where they lie; its pose graph has no `report`.
-        grid: Bends the frames of each fragment, in the fragment's coordinates; without anchors where nothing is bent.
-        figures: "method", "anchors", "bent_m" (root mean square of the anchors' shifts), "rmse_before" and "rmse"
-            (distance of points from their partners' planes [m]), "edges", and how many of them were "used".
+        placement: The fragment poses; its pose graph has no `report`.
+        grid: Distortion grid in fragment coordinates; without anchors if rigid.
+        figures: "method", "anchors", "bent_m" (root mean square displacement), "rmse_before" and "rmse" (point-to-plane
+            [m]), "edges", and the number "used".
     """
 
     placement: Placement
@@ -50,11 +50,6 @@ class BentPlacement:
 
 
 def slac_params(config: ReconstructionConfig) -> SLACOptimizerParams:
-    """What a configuration says of SLAC.
-
-    Raises:
-        ValueError: A number that SLAC does not take, by its name.
-    """
     return SLACOptimizerParams(**{name: getattr(config, name) for name in SETTINGS})
 
 
@@ -66,29 +61,25 @@ def refine_with_slac(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> BentPlacement:
-    """Align the placed fragments in a job's folder together with the distortion of their camera.
+    """Align the fragments in a job's folder together with the distortion of their camera.
 
-    `run_slac_optimizer_for_fragments` from where `refine_registration` left them, or `register_fragments` where that
-    was not run; `run_rigid_optimizer_for_fragments` where `config.method` is "rigid". `integrate_scene` with
-    `slac=True` then fuses the frames through the grid.
+    `run_slac_optimizer_for_fragments` (or `run_rigid_optimizer_for_fragments` if `config.method` is "rigid") from the
+    latest placement. `integrate_scene` with `slac=True` then uses the grid.
 
     Args:
-        config, folder, device: As of `register_fragments`. The grid is in the frame of a fragment's first camera:
-            shorter fragments (`n_frames_per_fragment`) let it follow the camera's distortion more closely.
-        resume: Keep the result where it is there and made from this.
+        config, folder, device: As of `register_fragments`. Shorter fragments model the distortion better.
+        resume: Keep a valid earlier result.
         progress: Called with ("slac", steps done, steps).
 
     Returns:
-        Where the fragments lie, the grid, and how it went.
+        The fragment poses, the grid, and the figures.
 
     Raises:
-        TypeError: No configuration.
-        ValueError: Numbers of the configuration that SLAC does not take, or no two points within `distance_threshold`.
-        FileError: No placement of the fragments, or a file that cannot be read or written.
-        DeviceError: No such device.
+        TypeError, ValueError: Not a configuration, invalid SLAC options, or no point pairs within `distance_threshold`.
+        FileError, DeviceError: No placement, a file that cannot be read or written, or no such device.
 
     Notes:
-        The same bits from run to run. A single fragment, or fragments without an edge, are left as they are.
+        Bitwise reproducible. A single fragment, or fragments without an edge, are unchanged.
     """
     places, where, params = Places.make(folder, config), resolve_device(device), slac_params(config)
     say = check_progress(progress)
@@ -113,11 +104,7 @@ def refine_with_slac(
 
 
 def placement_with_slac(places: Places, fragments: list[Fragment], device: Any) -> BentPlacement:
-    """What `refine_with_slac` found of the placement as it is now.
-
-    Raises:
-        FileError: It did not run, or the fragments were placed again since.
-    """
+    """The current result of `refine_with_slac`; FileError if missing or outdated."""
     found = _read(places, latest_placement(places, fragments), device)
     if found is None:
         raise FileError(places.root, "holds no placement by SLAC", remedy="Run refine_with_slac with it first")
@@ -142,15 +129,11 @@ def _figures(method: str, grid: ControlGrid, report: Any) -> dict[str, Any]:
     return told | ends | {"edges": len(report.overlaps), "used": used}
 
 
-# ------------------------------------------------------------------------------------------------ files
-
-
 def _grid_path(places: Places) -> Path:
     return places.slac_graph.with_name("control_grid.npz")
 
 
 def _write(places: Places, found: BentPlacement) -> None:
-    """The pose graph, the grid, and the record, which comes last."""
     paths, placement = [places.slac_graph, _grid_path(places)], found.placement
     try:
         paths[0].parent.mkdir(parents=True, exist_ok=True)
@@ -163,7 +146,6 @@ def _write(places: Places, found: BentPlacement) -> None:
 
 
 def _read(places: Places, before: Placement, device: Any, made_from: str | None = None) -> BentPlacement | None:
-    """What was found from a placement, where it is there and fits."""
     result = read_record(places.record(STAGE), STAGE, places.root, made_from)
     if result is None or result["before"] != before.made_from:
         return None

@@ -1,4 +1,4 @@
-"""Fragments to one frame: what odometry joined, what registration finds, a pose graph that drops what contradicts."""
+"""Fragment poses: odometry links, global registration, and a robust pose graph."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ Matrix = NDArray[np.float64]
 
 STAGE = "register"
 SETTINGS = ("voxel_size", "seed")
-THINNED = 4.0  # to the edge of a voxel: the finest that fragments are compared at
-SURE = 1.0  # confidence of a joint of odometry beside what registration finds
+THINNED = 4.0  # finest downsampling, per voxel edge
+SURE = 1.0  # confidence of odometry links
 
 
 @dataclass(frozen=True, eq=False)
 class Placement:
-    """Where fragments lie.
+    """Fragment poses.
 
     Attributes:
-        poses: T_scene_fragment of each fragment, float64 [n, 4, 4]; the identity where it could not be placed.
-        placed: Whether it was, bool [n].
-        groups: Which fragments hang together, int [n]: equal numbers do. The largest group is the scene.
-        pose_graph: Over the placed fragments, its nodes in their order.
-        made_from: Digest of all that decided it.
-        before: That of the placement that was refined; empty where none was.
+        poses: T_scene_fragment, float64 [n, 4, 4]; the identity if not placed.
+        placed: Mask, bool [n].
+        groups: Connected component of each fragment, int [n]; the largest is the scene.
+        pose_graph: Graph of the placed fragments, in order.
+        made_from: Digest of the inputs.
+        before: Digest of the refined placement; empty if there is none.
         fragments: Digest of the fragments.
     """
 
@@ -54,7 +54,6 @@ class Placement:
 
     @property
     def members(self) -> list[int]:
-        """The numbers of the placed fragments, in order."""
         return np.flatnonzero(self.placed).tolist()
 
 
@@ -66,28 +65,28 @@ def register_fragments(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> Placement:
-    """Bring the fragments in a job's folder into one frame.
+    """Register the fragments in a job's folder.
 
-    What odometry joined is refined; every other pair is registered from no guess and used if it is accepted; a pose
-    graph over all drops loops that contradict the rest (`registration.register_fragments`).
+    Odometry links are refined, and all other pairs are registered globally; a pose graph removes contradicting loops
+    (`registration.register_fragments`).
 
     Args:
         config: As of `make_fragments`.
-        folder: The job's, where `make_fragments` left its files.
-        resume: Keep the result where it is there and made from these fragments.
-        device: Where to compute; None for the CPU.
+        folder: Job folder of `make_fragments`.
+        resume: Keep a valid earlier result.
+        device: Compute device; None: the CPU.
         progress: Called with ("pairs", done, all).
 
     Returns:
-        Where they lie. The largest group that hangs together is placed, the first of equal ones; the others are not.
+        The fragment poses; only the largest (then first) connected group is placed.
 
     Raises:
-        TypeError: No configuration.
+        TypeError: Not a configuration.
         FileError: No fragments, or a file that cannot be read or written.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run. O(points of all fragments, thinned) memory.
+        Bitwise reproducible. Memory O(downsampled points of all fragments).
     """
     places, where = Places.make(folder, config), resolve_device(device)
     say = check_progress(progress)
@@ -113,13 +112,11 @@ def register_fragments(
 
 
 def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device: Any) -> list[PointCloud]:
-    """The clouds of fragments, thinned to what registration looks at."""
     size = config.voxel_size / THINNED
     return [fragment.read_cloud(device).voxel_down_sample(size) for fragment in fragments]
 
 
 def write_placement(places: Places, stage: str, placement: Placement) -> None:
-    """Write where fragments lie: the pose graph, and the record."""
     path = places.scene_graph if stage == STAGE else places.refined_graph_optimized
     write_pose_graph(path, placement.pose_graph)
     result = {
@@ -133,11 +130,7 @@ def write_placement(places: Places, stage: str, placement: Placement) -> None:
 
 
 def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
-    """What `register_fragments` found of these fragments.
-
-    Raises:
-        FileError: It did not run, or the fragments were made again since.
-    """
+    """The current result of `register_fragments`; FileError if missing or outdated."""
     placed = read_placement(places, STAGE)
     if placed is None or placed.fragments != digest_of_all(fragments):
         reason = "holds no placed fragments" if placed is None else "holds fragments that were made again since"
@@ -146,7 +139,6 @@ def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
 
 
 def read_placement(places: Places, stage: str, made_from: str | None = None) -> Placement | None:
-    """What a stage found, where it is there and fits."""
     result = read_record(places.record(stage), stage, places.root, made_from)
     if result is None:
         return None

@@ -1,4 +1,4 @@
-"""Where the files of a job lie: names of Open3D's configuration below the job's folder, and a record of each stage."""
+"""File layout of a job: Open3D's names below the job's folder, and a record for each stage."""
 
 from __future__ import annotations
 
@@ -14,24 +14,11 @@ from .config import ReconstructionConfig
 
 @dataclass(frozen=True)
 class Places:
-    """The files of a job.
-
-    Attributes:
-        root: The job's folder.
-        config: Names the files.
-    """
-
     root: Path
     config: ReconstructionConfig
 
     @classmethod
     def make(cls, folder: FilePath, config: ReconstructionConfig) -> Places:
-        """The places, once their folders are there.
-
-        Raises:
-            TypeError: No path, or no configuration.
-            FileError: A folder cannot be made or written to.
-        """
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
         places = cls(path_of(folder, "folder"), config)
@@ -47,52 +34,42 @@ class Places:
         return places
 
     def fragment_graph(self, number: int) -> Path:
-        """The pose graph of a fragment as odometry and loops measured it."""
         return self.root / (self.config.template_fragment_posegraph % number)
 
     def fragment_graph_optimized(self, number: int) -> Path:
-        """... and optimised."""
         return self.root / (self.config.template_fragment_posegraph_optimized % number)
 
     def fragment_cloud(self, number: int) -> Path:
-        """The cloud of a fragment."""
         return self.root / (self.config.template_fragment_pointcloud % number)
 
     @property
     def scene_graph(self) -> Path:
-        """The optimised pose graph of the fragments."""
         return self.root / self.config.template_global_posegraph_optimized
 
     @property
     def refined_graph(self) -> Path:
-        """The pose graph of refined edges, before it is optimised."""
+        """Pose graph of the refined edges before optimization."""
         return self.root / self.config.template_refined_posegraph
 
     @property
     def refined_graph_optimized(self) -> Path:
-        """... and after."""
         return self.root / self.config.template_refined_posegraph_optimized
 
     @property
     def slac_graph(self) -> Path:
-        """The pose graph once fragments were aligned with their camera's distortion."""
         return self.root / self.config.folder_slac / self.config.template_optimized_posegraph_slac
 
     @property
     def slac_cloud(self) -> Path:
-        """The points of the surface that was made with it, by Open3D's name."""
         return self.slac_graph.with_name("output_slac_pointcloud.ply")
 
     @property
     def scene_mesh(self) -> Path:
-        """The model."""
         return self.root / self.config.template_global_mesh
 
     @property
     def trajectory(self) -> Path:
-        """Where the camera was."""
         return self.root / self.config.template_global_traj
 
     def record(self, stage: str, number: int | None = None) -> Path:
-        """The record of a stage, or of one fragment."""
         return record_file(self.root, stage, number)

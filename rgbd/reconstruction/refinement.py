@@ -1,4 +1,4 @@
-"""Edges between fragments refined from coarse to fine by ICP, all at once, and their pose graph optimised again."""
+"""Coarse-to-fine ICP refinement of fragment edges, and pose graph optimization."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ Matrix = NDArray[np.float64]
 
 STAGE = "refine"
 SETTINGS = ("voxel_size", "icp_method", "preference_loop_closure_registration")
-SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxels to the edge of the coarsest, iterations: Open3D's
-REACH = 1.4  # [voxels] of a correspondence: Open3D's
-STILL = 1e-6  # change of fitness or error below which a scale ends: Open3D's
-ASTRAY = 2.0  # [coarsest voxels] that refining may move a fragment; beyond it, it has slid to another place
+SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxel factors and iterations, as in Open3D
+REACH = 1.4  # [voxels] correspondence distance, as in Open3D
+STILL = 1e-6  # convergence threshold, as in Open3D
+ASTRAY = 2.0  # [coarsest voxels] maximum displacement; beyond it the match is wrong
 METHODS: dict[str, type[TransformationEstimation]] = {
     "point_to_point": TransformationEstimationPointToPoint,
     "point_to_plane": TransformationEstimationPointToPlane,
@@ -56,26 +56,22 @@ def refine_registration(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> Placement:
-    """Refine where the fragments in a job's folder lie.
+    """Refine the fragment poses in a job's folder.
 
-    Each edge that `register_fragments` kept is refined at voxels of `voxel_size`, a half and a quarter of it, by
-    `icp_method`, all edges at once; then the pose graph is optimised again. An edge that wanders off keeps its pose.
+    Each edge of `register_fragments` is refined by `icp_method` at voxels of `voxel_size`, a half and a quarter of it,
+    in batches; then the pose graph is optimized again. An edge that drifts off keeps its pose.
 
     Args:
         config, folder, device: As of `register_fragments`.
-        resume: Keep the result where it is there and made from this.
+        resume: Keep a valid earlier result.
         progress: Called with ("refine", scales done, scales).
 
     Returns:
-        Where the fragments lie.
+        The fragment poses. Bitwise reproducible.
 
     Raises:
-        TypeError: No configuration.
-        FileError: No placement of the fragments, or a file that cannot be read or written.
-        DeviceError: No such device.
-
-    Notes:
-        The same bits from run to run.
+        TypeError: Not a configuration.
+        FileError, DeviceError: No placement, a file that cannot be read or written, or no such device.
     """
     places, where = Places.make(folder, config), resolve_device(device)
     say = check_progress(progress)
@@ -105,11 +101,7 @@ def refine_registration(
 
 
 def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
-    """The refined placement where it is one of the fragments' placement as it is now, else that.
-
-    Raises:
-        FileError: The fragments are not placed.
-    """
+    """The refined placement if up to date, else the original; FileError without any."""
     placed = placement_of(places, fragments)
     refined = read_placement(places, STAGE)
     return placed if refined is None or refined.before != placed.made_from else refined
@@ -144,7 +136,6 @@ def _refine_edges(
 
 
 def method_for(config: ReconstructionConfig, clouds: Sequence[PointCloud]) -> TransformationEstimation:
-    """The method of the configuration; that of surfaces where it wants colours and a cloud has none."""
     name = config.icp_method
     if name == "color" and not all(cloud.has_colors for cloud in clouds):
         name = "point_to_plane"
@@ -152,7 +143,7 @@ def method_for(config: ReconstructionConfig, clouds: Sequence[PointCloud]) -> Tr
 
 
 def _moved(cloud: PointCloud, first: Matrix, last: Matrix) -> float:
-    """How far a cloud's box moves from one pose to another, root mean square of its corners [m]."""
+    """Root mean square corner displacement of a cloud's box between two poses [m]."""
     box = cloud.get_axis_aligned_bounding_box()
     low, high = np.asarray(box.min_bound), np.asarray(box.max_bound)
     corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])

@@ -1,4 +1,4 @@
-"""What the whole system did, and an account of what is not in the model: `SystemReport`."""
+"""Report of the reconstruction system: `SystemReport`."""
 
 from __future__ import annotations
 
@@ -14,20 +14,12 @@ from .frames import LostFrame
 from .placement import Placement
 from .scene import Scene
 
-_SHOWN = 5  # runs of lost frames
+_SHOWN = 5  # listed runs of lost frames
 
 
 @dataclass(frozen=True)
 class LostRun:
-    """Frames that follow each other and are not in the model.
-
-    Attributes:
-        first, last: Their names.
-        first_index: The place of the first in the source.
-        count: How many.
-        stage: Which one lost them.
-        reason: Why.
-    """
+    """Consecutive frames that are not in the model, with the stage that lost them and the reason."""
 
     first: str
     last: str
@@ -43,8 +35,6 @@ class LostRun:
 
 @dataclass(frozen=True)
 class LoopCount:
-    """Pairs of keyframes that close loops in a fragment: how many were tried, aligned, and kept."""
-
     tried: int
     aligned: int
     kept: int
@@ -52,17 +42,7 @@ class LoopCount:
 
 @dataclass(frozen=True)
 class ToldFragment:
-    """What is told of a fragment.
-
-    Attributes:
-        number: Its place among the fragments.
-        frames: How many it has.
-        first, last: Their names.
-        placed: Whether it is in the model.
-        broke: Why it does not go on from the fragment before; empty where it does.
-        joined: Whether odometry hangs it on an earlier one.
-        loops: Within it.
-    """
+    """Summary of a fragment; `broke`: reason for the gap before it, `joined`: linked by odometry to an earlier one."""
 
     number: int
     frames: int
@@ -76,23 +56,23 @@ class ToldFragment:
 
 @dataclass(frozen=True)
 class SystemReport(Report, Assessed):
-    """What `run_system` did; `print(report)` tells it.
+    """Result of `run_system`.
 
     Attributes:
-        folder: Of the job.
-        frames: How many the source has.
+        folder: Job folder.
+        frames: Number of source frames.
         lost: Runs of frames that are not in the model, in order.
-        fragments: All of them, in order.
-        edges: Of the graph of poses that placed the fragments.
-        loops: Edges that close loops, and that the graph may drop.
-        mesh: The figures of the model, as of `Scene.figures`; None where there is none.
-        trajectory_error: rmse, median and max [m] where the source knows the true poses.
-        kept: How many fragments an earlier run had made.
-        files: The mesh and the path, where there are any.
+        fragments: All fragments, in order.
+        edges: Edges of the fragment pose graph.
+        loops: Its loop closures, which may be removed.
+        mesh: `Scene.figures`, or None.
+        trajectory_error: rmse, median and max [m] if true poses are known.
+        kept: Number of fragments reused from an earlier run.
+        files: The mesh and the trajectory files.
         warnings: Failed quality checks; empty if the result is reliable.
-        slac: As of `BentPlacement.figures`; None where it was not asked for.
-        seconds: Of each stage [s].
-        peak_bytes: The most memory that was held [B].
+        slac: `BentPlacement.figures`; None if not requested.
+        seconds: Time of each stage [s].
+        peak_bytes: Peak memory [B].
     """
 
     folder: str
@@ -112,11 +92,9 @@ class SystemReport(Report, Assessed):
 
     @property
     def used(self) -> int:
-        """How many frames are in the model."""
         return self.frames - sum(run.count for run in self.lost)
 
     def to_dict(self) -> dict[str, Any]:
-        """All of it in JSON's types."""
         return plain(
             {
                 "command": "reconstruct",
@@ -140,7 +118,6 @@ class SystemReport(Report, Assessed):
         )
 
     def parts(self, where: str = "") -> Fields:
-        """The frames and the fragments; `where` stands behind the frames."""
         placed = sum(fragment.placed for fragment in self.fragments)
         fragments = f"{placed} of {len(self.fragments)} joined, {self.loops} loops"
         if self.kept:
@@ -154,7 +131,6 @@ class SystemReport(Report, Assessed):
         return fields
 
     def fields(self) -> Fields:
-        """The frames, the fragments, what it took, and the files."""
         memory = f"{format_bytes(self.peak_bytes)} at most"
         cost = [("seconds", format_seconds(self.seconds)), ("memory", memory)]
         return [*self.parts(), *cost, ("files", ", ".join(self.files) or "none")]
@@ -171,7 +147,6 @@ def report_of(
     seconds: dict[str, float],
     peak_bytes: int,
 ) -> SystemReport:
-    """What stages made."""
     placed = [False] * len(found.fragments) if placement is None else placement.placed.tolist()
     lost = _lost_frames(found, placed, scene)
     edges = [] if placement is None else placement.pose_graph.edges
@@ -203,7 +178,6 @@ def report_of(
 
 
 def _lost_frames(found: FragmentSet, placed: list[bool], scene: Scene | None) -> list[LostRun]:
-    """Runs of frames that are not in the model, in order."""
     entries = [(frame, "make_fragments") for frame in found.lost]
     for fragment, is_placed in zip(found.fragments, placed, strict=True):
         if not is_placed:
@@ -214,7 +188,7 @@ def _lost_frames(found: FragmentSet, placed: list[bool], scene: Scene | None) ->
         entries += [(frame, "integrate_scene") for frame in scene.lost]
     entries.sort(key=lambda entry: entry[0].index)
     runs = []
-    # equal while the reasons are, and the places follow each other
+    # the key is constant over consecutive frames with the same reason
     keys = ((frame.index - k, stage, frame.reason) for k, (frame, stage) in enumerate(entries))
     for (_, stage, reason), run in itertools.groupby(zip(keys, entries, strict=True), key=lambda pair: pair[0]):
         frames = [entry[0] for _, entry in run]

@@ -1,4 +1,4 @@
-"""All frames of the placed fragments to one model, and the path of the camera."""
+"""Fusion of all placed frames into one model, and the camera trajectory."""
 
 from __future__ import annotations
 
@@ -40,17 +40,16 @@ STAGE = "integrate"
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """The model of a scene.
+    """The fused model.
 
     Attributes:
-        mesh_path: The file of its mesh; None where the mesh is empty, and none was written.
-        trajectory_path: The file of the camera's path.
-        cloud_path: The file of the surface's points; None but of SLAC, where `save_output_as` is "pointcloud".
-        indices: Places in the source of the frames in it, int64 [n].
-        T_world_camera: Where the camera was, float64 [n, 4, 4]; the world is the first placed fragment's frame.
-        lost: Frames that were placed, and could not be read again.
-        figures: Vertices, triangles, bounds, the voxels; and where the source knows the true path, the error of this
-            one after alignment ("trajectory_error": rmse, median and max [m]).
+        mesh_path: Mesh file; None if the mesh is empty.
+        trajectory_path: Trajectory file.
+        cloud_path: Point cloud file; only with SLAC and `save_output_as` "pointcloud".
+        indices: Source indices of its frames, int64 [n].
+        T_world_camera: Camera poses, float64 [n, 4, 4], in the frame of the first placed fragment.
+        lost: Placed frames that could not be read again.
+        figures: Vertices, triangles, bounds, voxels; with known poses also "trajectory_error" (rmse, median, max [m]).
     """
 
     mesh_path: Path | None
@@ -72,29 +71,26 @@ def integrate_scene(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> Scene:
-    """Fuse all frames of the placed fragments, and write the mesh and the camera's path.
+    """Fuse all frames of the placed fragments, and write the mesh and the trajectory.
 
     Args:
         source: The frames that the fragments were made of.
         config, folder, device: As of `make_fragments`.
-        slac: Whether frames are bent straight, at the poses of `refine_with_slac`. The surface is then written as
-            points too, beside the grid, where `config.save_output_as` is "pointcloud".
-        resume: Keep the result where it is there and made from this.
+        slac: Undistort the frames, at the poses of `refine_with_slac`; also writes points and grid if
+            `config.save_output_as` is "pointcloud".
+        resume: Keep a valid earlier result.
         progress: Called with ("integrate", done, all), and ("extract", 0, 0).
 
     Returns:
-        The scene. Without `slac` poses are those of `refine_registration` where it was run, else of
-        `register_fragments`.
+        The scene, without `slac` at the poses of `refine_registration` if it was run, else of `register_fragments`.
 
     Raises:
-        TypeError: No such source or configuration.
-        ValueError: Another number of frames than the fragments were made of.
-        FileError: No placed fragments, with `slac` no `refine_with_slac` of them, or a file that cannot be read or
-            written.
+        TypeError, ValueError: Wrong source or configuration, or another number of frames than in the fragments.
+        FileError: No placed fragments or `refine_with_slac` result, or a file that cannot be read or written.
         DeviceError: No such device.
 
     Notes:
-        One frame in memory at a time, beside those that are decoded ahead. The same bits from run to run.
+        Frames are read ahead, one is in use at a time. Bitwise reproducible.
     """
     places, where = Places.make(folder, config), resolve_device(device)
     frames, say = Frames(source, config), check_progress(progress)
@@ -138,14 +134,13 @@ def integrate_scene(
 
 
 def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[np.int64], Matrix]:
-    """The frames of the placed fragments, and T_scene_camera of each, in order."""
     members = placement.members
     indices = np.concatenate([fragments[i].indices for i in members])
     return indices, np.concatenate([matmul(placement.poses[i], fragments[i].poses) for i in members])
 
 
 def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
-    """The surface of a volume, and the threshold it was made with: the first that leaves any, where none is given."""
+    """The surface of a volume and its threshold: by default the first that gives any surface."""
     mesh, used = TriangleMesh(), 0.0
     for used in least_weights(volume.frame_count) if threshold is None else [threshold]:
         mesh = volume.extract_triangle_mesh(used)
@@ -155,7 +150,6 @@ def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleM
 
 
 def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
-    """How far the path is from the true one, where that is known of all frames."""
     if len(truths) != len(poses) or len(poses) < 3 or any(T is None for T in truths):
         return None
     found = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
@@ -163,7 +157,6 @@ def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
 
 
 def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMesh) -> None:
-    """The mesh, and the record, which comes last."""
     if scene.mesh_path is not None:
         write_triangle_mesh(scene.mesh_path, mesh)
     files = [path for path in (scene.trajectory_path, scene.mesh_path, scene.cloud_path) if path is not None]
@@ -179,7 +172,6 @@ def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMes
 
 
 def _read_scene(places: Places, made_from: str) -> Scene | None:
-    """The scene, where it is there and fits."""
     result = read_record(places.record(STAGE), STAGE, places.root, made_from)
     if result is None:
         return None

@@ -1,9 +1,4 @@
-"""Frames at known poses to a volume, one frame in memory at a time.
-
-SLAC: fragments aligned together with the distortion of their camera, and frames fused through what it found.
-
-The optimiser is registration/deformable/slac.py.
-"""
+"""TSDF fusion of frames with known poses, optionally undistorted by SLAC (registration/deformable/slac.py)."""
 
 from __future__ import annotations
 
@@ -36,12 +31,7 @@ Matrix = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Straightener:
-    """What takes a camera's distortion out of frames.
-
-    Attributes:
-        grid: In the coordinates of the frames' fragments.
-        T_fragment_camera: Where in its fragment each frame was taken, float64 [n, 4, 4].
-    """
+    """SLAC's distortion grid, and the camera pose of each frame in its fragment, float64 [n, 4, 4]."""
 
     grid: ControlGrid
     T_fragment_camera: Matrix
@@ -56,19 +46,7 @@ def fuse_frames(
     straight: Straightener | None = None,
     seen: Callable[[ReadFrame], None] = lambda frame: None,
 ) -> list[LostFrame]:
-    """Fold frames into a volume in the order given.
-
-    Args:
-        frames: Of the source.
-        indices: Which of them.
-        poses: T_volume_camera of each, [n, 4, 4].
-        volume: With colour only where all of the frames have it.
-        straight: Bends each frame straight on the way.
-        seen: Called with each frame.
-
-    Returns:
-        The frames that cannot be read any more.
-    """
+    """Fuse frames at poses T_volume_camera [n, 4, 4] in order; returns the unreadable ones. Calls `seen` with each."""
     lost = []
     with frames.closing(indices) as read:
         for place, (frame, pose) in enumerate(zip(read, poses, strict=True)):
@@ -89,7 +67,7 @@ def fuse_frames(
 
 
 def cloud_of(volume: TSDFVolume) -> PointCloud:
-    """The surface of a volume as points; where few frames saw it, of all that they saw."""
+    """The surface of a volume as points; with few frames, of all observed voxels."""
     for threshold in least_weights(volume.frame_count):
         cloud = volume.extract_point_cloud(threshold)
         if len(cloud):
@@ -98,7 +76,6 @@ def cloud_of(volume: TSDFVolume) -> PointCloud:
 
 
 def make_volume(voxel_size: float, truncation: float | None, colored: bool, device: Any) -> TSDFVolume:
-    """A volume for frames that have colour or not."""
     return TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=colored, device=device)
 
 
@@ -124,25 +101,25 @@ def integrate_deformed(
     depth_scale: float | None = None,
     depth_max: float = 3.0,
 ) -> int:
-    """Fold a frame into a volume, its depth bent straight by a control grid on the way.
+    """Fuse a frame into a volume after undistortion of its depth by a control grid.
 
     Args:
-        volume: What it is folded into; on the grid's device.
-        grid: As `run_slac_optimizer_for_fragments` gives it.
+        volume: The volume, on the grid's device.
+        grid: From `run_slac_optimizer_for_fragments`.
         depth: Shape [h, w]; integers of 16 bits and more, or floats.
-        intrinsic: The camera, of the picture's size.
-        T_world_fragment: Pose of the frame's fragment, shape [4, 4], as the optimiser gives it.
-        T_fragment_camera: Where in its fragment the frame was taken; None where the fragment began.
+        intrinsic: The camera, of the image size.
+        T_world_fragment: Optimized pose of the frame's fragment, shape [4, 4].
+        T_fragment_camera: Camera pose in the fragment; None: the identity.
         color: uint8 [h, w, 3]; as of `TSDFVolume.integrate`.
-        depth_scale: Units of depth a metre; None for 1000 of integers and 1 of floats.
-        depth_max: Farthest depth used [m], before and after.
+        depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
+        depth_max: Maximum depth [m], before and after undistortion.
 
     Returns:
         The number of blocks touched.
 
     Raises:
-        TypeError, ValueError, DeviceError: As `TSDFVolume.integrate` and `ControlGrid.deform_depth`. The volume stays
-            as it was.
+        TypeError, ValueError, DeviceError: As `TSDFVolume.integrate` and `ControlGrid.deform_depth`; the volume is
+        unchanged.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,6 +1,4 @@
-"""Dense SLAM: a moving depth camera without poses in, its path and the surface out.
-
-Each public name is loaded when it is first used, as in `pointloom` itself.
+"""Dense SLAM: camera trajectory and surface from RGB-D frames without poses.
 
 Example:
     >>> import numpy as np, pointloom as loom

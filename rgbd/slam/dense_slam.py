@@ -1,15 +1,7 @@
-"""A moving depth camera without poses: where it was, and the surface that it saw.
+"""Dense RGB-D SLAM without given poses: camera trajectory and surface, with a check of the two streams.
 
-Whether colour and depth of a camera were taken at the same time: their motions, one against the other.
-
-What the camera does moves both pictures alike. The shifts of one are held against those of the other some frames
-earlier or later; where the two go together then and not when they came together, one of them is late. Slow sweeps go
-together at any time, so that what counts is the tremble of a hand, after a running mean is taken away.
-
-Whether the pictures of a depth camera are of one moment: a depth picture that came twice, colours that came late.
-
-A stalled stream hands out its last depth picture again, bit for bit, beside colours that go on; a sensor that measures
-never does so, since its noise differs. Where the colours stand still too, nothing is wrong: so do made-up frames.
+The stream check correlates the image shifts of color and depth after removal of a running mean; a peak at another lag
+is a time offset. A repeated depth image beside changing colors is a stalled stream, since sensor noise never repeats.
 """
 
 from __future__ import annotations
@@ -52,44 +44,42 @@ from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
 
 Pose = NDArray[np.float64]
 
-YOUNG = 60  # frames of a model that begins again where it holds what moves: two seconds at 30 a second
+YOUNG = 60  # frames in which a model with moving objects restarts: two seconds at 30 Hz
 
 
 class DenseSLAM:
-    """Frame-to-model tracking with a status of each frame, and recovery where the camera was lost.
+    """Frame-to-model tracking with a status for each frame and relocalization of a lost camera.
 
-    Each frame is aligned with the model as seen from where constant velocity puts the camera, by surface and
-    brightness. A frame that is not firmly on the model is not fused into it. A lost camera is found again from the
-    keyframes that its picture looks like or by its shape, once the model itself agrees.
+    Each frame is aligned by surface and brightness with the model rendered at the constant-velocity prediction. Only
+    tracked frames are fused. A lost camera is relocalized from similar keyframes or by shape.
 
     Args:
         intrinsic: The camera of all frames.
-        voxel_size: Edge of a voxel [m].
-        truncation: Distance at which signed distances are cut [m]; None for 4 voxels.
-        T_init: The first camera's pose, T_world_camera; None for the identity.
-        depth_scale: Integer units a metre.
-        depth_max: Farthest depth used [m].
-        leave_out_moving: Whether pixels are left out of the model that show what was not there a second ago.
-        submap_frames: Frames of a submap, 100 are usual; None keeps none, and `close_loops` has nothing to close.
-        seed: Chooses the tests by which keyframes are recognised.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
-
-    A camera that is lost for long begins a new map, with coordinates of its own. Maps are joined where the camera comes
-    from one into another, or by `join_maps`; until then their poses do not lie relative to each other, and
-    `trajectory`, `volume` and the surface are of the largest map alone.
+        voxel_size: Voxel edge [m].
+        truncation: Truncation distance [m]; None: 4 voxels.
+        T_init: T_world_camera of the first camera; None: the identity.
+        depth_scale: Integer depth units per meter.
+        depth_max: Maximum depth used [m].
+        leave_out_moving: Exclude pixels of objects that appeared within the last second from the model.
+        submap_frames: Frames per submap (typically 100); None keeps no submaps, and `close_loops` raises.
+        seed: Seed of the keyframe recognition.
+        device: "cpu", "cuda:0", "auto"; None: the CPU.
 
     Attributes:
-        results: A TrackingResult for each frame so far, in order. `map` says which map a pose is of.
-        stream: The StreamCheck: whether colour and depth are of one moment, `stream.problem` says why not.
-        foreground: The Foreground: whether what is near moves by itself, and is left out.
+        results: A TrackingResult for each frame, in order; its `map` is the number of the map that the pose refers to.
+        stream: The StreamCheck of color against depth; `stream.problem` is the reason if they do not match.
+        foreground: The Foreground: detection of near objects that move independently and are excluded.
 
     Raises:
-        ValueError: Sizes that are not positive, a pose that is no rigid motion.
-        TypeError: An intrinsic of another type.
+        ValueError: A size is not positive, or a pose is not rigid.
+        TypeError: `intrinsic` has another type.
 
     Notes:
-        The same bits from run to run, for any number of threads. Newcombe et al. 2011, "KinectFusion"; Glocker et al.
-        2015 for the way back.
+        A camera that is lost for long starts a new map with its own coordinates. Maps are joined when the camera moves
+        from one into another, or by `join_maps`; until then `trajectory`, `volume` and the surface are those of the
+        largest map.
+        Bitwise reproducible for any number of threads. Newcombe et al., "KinectFusion", ISMAR 2011; relocalization:
+        Glocker et al. 2015.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -132,7 +122,6 @@ class DenseSLAM:
         self._joining = Joining(self._maps, self.results, self._seed)
 
     def _new_map(self, number: int) -> SlamMap:
-        """An empty map; all but the first begin at the identity, since nobody knows where they lie."""
         T_init = None if number else self._T_init
         model = Model(self._intrinsic, T_init=T_init, **self._model_options)
         return SlamMap(number, model, Keyframes(model.device, self._seed), self._new_recorder(model))
@@ -149,12 +138,12 @@ class DenseSLAM:
 
     @property
     def model(self) -> Model:
-        """The Model of the map that the camera is in."""
+        """The Model of the current map."""
         return self._maps.here.model
 
     @property
     def keyframes(self) -> Keyframes:
-        """The Keyframes of the map that the camera is in."""
+        """The Keyframes of the current map."""
         return self._maps.here.keyframes
 
     @property
@@ -163,17 +152,17 @@ class DenseSLAM:
 
     @property
     def joins(self) -> list[MapJoin]:
-        """For each two maps that a pose was found for: what spoke for it, and why it was refused."""
+        """For each pair of maps with a relative pose: the evidence, and the reason if it was rejected."""
         return self._joining.judged
 
     @property
     def map_sizes(self) -> dict[int, int]:
-        """How many frames have a pose in each map, the largest first, by the map's number."""
+        """Number of frames with a pose in each map, by map number, the largest first."""
         return map_sizes(self.results)
 
     @property
     def volume(self) -> TSDFVolume:
-        """The volume of the largest map, which is what `trajectory` and the surface are of."""
+        """The volume of the largest map, to which `trajectory` and the surface refer."""
         return self._largest.model.volume
 
     @property
@@ -183,24 +172,23 @@ class DenseSLAM:
 
     @property
     def verdict_counts(self) -> dict[str, int]:
-        """How many frames were tracked, uncertain and lost."""
+        """Number of tracked, uncertain and lost frames."""
         verdicts = [result.verdict for result in self.results]
         return {verdict: verdicts.count(verdict) for verdict in ("tracked", "uncertain", "lost")}
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the frames that are not lost, of the largest map.
+        """The poses of the frames of the largest map that are not lost; see `trajectory_of` for other maps.
 
-        Those of another map do not lie relative to them (`trajectory_of`). Its ids are (number of the frame, the same,
-        1 where it is tracked and 0 where it is uncertain); it has timestamps where all those frames have them.
+        Its ids are (frame number, frame number, 1 if tracked or 0 if uncertain). Timestamps if all frames have them.
         """
         return self.trajectory_of(next(iter(self.map_sizes), 0))
 
     def trajectory_of(self, number: int) -> Trajectory:
-        """`trajectory` of the map of a number, in its own coordinates; empty where there is none.
+        """`trajectory` of one map in its own coordinates; empty if there is no such map.
 
         Raises:
-            TypeError, ValueError: No whole number from 0 on.
+            TypeError, ValueError: `number` is not an integer >= 0.
         """
         check_count("number", number, minimum=0)
         found = [result for result in self.results if result.pose is not None and result.map == number]
@@ -210,18 +198,17 @@ class DenseSLAM:
         return Trajectory(poses, None if None in times or not times else np.array(times, np.float64), ids)
 
     def track(self, frame: Any) -> TrackingResult:
-        """Where a frame was taken. The model stays as it is; the next frame is expected to follow this one.
+        """Estimate the pose of a frame without changing the model; the next frame is expected to follow this one.
 
         Args:
-            frame: Anything with `depth` and, where it has them, `color`, `timestamp` [s] and `name`. The first frame
-                with depth stands at T_init.
+            frame: Object with `depth`, optional `color`, `timestamp` [s], `name`. The first with depth is at T_init.
 
         Raises:
-            TypeError: No depth, or wrong element types.
-            ValueError: Pictures whose size is not the camera's.
+            TypeError: No depth, or a wrong element type.
+            ValueError: The image size is not the camera's.
         """
         prepared = self.model.prepare(frame)
-        with unwatched():  # a lost camera may be found by the registration of shapes
+        with unwatched():  # a lost camera may be found by registration
             result = self._track(prepared)
         self.results.append(result)
         self._latest = frame, prepared
@@ -229,7 +216,7 @@ class DenseSLAM:
         return result
 
     def integrate(self, frame: Any) -> bool:
-        """Fuse the frame that was tracked last, where it may be; whether it was.
+        """Fuse the last tracked frame if its pose is accepted; returns True if it was fused.
 
         Raises:
             ValueError: No frame was tracked yet, or the last one was fused already.
@@ -238,7 +225,7 @@ class DenseSLAM:
             raise ValueError("frame: track it first; only the frame that was tracked last can be integrated, once")
         assert self._latest is not None
         given, prepared = self._latest
-        if given is not frame:  # the same pictures in another place
+        if given is not frame:  # the same images in another array
             prepared = self.model.prepare(frame)
         result = self.results[-1]
         if result.pose is None or not (result.is_tracked or result.has_drifted):
@@ -259,7 +246,7 @@ class DenseSLAM:
         return True
 
     def step(self, frame: Any) -> TrackingResult:
-        """Track a frame, and fuse it where it is tracked.
+        """Track a frame, and fuse it if it is tracked.
 
         Raises:
             TypeError, ValueError: As `track`.
@@ -269,18 +256,17 @@ class DenseSLAM:
         return self.results[-1]
 
     def run(self, source: Iterable[Any], *, progress: ReportProgress | None = None) -> list[TrackingResult]:
-        """Take all frames of a source, one after the other.
+        """Process all frames of a source in order.
 
         Args:
-            source: Frames, as of `track`: a data set, a live source, a list, a generator.
-            progress: Called with "tracking", how many frames are done, and how many there are, 0 where the source does
-                not know.
+            source: Iterable of frames as of `track`: a data set, a live source, a list, a generator.
+            progress: Called with ("tracking", frames done, frames in total or 0 if unknown).
 
         Returns:
             The results of these frames.
 
         Raises:
-            TypeError, ValueError: As `track`; the frames before stay taken.
+            TypeError, ValueError: As `track`; earlier frames stay processed.
         """
         tell, first = check_progress(progress), len(self.results)
         try:
@@ -295,16 +281,15 @@ class DenseSLAM:
         return self.results[first:]
 
     def close_loops(self, *, progress: ReportProgress | None = None) -> LoopClosure:
-        """Bring places that were seen twice together, and move poses, keyframes and the model accordingly.
+        """Close loops between submaps, and correct poses, keyframes and the model; may be called during or after a run.
 
-        Maps are joined first (`join_maps`). Each model is fused anew from its submaps. It may be called at the end of a
-        run or within it.
+        Maps are joined first (`join_maps`). Each model is fused again from its submaps.
 
         Args:
-            progress: Called with the stage, how many of its steps are done, and how many there are.
+            progress: Called with (stage, steps done, steps in total).
 
         Returns:
-            What was closed in the largest map, and what was refused and why.
+            The accepted and rejected loops of the largest map.
 
         Raises:
             ValueError: No submaps were kept (`submap_frames`), or no frame was fused yet.
@@ -325,21 +310,20 @@ class DenseSLAM:
         return closed
 
     def join_maps(self) -> list[MapJoin]:
-        """Find how maps lie to each other, where the camera was lost for long and began new ones, and join them.
+        """Estimate the relative poses of the maps, and join them.
 
-        Their submaps are registered with each other from no guess, or the whole of them where no submaps are kept. A
-        pose is taken if `registration` accepts it and the maps show the same from the cameras of either. Maps that
-        are joined take the lower number: poses in `results` are then of one map.
+        Submaps, or complete maps if no submaps are kept, are registered without an initial pose. A pose is accepted if
+        `registration` accepts it and both maps agree as seen from the cameras of either. Joined maps get the lower
+        number, and poses in `results` are updated.
 
         Returns:
-            What was tried just now, each with the reason where it was refused; empty where there is one map. `joins`
-            has those of the whole run.
+            The attempts of this call, each with the reason if rejected; empty if there is one map.
         """
         with unwatched():
             return self._joining.search()
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
-        """What the camera would see of the map that it is in from a pose in that map; see `Model.render`."""
+        """Render the current map from a pose in that map; see `Model.render`."""
         return self.model.render(check_rigid("T_world_camera", T_world_camera))
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
@@ -384,10 +368,7 @@ class DenseSLAM:
         return judge_drift(found, self.model.volume.truncation)
 
     def _restarts(self, frame: SensorFrame) -> bool:
-        """Whether the near part of the pictures is found to move by itself while the model, which holds it, is young.
-
-        Then the model begins again, without it, where the rest of the frame puts the camera.
-        """
+        """True if near pixels move independently while a young model contains them, which must then restart."""
         motion = self._tracker.motion
         if not self.model.leave_out_moving or self.stream.view is None:
             return False
@@ -399,7 +380,7 @@ class DenseSLAM:
         return True
 
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
-        """The first frame of a map: where its world begins, once one has depth."""
+        """The first frame with depth of a map defines the map's world."""
         here = self._maps.here
         if depth_share(frame.pyramid) < LEAST_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
@@ -409,7 +390,7 @@ class DenseSLAM:
         return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, map=here.number, **known)
 
     def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:
-        """A frame that no map knows: lost, or the first of a new map where the camera was lost for long."""
+        """Handle a frame that no map matches: lost, or the first of a new map if the camera was lost for long."""
         if depth_share(frame.pyramid) < LEAST_DEPTH or not self._maps.lost():
             return lost
         self._maps.begin()
@@ -417,7 +398,6 @@ class DenseSLAM:
 
 
 def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixels: Any, result: TrackingResult) -> None:
-    """A fused frame goes into the submap being recorded, with the depth and colour that the model took."""
     height, width = frame.intrinsic.height, frame.intrinsic.width
     color = None if pixels is None else pixels.reshape((height, width, 3))
     picture = depth.reshape((height, width))
@@ -427,7 +407,7 @@ def record_frame(recorder: SubmapRecorder, frame: SensorFrame, depth: Any, pixel
 
 
 def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: ReportProgress) -> LoopClosure:
-    """Close loops among the submaps of a map so far, and move everything that stands on their poses."""
+    """Close loops among the submaps of a map, and update everything that depends on their poses."""
     recorder, model, keyframes, motion = known.recorder, known.model, known.keyframes, known.tracker.motion
     assert recorder is not None
     submaps, seed = recorder.finish(), keyframes.seed
@@ -456,18 +436,18 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
 
 
 STALE = "its depth picture is the last one's"
-STALLED = 3  # frames: cameras repeat one now and then, as real recordings show, and a tenth of a second costs little
-STALLED_SECONDS = 0.12  # the same where the times are known
-LEAST_CELLS = 0.02  # share of the cells that are measured, below which a depth picture says nothing
-MOVED = 0.1  # [cells] the colours went since the depth came: a tenth of a degree; noise alone some 0.01
-CHANGED = 0.03  # or this, the root mean square of what differs in a cell's brightness: noise of a camera 0.01
+STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
+STALLED_SECONDS = 0.12  # likewise with timestamps
+LEAST_CELLS = 0.02  # minimum fraction of measured cells
+MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
+CHANGED = 0.03  # or root mean square brightness change of a cell; camera noise 0.01
 
 
 class StreamCheck:
-    """What the frames so far say of the camera's two streams.
+    """Consistency of the color and depth streams so far.
 
     Attributes:
-        stalled: Frames in a row, up to the last, whose depth picture is an older one's and whose colours moved since.
+        stalled: Number of last consecutive frames whose depth repeats an older image although the colors changed.
         lag: The StreamLag.
         view: The StreamView of the last frame; None before the first.
     """
@@ -478,11 +458,7 @@ class StreamCheck:
         self._fresh: tuple[StreamView | None, float | None] = None, None
 
     def look(self, frame: SensorFrame) -> str:
-        """What speaks against a frame; empty where nothing does. One wait for the device, two where depth is repeated.
-
-        Args:
-            frame: The next one of the stream.
-        """
+        """Check the next frame: the problem, or an empty string. One host synchronization, two if depth is repeated."""
         view = view_stream(frame.depth, frame.pixels, frame.intrinsic.width, frame.intrinsic.height)
         last, self.view = self.view, view
         if last is None or frame.pixels is None:
@@ -513,13 +489,13 @@ class StreamCheck:
 
 
 def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:
-    """The sums of two views, float64 [13]."""
+    """The motion sums of two views, float64 [13]."""
     sums: Any = download(compare_views(now, before))  # sync
     return np.asarray(sums, np.float64).reshape(-1)
 
 
 def shift_of(sums: NDArray[np.float64], first: int) -> NDArray[np.float64]:
-    """The shift of a picture [cells], float64 [2]; NaN where its slopes do not fix it."""
+    """The shift of an image [cells], float64 [2]; NaN if its gradients do not determine it."""
     a, b, c, d, e = sums[first : first + 5]
     determinant = a * c - b * b
     if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
@@ -528,7 +504,6 @@ def shift_of(sums: NDArray[np.float64], first: int) -> NDArray[np.float64]:
 
 
 def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
-    """Whether the colours of two views differ by more than noise."""
     shift = shift_of(sums, at.BRIGHT)
     changed = math.sqrt(sums[at.SHADES] / (view.columns * view.rows))
     return bool(norm(shift) > MOVED) or changed > CHANGED
@@ -536,28 +511,21 @@ def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
 
 Shifts = NDArray[np.float64]
 
-KEPT = 120  # frames that are held against each other: four seconds at 30 a second
-FARTHEST = 45  # frames that one may be late
-FEWEST = 25  # pairs that a lag is told from
-EVERY = 5  # frames from one look to the next
-SWEEP = 4  # frames to either side, whose mean is taken away
-CLIPPED = 3.0  # deviations: one jerk is not the whole of a motion
-TOGETHER = 0.6  # correlation: right lags of a hand-held camera 0.75 to 0.95 | the best of 90 wrong ones 0.4
-BESIDE = 0.3  # by which it is to be above that of no lag: right streams 0 | a second apart 0.55 and more
-NO_LAG = 3  # frames: a tenth of a second at 30 a second costs millimetres
-SHORT = 0.15  # [s] as NO_LAG where the times are known
-AGREED = 2  # looks in a row that tell the same lag, to a frame
+KEPT = 120  # correlated frames: four seconds at 30 Hz
+FARTHEST = 45  # maximum lag in frames
+FEWEST = 25  # minimum pairs for a lag
+EVERY = 5  # frames between checks
+SWEEP = 4  # frames on either side for the running mean
+CLIPPED = 3.0  # clipping in deviations, against single jerks
+TOGETHER = 0.6  # correlation: correct lags of hand-held cameras 0.75 to 0.95 | the best of 90 wrong ones 0.4
+BESIDE = 0.3  # minimum difference to zero lag: correct streams 0 | a second apart 0.55 and more
+NO_LAG = 3  # frames: a tenth of a second costs millimeters
+SHORT = 0.15  # [s] as NO_LAG, with timestamps
+AGREED = 2  # consecutive checks with the same lag
 
 
 class StreamLag:
-    """Holds the motion of the colours against that of the depth.
-
-    Attributes:
-        frames: How many frames the colours are later than the depth of the same moment, below 0 where the depth is
-            later; None while nothing says that they are apart.
-        seconds: The same [s]; NaN without times.
-        correlation: Of the two motions so.
-    """
+    """Time offset by correlation of color and depth motion: `frames` or `seconds` that color is later."""
 
     def __init__(self) -> None:
         self.frames: int | None = None
@@ -569,7 +537,7 @@ class StreamLag:
         self._count = 0
 
     def add(self, bright: Shifts, near: Shifts, time: float | None) -> None:
-        """The shifts [cells] of a frame's two pictures from the frame before, NaN where one has none."""
+        """Add a frame's color and depth shifts [cells] from the previous frame; NaN where undetermined."""
         self._bright, self._near = [*self._bright[1 - KEPT :], bright], [*self._near[1 - KEPT :], near]
         self._times = [*self._times[1 - KEPT :], time]
         self._count += 1
@@ -589,17 +557,16 @@ class StreamLag:
             self._told = [*self._told[1 - AGREED :], lag]
             if len(self._told) == AGREED and np.ptp(self._told) <= 1:
                 self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
-        elif together[best] > TOGETHER:  # they go together as they come; what moves too little tells nothing new
+        elif together[best] > TOGETHER:  # no lag; too little motion is no evidence
             self._told, self.frames = [], None
 
     def _step(self) -> float:
-        """The usual time from frame to frame [s]; NaN where frames have none."""
         times = [time for time in self._times if time is not None]
         return float(np.median(np.diff(times))) if len(times) == len(self._times) > 1 else math.nan
 
 
 def tremble(shifts: Shifts) -> Shifts:
-    """Shifts [n, 2] less their running mean, in deviations, NaN where they are."""
+    """Shifts [n, 2] minus their running mean, in standard deviations; NaN is preserved."""
     known = np.isfinite(shifts)
     sums = np.cumsum(np.vstack([np.zeros((1, 2)), np.where(known, shifts, 0.0)]), axis=0)
     counts = np.cumsum(np.vstack([np.zeros((1, 2)), known]), axis=0)
@@ -612,11 +579,7 @@ def tremble(shifts: Shifts) -> Shifts:
 
 
 def correlations(bright: Shifts, near: Shifts) -> Shifts:
-    """The correlations of two trembles [n, 2], both axes together, at all lags from 1 - n to n - 1.
-
-    Returns:
-        Of the colours' taken so many frames later, float64 [2 n - 1]; 0 where too few frames have both.
-    """
+    """Correlations of two signals [n, 2] at color lags 1 - n to n - 1; 0 if too few frames have both."""
     told: Any = np.isfinite(bright).all(axis=1)
     shown: Any = np.isfinite(near).all(axis=1)
     first_known, second_known = told.astype(np.float64), shown.astype(np.float64)

@@ -1,8 +1,7 @@
-"""Whether the focal length is right, from the frames alone: `check_focal`.
+"""Check of the focal length from the frames: `check_focal`.
 
-A wrong focal length stretches what a frame shows across its line of sight. Frames that look the same way are stretched
-alike and fit each other as well as before; frames that are turned against each other do not. So pairs of frames that
-are turned by some degrees are aligned with several focal lengths, and the one given should fit best.
+A wrong focal length stretches frames laterally, so frames rotated against each other no longer fit. Rotated pairs are
+aligned with several focal lengths; the given one should fit best.
 """
 
 from __future__ import annotations
@@ -28,24 +27,24 @@ from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .tracking import track
 
-TURN = 12.0  # [degrees] between the frames of a pair: enough to tell 10 % of the focal length, and they still overlap
+TURN = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
 PAIRS = 8
-FEWEST_PAIRS = 3  # below it nothing is said
-FACTORS = (0.8, 0.9, 1.1, 1.25)  # of the focal length, that are tried beside the one given
-BETTER = 0.95  # of the residual, below which another focal length fits better: noise alone stays above 0.99
+FEWEST_PAIRS = 3  # minimum for a result
+FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
+BETTER = 0.95  # residual ratio of a better focal length: noise stays above 0.99
 LEAST_OVERLAP = 0.2
-MISS = 0.05  # [m] what a pixel counts that is off the other frame's surface
+MISS = 0.05  # [m] cost of a pixel off the surface
 
 
 @dataclasses.dataclass(frozen=True)
 class FocalCheck(Assessed):
-    """Residuals of turned pairs of frames with the focal length given and with others.
+    """Residuals of rotated frame pairs by focal length.
 
     Attributes:
-        pairs: How many were aligned.
-        residual: With the focal length given, the median [m].
-        factor: By which the focal length fits best; 1 where none is clearly better.
-        residual_there: With that one, the median [m].
+        pairs: Number of aligned pairs.
+        residual: Median with the given focal length [m].
+        factor: Best factor of the focal length; 1 if none is clearly better.
+        residual_there: Median at that factor [m].
 
     Example:
         >>> from pointloom.rgbd.slam.focal_check import FocalCheck
@@ -66,7 +65,6 @@ class FocalCheck(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A message if another focal length fits the frames better; empty otherwise."""
         if self.factor == 1.0:
             return ()
         return (
@@ -75,7 +73,6 @@ class FocalCheck(Assessed):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
         return {"pairs": self.pairs, **residuals}
 
@@ -88,27 +85,25 @@ def check_focal(
     depth_max: float = DEPTH_MAX,
     device: Any = None,
 ) -> FocalCheck | None:
-    """Whether frames that are turned against each other fit better with another focal length.
+    """Check whether frames that are rotated against each other fit better with another focal length.
 
     Args:
-        frames: Of `open_frames`, `frames_from`, or anything with `intrinsic`, `depth_scale` and either `len` and
-            `read(i)` or an iterator that can be asked for again.
-        trajectory: Poses of some of them; ids hold their numbers, without ids they are those of the first frames. None
-            finds them with `loom.track`.
-        uncertain: Numbers of frames whose poses say nothing.
-        depth_max: Farther depth is left out [m].
-        device: Where to compute; None for the CPU.
+        frames: From `open_frames`, `frames_from`, or any source with `intrinsic`, `depth_scale` and either `len` and
+            `read(i)` or a repeatable iterator.
+        trajectory: Poses of some frames, by ids or the first ones. None: estimated by `loom.track`.
+        uncertain: Frame numbers to ignore.
+        depth_max: Maximum depth [m].
+        device: Compute device; None: the CPU.
 
     Returns:
-        None where the camera turned too little to tell, or too few of the frames overlap.
+        None if the camera rotated too little, or too few frames overlap.
 
     Raises:
-        TypeError: No frames of one camera, no trajectory.
-        ValueError: A length that is not positive, or a number of a frame that is none.
+        TypeError, ValueError: Not frames of one camera, not a trajectory, or an invalid length or frame number.
         DeviceError: No such device.
 
     Notes:
-        At most eight pairs are aligned with five focal lengths each. The same bits from run to run.
+        At most eight pairs with five focal lengths each. Bitwise reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -145,7 +140,6 @@ def check_focal(
 
 
 def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
-    """The residuals of all pairs, those with the focal length given first, in one check."""
     if len(found) < FEWEST_PAIRS:
         return None
     table = np.array(found)
@@ -157,7 +151,7 @@ def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
 
 
 def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
-    """Places in a path of poses that are turned against each other, spread over it."""
+    """Index pairs of poses that are rotated against each other, spread over the path."""
     axes = path.poses[:, :3, 2]
     pairs = []
     for first in range(0, len(path), max(1, len(path) // PAIRS)):
@@ -168,14 +162,12 @@ def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
 
 
 def _sure(path: Trajectory, uncertain: Sequence[int]) -> tuple[Any, Any]:
-    """The poses that say something, and the numbers of their frames."""
     numbers = np.arange(len(path)) if path.ids is None else path.ids[:, 0]
     sure = ~np.isin(numbers, np.array(uncertain, np.int64))
     return path.poses[sure], numbers[sure]
 
 
 def _reader(frames: FrameSource | RGBDSource, numbers: set[int]) -> Callable[[int], Any]:
-    """What gives frames by their numbers: those of a stream are taken from it and kept."""
     if can_read(frames):
         read: Callable[[int], Any] = frames.read
         known = numbers.intersection(range(len(frames)))
@@ -194,7 +186,6 @@ def _residuals(
     start: Any,
     options: dict[str, Any],
 ) -> list[float] | None:
-    """The residual of a pair with each focal length, the one given first; None where it says nothing."""
     try:
         frames = [read(number) for number in pair]
     except FileError:
@@ -213,7 +204,6 @@ def _residuals(
 
 
 def _residual(result: OdometryResult) -> float:
-    """Root of the mean square distance [m] over the pixels that meet depth."""
     share = result.fitness / result.overlap
     return math.sqrt(share * result.inlier_rmse**2 + (1 - share) * MISS**2)
 

@@ -1,4 +1,4 @@
-"""A frame of a depth camera on a device, uploaded once for tracking and for fusion."""
+"""Depth camera frames on a device, uploaded once for tracking and fusion."""
 
 from __future__ import annotations
 
@@ -14,30 +14,26 @@ from ...cameras.images import check_intrinsic, integer_scale, upload_color, uplo
 from ...core.checks import check_number
 from ..odometry.frames import OdometryFrame
 
-MOST_PIXELS = 20_000  # that frames and the model are compared by: a quarter of VGA's sides; more wins nothing
+MOST_PIXELS = 20_000  # finest level: a quarter of VGA's sides; more does not help
 
 
 class SensorFrame:
-    """Depth and colour on a device, and their pyramid.
+    """Depth and color on a device, with their pyramid.
 
     Args:
-        frame: Anything with `depth` and, where it has them, `color`, `timestamp` and `name`: an RGBDImage, a frame of
-            `open_dataset`, of a live source. Integers are divided by `depth_scale`, floats are metres.
-        intrinsic: The camera of both pictures.
-        depth_scale: Integer units a metre.
-        depth_max: Farthest depth used [m].
-        device: Where it goes.
+        frame: An object with `depth` and optionally `color`, `timestamp`, `name`. Integers are divided by
+            `depth_scale`, floats are meters.
+        intrinsic: The camera of both images.
+        depth_scale: Integer units per meter.
+        depth_max: Maximum depth [m].
+        device: The device.
 
     Attributes:
-        depth: float32 [pixels] [m], 0 where nothing was measured.
-        pixels: uint8 [pixels, 3], or None without colour.
-        still: The depth without what moved, once a tracker has told that; else None.
-        pyramid: The OdometryFrame; of what is still, once that is known.
+        depth: float32 [pixels] [m], 0 if invalid.
+        pixels: uint8 [pixels, 3], or None without color.
+        still: The depth without moving pixels, set by a tracker; else None.
+        pyramid: The OdometryFrame, of static pixels once known.
         timestamp: Time [s], or None.
-
-    Raises:
-        TypeError: No depth, or wrong element types.
-        ValueError: Shapes that do not fit the camera or each other.
     """
 
     def __init__(
@@ -51,7 +47,7 @@ class SensorFrame:
         self.intrinsic = check_intrinsic(intrinsic, width, height)
         color = getattr(frame, "color", None)
         if color is not None and np.issubdtype(getattr(color, "dtype", np.uint8), np.floating):
-            color = np.rint(255 * np.clip(color, 0, 1)).astype(np.uint8)  # an RGBDImage of brightness
+            color = np.rint(255 * np.clip(color, 0, 1)).astype(np.uint8)  # an RGBDImage with brightness
         self.pixels: Any = None if color is None else upload_color(color, height, width, device)
         self.still: Any = None
         self._pyramid: OdometryFrame | None = None
@@ -62,25 +58,21 @@ class SensorFrame:
 
     @property
     def pyramid(self) -> OdometryFrame:
-        """The frame for odometry, made when it is first asked for."""
         if self._pyramid is None:
             self._pyramid = self.pyramid_of(self.depth)
         return self._pyramid
 
     def keep_still(self, depth: Any, pyramid: OdometryFrame) -> None:
-        """Take the depth of what is still, and its pyramid, for the frame's."""
         self.still, self._pyramid = depth, pyramid
 
     def leave_only(self, depth: Any) -> None:
-        """Take a depth for the frame's from now on, float32 [pixels], 0 where it is left out."""
+        """Replace the depth, float32 [pixels], 0 where excluded."""
         self.depth, self.still, self._pyramid = depth, None, None
 
     def pyramid_of(self, depth: Any) -> OdometryFrame:
-        """The frame for odometry with another depth, float32 [pixels]."""
         return OdometryFrame._from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:
-        """The time from another time to this frame's [s]; NaN where one of them is unknown."""
         if earlier is None or self.timestamp is None:
             return math.nan
         return self.timestamp - earlier

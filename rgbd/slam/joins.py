@@ -1,9 +1,7 @@
 """Relative pose of two maps and its reliability: a wrong join is worse than none.
 
-A pose comes from a frame that is recognised in a map that the camera left and from those that follow it there, or from
-the registration of pieces of the two. Either way the maps themselves have to bear it out: as seen from the cameras of
-either, what both show lies on each other in at least two views, hardly any view contradicts it, and `registration`'s
-score accepts the pose of their surfaces.
+Poses come from frames recognized in an old map, or from registration of submaps. Accepted if both maps agree in at
+least two views from the cameras of either, hardly any view contradicts, and `registration` accepts the surfaces.
 """
 
 from __future__ import annotations
@@ -28,30 +26,30 @@ from .verdicts import FIRM_OVERLAP, LEAST_OVERLAP, SURE_AGREEMENT, agreement_of,
 
 Pose = NDArray[np.float64]
 
-AGREEING = 5  # frames that have to be found where the first one puts them
-FAILING = 3  # and so many that are not end it
-WAY = 0.5  # as of view_distance: how far the camera went from the first of them to the last, some 12 cm or 9 degrees
-MOST_VIEWS = 24  # of each map
-LEAST_VIEWS = 2  # apart that have to bear a join out
-MOST_AGAINST = 0.25  # of those for it: views at the rim of a map, where it was seen seldom, are inexact
-CONTRADICTING = 0.5  # agreement below which a view speaks against it
-OFF = 0.06  # [m], [rad] that a view may be moved by, else it shows that the pose is wrong: what maps drift by is less
-VOXELS, LEAST_VOXEL = 2.5, 0.05  # of registration, as of loops
-REACH = 1.5  # [voxels] of a match
-BELIEVED = 0.5  # score above which `registration` accepts a pose
+AGREEING = 5  # frames that confirm a proposal
+FAILING = 3  # frames that refute it
+WAY = 0.5  # view_distance between the first and the last of them: 12 cm or 9 degrees
+MOST_VIEWS = 24  # per map
+LEAST_VIEWS = 2  # distinct views that confirm a join
+MOST_AGAINST = 0.25  # ratio to the confirming views: rarely seen map borders are inexact
+CONTRADICTING = 0.5  # agreement below which a view contradicts
+OFF = 0.06  # [m], [rad] maximum correction of a view: above the drift of maps
+VOXELS, LEAST_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
+REACH = 1.5  # [voxels] match distance
+BELIEVED = 0.5  # minimum score of `registration`
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class MapJoin:
-    """Two maps, and what speaks for a pose of one in the other.
+    """Two maps, and the evidence for a relative pose.
 
     Attributes:
-        target, source: Their numbers; the target's coordinates stay.
-        T_target_source: How the source lies to the target, float64 [4, 4].
-        views: Views in which both show the same there.
-        against: Views in which they contradict each other.
-        score: Confidence of `registration` in it, 0..1.
-        refused: Why they were not joined; empty where they were.
+        target, source: Map numbers; the target's coordinates stay.
+        T_target_source: Relative pose, float64 [4, 4].
+        views: Number of views that agree.
+        against: Number of views that contradict.
+        score: Confidence of `registration`, 0..1.
+        refused: Reason of the rejection; empty if joined.
     """
 
     target: int
@@ -64,14 +62,7 @@ class MapJoin:
 
 
 class Proposal:
-    """Where the map that the camera is in may lie in another one, until frames that follow bear it out.
-
-    Args:
-        other: The other map.
-        here: The one that the camera is in.
-        T_other_here: Where this one would lie in it.
-        pose: Of the first frame, in this one.
-    """
+    """A proposed pose of the current map in another one, until later frames confirm it."""
 
     def __init__(self, other: SlamMap, here: SlamMap, T_other_here: Pose, pose: Pose):
         self.other, self.here, self.T_other_here = other, here, T_other_here
@@ -79,11 +70,10 @@ class Proposal:
 
     @property
     def is_refuted(self) -> bool:
-        """Whether it is to be dropped."""
         return self._missed >= FAILING
 
     def ask(self, frame: SensorFrame, pose: Pose) -> bool:
-        """Try a frame, tracked here at a pose, in the other map; whether enough of them agree by now."""
+        """Test a tracked frame in the other map; True once enough frames agree."""
         expected = matmul(self.T_other_here, pose)
         attempt = self.other.tracker.try_place(frame, expected)
         if attempt.verdict != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
@@ -94,12 +84,11 @@ class Proposal:
 
 
 def apart(T: Pose) -> float:
-    """How much a motion is: the larger of its shift [m] and its turn [rad]."""
+    """Size of a motion: the larger of its translation [m] and its rotation [rad]."""
     return max(float(norm(T[:3, 3])), float(norm(rotation_vector(T[:3, :3]))))
 
 
 def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJoin:
-    """What the two maps say of a pose of one in the other; `refused` is empty if it is accepted."""
     T = T_target_source
     first, moves, against = _views(target, source, T)
     second, back, against_too = _views(source, target, invert_pose(T))
@@ -120,7 +109,7 @@ def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJo
 
 
 def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[Pose], int]:
-    """From the source's cameras: poses of views for the join, where each puts the source, and how many are against."""
+    """Views from the source's cameras, the relative pose by each, and the number of contradictions."""
     poses = source.keyframes.poses
     agreeing: list[Pose] = []
     moves: list[Pose] = []
@@ -148,7 +137,6 @@ def _speaks_against(found: OdometryResult) -> bool:
 
 
 def _count_apart(poses: list[Pose]) -> int:
-    """How many of the views look from elsewhere than those before."""
     kept: list[Pose] = []
     for pose in poses:
         if all(view_distance(pose, other) > 1.0 for other in kept):
@@ -157,13 +145,11 @@ def _count_apart(poses: list[Pose]) -> int:
 
 
 def _mean(poses: list[Pose]) -> Pose:
-    """Of poses that are nearly the same."""
     mean = np.mean(poses, axis=0)
     return make_pose(nearest_rotation(mean[:3, :3]), mean[:3, 3])
 
 
 def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
-    """Confidence of `registration` in a pose of the two surfaces."""
     size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
     left, right = (_thinned(known, size) for known in (source, target))
     if min(len(left), len(right)) < FEWEST_POINTS:

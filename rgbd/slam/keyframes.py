@@ -1,4 +1,4 @@
-"""Frames by which a lost camera finds back: their codes on the device, their poses on the host."""
+"""Keyframes for relocalization: codes on the device, poses on the host."""
 
 from __future__ import annotations
 
@@ -17,22 +17,13 @@ from ..odometry.frames import OdometryFrame
 
 Pose = NDArray[np.float64]
 
-APART = 0.25  # [m] from the nearest keyframe, or
-TURNED = np.deg2rad(18.0)  # from it: then a view is new
-LEAST_COMMON = 0.15  # share of the tests that two frames both have to answer
+APART = 0.25  # [m] minimum distance to the nearest keyframe, or ...
+TURNED = np.deg2rad(18.0)  # ... minimum rotation of a new view
+LEAST_COMMON = 0.15  # minimum fraction of tests valid in both frames
 
 
 class Keyframes:
-    """Views of a scene that frames can be recognised from.
-
-    Args:
-        device: Where the codes lie.
-        seed: Chooses the tests that codes are made of.
-
-    Attributes:
-        poses: T_world_camera of each keyframe; they may be replaced when the map is corrected.
-        numbers: The number of each keyframe's frame.
-    """
+    """Views from which frames can be recognized, with correctable `poses` T_world_camera, and frame `numbers`."""
 
     def __init__(self, device: wp.Device, seed: int = 0):
         self.device, self.seed = device, seed
@@ -44,7 +35,6 @@ class Keyframes:
         return len(self.poses)
 
     def add(self, frame: OdometryFrame, pose: Pose, number: int) -> int:
-        """Keep a view; its index."""
         index = len(self.poses)
         if (index + 1) * FERNS > self._codes.size:
             larger: Any = zeros(2 * self._codes.size, uint8, self.device)
@@ -56,7 +46,7 @@ class Keyframes:
         return index
 
     def extend(self, others: Keyframes, T: Pose) -> None:
-        """Take the views of others, made by the same tests, whose poses T moves."""
+        """Add the views of others (with the same tests), whose poses T transforms."""
         count = len(self)
         needed = (count + len(others)) * FERNS
         if needed > self._codes.size:
@@ -68,14 +58,10 @@ class Keyframes:
         self.numbers += others.numbers
 
     def is_new_view(self, pose: Pose) -> bool:
-        """Whether no keyframe looks from so near into so much the same direction."""
         return all(view_distance(pose, other) > 1.0 for other in reversed(self.poses))
 
     def recognize(self, frame: OdometryFrame, count: int) -> list[tuple[int, float]]:
-        """The keyframes most like a frame: (index, share of the tests that differ), the likest first.
-
-        A sync. Of views that are nearly the same only the likest comes along.
-        """
+        """The most similar keyframes (index, fraction of differing tests), without near duplicates. A sync."""
         if not self.poses:
             return []
         counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
@@ -100,6 +86,6 @@ class Keyframes:
 
 
 def view_distance(a: Pose, b: Pose) -> float:
-    """How far two views are apart: 1 for APART metres, or for TURNED radians."""
+    """Distance of two views: 1 for APART meters, or for TURNED radians."""
     shift = float(norm(a[:3, 3] - b[:3, 3])) / APART
     return shift + float(norm(rotation_vector(matmul(a[:3, :3].T, b[:3, :3])))) / TURNED

@@ -1,8 +1,7 @@
-"""Pairs of submaps that may show the same place: which those are, and whether they do.
+"""Candidate pairs of overlapping submaps, and their verification by registration.
 
-A pair is tried where the submaps can overlap, given how far tracking may have drifted between them; it is registered
-from where tracking put it, and from no guess where that may be too far. A pose is taken if `registration` accepts
-it (registration/globally/rating.py) and it moves the submap no further than tracking may have drifted.
+Pairs that may overlap given the possible drift are registered from their poses, or globally if the drift may be too
+large. A pose is accepted if `registration` accepts it (registration/globally/rating.py) within the drift.
 """
 
 from __future__ import annotations
@@ -31,24 +30,18 @@ from .submaps import Submap
 
 Matrix = NDArray[np.float64]
 
-FAR = 5.0  # [voxels] of a correspondence at first; a start further off than this is tried from no guess too
-REACH = 1.5  # [voxels] of a correspondence at last
-OVERLAP = 0.2  # share of the smaller submap that has to lie on the other
-SURE = 0.5  # score above which a pose is accepted that tracking predicts
-SURER = 0.95  # and one as far from that as tracking may be off: wrong poses accepted at 0.5 to 0.7 lie far off
-STEPS = 30  # of ICP at each distance
+FAR = 5.0  # [voxels] initial correspondence distance; larger errors are also registered globally
+REACH = 1.5  # [voxels] final correspondence distance
+OVERLAP = 0.2  # minimum overlap of the smaller submap
+SURE = 0.5  # minimum score of a predicted pose
+SURER = 0.95  # minimum score at the drift limit: wrong poses with 0.5 to 0.7 are far off
+STEPS = 30  # ICP iterations per distance
 STILL = 1e-6
-AT_ONCE = 64  # pairs in the same launches
+AT_ONCE = 64  # pairs per launch
 
 
 class SubmapSurface:
-    """A submap as registration sees it.
-
-    Attributes:
-        cloud: Its points, one a voxel, in coordinates of the submap.
-        thinned: Where a surface shows, with normals.
-        box: Corners of the box of its points, float64 [8, 3]; none where it shows no surface.
-    """
+    """A submap for registration: downsampled surface with normals, and box corners, float64 [8, 3]."""
 
     def __init__(self, submap: Submap, voxel_size: float):
         self.cloud, self.voxel_size = submap.cloud(voxel_size / 4), voxel_size
@@ -70,30 +63,27 @@ class SubmapSurface:
 
     @cached_property
     def fine(self) -> PointCloud:
-        """As `thinned`, with voxels of half the size."""
         return self._as_cloud(surface_of(self.cloud, self.voxel_size / 2))
 
     @cached_property
     def described(self) -> Description:
-        """Its features, for registration from no guess."""
         return describe(self.cloud, self.voxel_size)
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Loop:
-    """Two submaps that were tried against each other, not one after the other in tracking.
+    """A tried pair of non-consecutive submaps.
 
     Attributes:
-        source, target: Their places in the list of submaps.
-        T_target_source: How the source lies to the target, float64 [4, 4].
+        source, target: Their indices.
+        T_target_source: Relative pose, float64 [4, 4].
         information: As of PoseGraphEdge, float64 [6, 6].
-        score: Confidence of `registration` in it, 0..1.
-        overlap: Share of the source's voxels that lie on the target.
-        residual: Distance of the surfaces from each other along their normals [m], root of the mean square, once they
-            were refined: noise, what tracking lost within the two, and how the camera bends depth. NaN before.
-        shift: How far the pose moves the source from where it was before [m]: the farthest corner of its box.
-        limit: How far tracking may have drifted between them [m].
-        refused: Why it was not taken; empty where it was.
+        score: Confidence of `registration`, 0..1.
+        overlap: Fraction of the source's voxels on the target.
+        residual: Root mean square point-to-plane distance [m] after refinement; NaN before.
+        shift: Maximum displacement of the source's box corners [m].
+        limit: Possible drift between them [m].
+        refused: Reason of the rejection; empty if accepted.
     """
 
     source: int
@@ -110,7 +100,7 @@ class Loop:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Candidate:
-    """A pair that may overlap: where the source would lie in the target, and how far off that may be [m]."""
+    """A pair that may overlap: relative pose, and its possible error [m]."""
 
     source: int
     target: int
@@ -119,7 +109,7 @@ class Candidate:
 
 
 def shortest_ways(count: int, links: Sequence[tuple[int, int, float]]) -> Matrix:
-    """The shortest way between each two of `count` places over links (a, b, length), infinite where none leads."""
+    """Shortest path lengths between all of `count` nodes over links (a, b, length); infinite if unconnected."""
     near: list[list[tuple[int, float]]] = [[] for _ in range(count)]
     for a, b, length in links:
         near[a].append((b, length))
@@ -142,7 +132,7 @@ def shortest_ways(count: int, links: Sequence[tuple[int, int, float]]) -> Matrix
 def find_candidates(
     surfaces: Sequence[SubmapSurface], poses: Matrix, limits: Matrix, known: set[tuple[int, int]]
 ) -> list[Candidate]:
-    """The pairs that are not known yet and whose boxes meet, each grown by what poses may be off by."""
+    """Unknown pairs whose boxes, grown by the possible error, intersect."""
     found = []
     for target in range(len(surfaces)):
         for source in range(target + 1, len(surfaces)):
@@ -155,7 +145,6 @@ def find_candidates(
 
 
 def _boxes_meet(source: Matrix, target: Matrix, T: Matrix, limit: float) -> bool:
-    """Whether two boxes come within a distance, along the axes of either."""
     there = matmul(source, T[:3, :3].T) + T[:3, 3]
     back = invert_pose(T)
     here = matmul(target, back[:3, :3].T) + back[:3, 3]
@@ -164,13 +153,12 @@ def _boxes_meet(source: Matrix, target: Matrix, T: Matrix, limit: float) -> bool
 
 
 def shift_of(box: Matrix, before: Matrix, after: Matrix) -> float:
-    """How far a box goes from one pose to another: its farthest corner [m]."""
+    """Maximum corner displacement of a box between two poses [m]."""
     moved = matmul(box, (after[:3, :3] - before[:3, :3]).T) + (after[:3, 3] - before[:3, 3])
     return float(np.linalg.norm(moved, axis=1).max())
 
 
 def verify_near(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate]) -> list[Loop]:
-    """The candidates registered from where they are, each accepted or rejected."""
     loops: list[Loop] = []
     for first in range(0, len(candidates), AT_ONCE):
         part = candidates[first : first + AT_ONCE]
@@ -180,11 +168,11 @@ def verify_near(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidat
 
 
 def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate], seed: int) -> list[Loop]:
-    """The candidates registered from no guess; those of which nothing is found are left out."""
+    """Register the candidates globally; those without a result are left out."""
     loops = []
     for c in candidates:
         found = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
-        if found.score is not None and found.score > SURE:  # one of two poses that fit alike is rejected
+        if found.score is not None and found.score > SURE:  # one of two equally good poses is rejected
             loops += _register(surfaces, [c], found.transformation[None], coarse=False)
     return loops
 
@@ -192,7 +180,6 @@ def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate
 def _register(
     surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate], starts: Matrix, *, coarse: bool
 ) -> list[Loop]:
-    """Candidates registered from poses, all in the same launches, and judged."""
     left = [surfaces[c.source].thinned for c in candidates]
     right = [surfaces[c.target].thinned for c in candidates]
     size, poses = surfaces[candidates[0].source].voxel_size, starts
@@ -208,16 +195,15 @@ def _register(
     loops = []
     for c, result, matrix in zip(candidates, last.results(), information, strict=True):
         T = result.transformation
-        A = adjoint_of(T)  # an edge's matrix weighs a misfit in the source's coordinates, the problem's in the target's
+        A = adjoint_of(T)  # an edge's matrix is in source coordinates, the problem's in target coordinates
         loops.append(_judge(surfaces, c, T, matmul(A.T, matrix, A), result.fitness))
     return loops
 
 
 def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, information: Matrix, fitness: float) -> Loop:
-    """A registered candidate with what speaks against it."""
     source, target = surfaces[c.source], surfaces[c.target]
     assert source.witness is not None and target.witness is not None
-    share = fitness * max(1.0, len(source.witness.surface) / len(target.witness.surface))  # of the smaller one
+    share = fitness * max(1.0, len(source.witness.surface) / len(target.witness.surface))  # relative to the smaller one
     shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
     if shift > c.limit:
         refused = f"it lies {shift:.2f} m from where tracking, which may be off by {c.limit:.2f} m, has it"
@@ -233,7 +219,7 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
 
 
 def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loop]:
-    """Loops refined with voxels of half the size; without those whose surfaces then have no pair of points left."""
+    """Refine loops with voxels of half the size; those without point pairs are removed."""
     refined = []
     for first in range(0, len(loops), AT_ONCE):
         part = loops[first : first + AT_ONCE]
@@ -253,7 +239,6 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
 
 
 def _plane_distance(source: PointCloud, target: PointCloud, T: Matrix, pairs: NDArray[np.int32]) -> float:
-    """The distances of pairs of points along the target's normals, root of the mean square [m]."""
     moved = matmul(source.points[pairs[:, 0]], T[:3, :3].T) + T[:3, 3]
     normals = target.normals
     assert normals is not None

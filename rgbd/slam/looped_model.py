@@ -1,4 +1,4 @@
-"""Tracking against the model, loops between submaps, and the surface of all: `model_by_slam`."""
+"""Frame-to-model tracking, loop closure, and the fused surface: `model_by_slam`."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from .tracking import make_slam, track_with
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class SlamAccount(Assessed):
-    """How tracking and closing loops made a model.
+    """Result of tracking with loop closure.
 
     Attributes:
-        path: The path, once loops are closed, and what became of each frame.
-        submap_count: How many submaps the run was cut into.
-        loops: Pairs of submaps (target, source) that show the same place and were brought together.
-        refused_loop_count: Pairs that were tried and rejected.
-        corrected: The farthest that a frame was moved by that [m].
+        path: The corrected TrackedPath.
+        submap_count: Number of submaps.
+        loops: Accepted loop closures (target, source).
+        refused_loop_count: Number of rejected pairs.
+        corrected: Maximum displacement of a frame [m].
     """
 
     path: TrackedPath
@@ -40,41 +40,33 @@ class SlamAccount(Assessed):
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the frames that have one; ids hold their numbers."""
         return self.path.trajectory
 
     @property
     def uncertain(self) -> tuple[int, ...]:
-        """Frames whose pose is uncertain."""
         return self.path.uncertain
 
     @property
     def voxel_size(self) -> float:
-        """Edge of a voxel [m]."""
         return self.path.voxel_size
 
     @property
     def depth_max(self) -> float:
-        """Farther depth was left out [m]."""
         return self.path.depth_max
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         return self.path.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         return self.path.to_dict() | self.loops_to_dict()
 
     def loops_to_dict(self) -> dict[str, Any]:
-        """Those of the loops alone."""
         loops = [list(loop) for loop in self.loops]
         refused = {"refused_loops": self.refused_loop_count, "corrected_m": self.corrected}
         return {"submaps": self.submap_count, "loops": loops, **refused}
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
-        """The frames, the path and the loops as labels and values, with the rate where it was measured."""
         told = self.path.fields(frames_per_second)
         if not self.loops:
             return [*told, ("loops", "none")]
@@ -92,15 +84,7 @@ def model_by_slam(
     progress: ReportProgress,
     clock: Clock,
 ) -> tuple[TriangleMesh, SlamAccount]:
-    """Track each frame against the model of those before it, close the loops, and take the surface.
-
-    Args:
-        frames, voxel_size, depth_max, device, read_ahead, progress: As of `loom.track`.
-        clock: Counts the seconds of the stages "read", "track", "loops", "extract".
-
-    Raises:
-        TypeError, ValueError, FileError: As `loom.track`.
-    """
+    """Track all frames, close the loops, and extract the surface; arguments as of `loom.track`."""
     sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": device}
     slam = make_slam(frames, **sizes, submap_frames=SUBMAP_FRAMES)
     path = track_with(slam, frames, **sizes, read_ahead=read_ahead, progress=progress, clock=clock)
@@ -113,8 +97,7 @@ def model_by_slam(
 
 
 def _close_loops(slam: Any, path: TrackedPath, progress: ReportProgress) -> tuple[TSDFVolume, SlamAccount]:
-    """The surface, and what is told of the loops, with the path corrected."""
-    volume = slam.volume  # as it was tracked: where no loop is closed, it is not to be made anew from its submaps
+    volume = slam.volume  # without loop closures the tracked volume is kept
     if not slam.model.frame_count:
         return volume, SlamAccount(path)
     closure = slam.close_loops(progress=progress)

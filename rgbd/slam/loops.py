@@ -1,4 +1,4 @@
-"""Closing loops: submaps that show the same place brought together, the others with them, and all fused anew."""
+"""Loop closure between submaps: search, pose graph optimization, and fusion of the corrected submaps."""
 
 from __future__ import annotations
 
@@ -35,29 +35,28 @@ from .submaps import Submap, check_poses, check_submaps, tracked_run, way_betwee
 
 Matrix = NDArray[np.float64]
 
-VOXELS = 2.5  # voxels of a volume in one of registration, where the user says nothing
-LEAST_VOXEL = 0.05  # [m] what rooms are recognised by
-DRIFT = 0.05  # of the way, at most: trackers lose 1 to 2 %
-SLACK = 0.05  # [m] besides
+VOXELS = 2.5  # volume voxels per registration voxel
+LEAST_VOXEL = 0.05  # [m] for rooms
+DRIFT = 0.05  # maximum drift relative to the path: trackers have 1 to 2%
+SLACK = 0.05  # [m] additional drift
 CONTRADICTED = "it contradicts tracking or other loops"
-PRUNE = 0.25  # confidence of a loop at which it is dropped
-KNOWN = 3.0  # residuals of a loop: how well it is known, as what bends depth bends the poses too
-USUAL = 0.2  # of the most that tracking may lose: what it usually loses
-STILL = 1e-3  # [m] and loses standing still
-ROUNDS = 3  # of search and optimisation: poses that loops have brought near let others be found
+PRUNE = 0.25  # confidence at which a loop is removed
+KNOWN = 3.0  # residuals: accuracy of a loop, since depth distortion affects poses too
+USUAL = 0.2  # typical drift relative to the maximum
+STILL = 1e-3  # [m] drift of a stationary camera
+ROUNDS = 3  # search and optimization rounds: corrected poses reveal more loops
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class LoopClosure:
-    """Where submaps lie once loops are closed.
+    """Submap poses after loop closure.
 
     Attributes:
-        T_world_submap: Of each submap in the order given, float64 [n, 4, 4].
-        groups: Which submaps hang together, by tracking or loops, int64 [n]: equal numbers do. Each group keeps the
-            place of its first submap.
-        loops: The pairs that were taken, by (target, source).
-        refused: Those that were tried and not taken, each with the reason.
-        pose_graph: The optimised graph, its nodes the submaps by their first frames.
+        T_world_submap: Pose of each submap in the given order, float64 [n, 4, 4].
+        groups: Connected component of each submap, int64 [n]; each keeps the pose of its first submap.
+        loops: Accepted pairs by (target, source).
+        refused: Rejected pairs, each with the reason.
+        pose_graph: The optimized graph, its nodes ordered by first frame.
     """
 
     T_world_submap: Matrix
@@ -75,36 +74,33 @@ def close_loops(
     seed: int = 0,
     progress: ReportProgress | None = None,
 ) -> LoopClosure:
-    """Find submaps that show the same place, and move all submaps so that they do.
+    """Find loop closures between submaps, and optimize the submap poses.
 
-    Pairs that can overlap, given how far tracking may have drifted between them, are registered from where they lie,
-    and from no guess where that may be too far. Those that `registration` accepts and that tracking allows become
-    loops of a pose graph, which drops those that contradict the rest. Poses that are right by then let more be found,
-    up to three times. A loop that moves a submap farther from where tracking has it needs a higher score.
+    Pairs that may overlap given the possible drift are registered from their poses, or globally if the drift may be too
+    large. Accepted pairs that tracking allows become loops of a pose graph, which removes contradicting ones. Up to
+    three rounds; a loop that moves a submap farther needs a higher score.
 
     Args:
         submaps: At least one, in any order, all on one device.
-        voxel_size: Edge of the voxels that submaps are registered by [m]; None for 2.5 of the largest of the volumes',
-            5 cm at least.
-        drift: How much of the way of the camera [m] tracking may have lost; a turn by an angle counts as a way on an
-            arm of a metre. A loop that asks for more is refused.
+        voxel_size: Voxel edge for the registration [m]; None: 2.5 times the largest of the volumes', at least 5 cm.
+        drift: Maximum drift as a fraction of the camera's path [m]; a rotation counts as a path at 1 m radius. Loops
+            that need more are rejected.
         seed: As of `register_globally`.
-        progress: Called with the stage, how many of its steps are done, and how many there are.
+        progress: Called with (stage, steps done, steps in total).
 
     Returns:
-        Poses, loops and what was refused. Without a loop poses are as they were, but for submaps that are placed anew
-        because tracking was lost before them.
+        Poses, loops and rejected pairs. Without loops the poses are unchanged, except after lost tracking.
 
     Raises:
-        ValueError: No submaps, two that begin with the same frame, or sizes that are not positive.
+        ValueError: No submaps, two with the same first frame, or sizes that are not positive.
         TypeError: Not Submaps.
         DeviceError: Submaps on different devices.
 
     Notes:
-        Submaps are rigid: what tracking lost within one stays in it, some 1 % of its way; `corrected_trajectory`
-        spreads it over the frames, the surface keeps it. n^2 / 2 pairs at most. The same bits from run to run, for any
-        order of submaps and any number of threads. Choi, Zhou and Koltun, CVPR 2015, sections 3 and 4, with a score of
-        the pair in the place of a threshold on its overlap.
+        Submaps are rigid: drift within one (about 1% of its path) remains in the surface; `corrected_trajectory`
+        distributes it over the frames. At most n^2 / 2 pairs. Bitwise reproducible for any order of submaps and any
+        number of threads. Choi, Zhou and Koltun, "Robust reconstruction of indoor scenes", CVPR 2015, sections 3 and 4,
+        with a score instead of an overlap threshold.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -131,7 +127,6 @@ def close_loops(
 
 
 def _in_order(submaps: Sequence[Submap]) -> tuple[list[Submap], list[int]]:
-    """The submaps by their first frames, and where each stood."""
     items = check_submaps(submaps)
     firsts = [int(submap.frames[0]) for submap in items]
     if len(set(firsts)) < len(firsts):
@@ -141,8 +136,6 @@ def _in_order(submaps: Sequence[Submap]) -> tuple[list[Submap], list[int]]:
 
 
 class _Search:
-    """The rounds of search and optimisation over submaps in their order."""
-
     def __init__(
         self,
         submaps: list[Submap],
@@ -158,12 +151,11 @@ class _Search:
         self.steps = _tracked_steps(submaps)
         self.loops: list[Loop] = []
         self.refused: dict[tuple[int, int], Loop] = {}
-        self.joins: set[tuple[int, int]] = set()  # loops that alone hold two groups together
-        self.tried: set[tuple[int, int]] = set()  # from no guess
+        self.joins: set[tuple[int, int]] = set()  # loops that alone connect two groups
+        self.tried: set[tuple[int, int]] = set()  # tried globally
         self.graph = self._optimized()
 
     def run(self) -> None:
-        """Search and optimise until nothing more is found."""
         for turn in range(ROUNDS):
             self.say("loops", turn, ROUNDS)
             found = self._find(self._candidates())
@@ -183,7 +175,6 @@ class _Search:
         return find_candidates(self.surfaces, self.poses, SLACK + self.drift * self._ways(), known)
 
     def _find(self, candidates: list[Candidate]) -> list[Loop]:
-        """The accepted candidates; first from where they are, then from no guess."""
         near = [c for c in candidates if np.isfinite(c.limit)]
         loops = verify_near(self.surfaces, near)
         taken = {(loop.source, loop.target) for loop in loops if not loop.refused}
@@ -197,7 +188,7 @@ class _Search:
         return refine(self.surfaces, [loop for loop in loops if not loop.refused])
 
     def _take(self, found: list[Loop]) -> None:
-        """Optimise with more loops; groups that they join are moved onto each other first."""
+        """Optimize with more loops; newly connected groups are aligned first."""
         groups = self._groups()
         for loop in sorted(found, key=lambda loop: (-loop.score, loop.target, loop.source)):
             a, b = groups[loop.target], groups[loop.source]
@@ -227,7 +218,7 @@ class _Search:
         return np.array([int(np.flatnonzero(row)[0]) for row in reached], np.int64)
 
     def _optimized(self) -> PoseGraph:
-        """The optimised graph; each group keeps the place of its first submap."""
+        """The optimized graph; each group keeps the pose of its first submap."""
         edges = [self._tracked_edge(a, b, way) for a, b, way in self.steps]
         for loop in self.loops:
             certain = (loop.source, loop.target) in self.joins
@@ -236,7 +227,7 @@ class _Search:
         edges.sort(key=lambda edge: (edge.target_node_id, edge.source_node_id))
         if not self.loops:
             return PoseGraph([PoseGraphNode(pose) for pose in self.poses], edges)
-        # the line process weighs loops by the mean of all edges, but steps of tracking count more or less than a loop
+        # the line process weighs loops by the mean of all edges, so tracking edges must not change that mean
         usual = np.mean([edge.information[5, 5] for edge in edges])
         preference = float(np.mean([loop.information[5, 5] for loop in self.loops]) / usual)
         option = GlobalOptimizationOption(
@@ -256,7 +247,6 @@ class _Search:
         return PoseGraphEdge(b, a, T, weight * _point_information(self.surfaces[b]), uncertain=False)
 
     def result(self, order: list[int]) -> LoopClosure:
-        """What was found, with places as the submaps were given."""
         place = np.array(order)
         poses, groups = np.empty_like(self.poses), np.empty(len(order), np.int64)
         poses[place], groups[place] = self.poses, place[self._groups()]
@@ -291,7 +281,7 @@ def _optimize_groups(
 
 
 def _point_information(surface: SubmapSurface) -> Matrix:
-    """The information of a pose under which each point of a submap has its true counterpart."""
+    """Information matrix of a pose with exact correspondences for all points of a submap."""
     if surface.thinned is None:
         return np.eye(6)
     count, *moments = place_moments(surface.thinned._device_array("points"), surface.thinned.origin)  # sync
@@ -299,7 +289,7 @@ def _point_information(surface: SubmapSurface) -> Matrix:
 
 
 def _tracked_steps(submaps: Sequence[Submap]) -> list[tuple[int, int, float]]:
-    """The submaps that follow each other in tracking, and the way of the camera between their middles [m]."""
+    """Consecutive submaps, and the path length of the camera between their middles [m]."""
     numbers, poses = tracked_run(submaps)
     ways = np.cumsum([0.0, *(way_between(a, b) for a, b in itertools.pairwise(poses))])
     middles = [ways[np.searchsorted(numbers, submap.frames[len(submap.frames) // 2])] for submap in submaps]
@@ -308,22 +298,20 @@ def _tracked_steps(submaps: Sequence[Submap]) -> list[tuple[int, int, float]]:
 
 
 def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -> tuple[NDArray[np.int64], Matrix]:
-    """The poses of all frames, once their submaps were moved.
+    """The poses of all frames after their submaps were moved.
 
-    A frame between the middles of two submaps goes with both, by how near it is to each: what tracking lost within a
-    submap is spread over its frames.
+    A frame between the middles of two submaps is interpolated between both corrections, which distributes the drift.
 
     Args:
         submaps: Submaps in any order.
-        T_world_submap: Where they lie now, in that order, shape [n, 4, 4].
+        T_world_submap: Their corrected poses in that order, shape [n, 4, 4].
 
     Returns:
-        (numbers of the frames, ascending, int64 [m]; T_world_camera, float64 [m, 4, 4]).
+        (frame numbers, ascending, int64 [m]; T_world_camera, float64 [m, 4, 4]).
 
     Raises:
         TypeError: Not Submaps, or not numbers.
-        ValueError: No submaps, two that begin with the same frame, another number of poses, or one that is no rigid
-            motion.
+        ValueError: No submaps, two with the same first frame, a wrong number of poses, or a pose that is not rigid.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -356,7 +344,7 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
 
 
 def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
-    """From one pose to another by a share: the rotation about one axis, the position along a line."""
+    """Interpolate two poses: rotation about one axis, position linearly."""
     turn = rotation_of(share * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
     return make_pose(matmul(first[:3, :3], turn), first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
 
@@ -364,24 +352,21 @@ def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
 def fuse_submaps(
     submaps: Sequence[Submap], T_world_submap: ArrayLike | None = None, *, voxel_size: float | None = None
 ) -> TSDFVolume:
-    """One volume of all submaps where they lie now; see `fuse_volumes`.
+    """Fuse all submaps at their current poses into one volume; see `fuse_volumes`.
 
     Args:
         submaps: In any order.
-        T_world_submap: Where they lie, in that order, shape [n, 4, 4]; None for where tracking put them.
-        voxel_size: Of the result [m]; None for theirs.
+        T_world_submap: Their poses in that order, shape [n, 4, 4]; None: those from tracking.
+        voxel_size: Voxel edge of the result [m]; None: that of the submaps.
 
     Returns:
-        The volume.
+        The volume. Frames shared by two submaps count twice in the weights.
 
     Raises:
         TypeError: Not Submaps, or not numbers.
-        ValueError: No submaps, another number of poses, one that is no rigid motion, or a voxel size that is not
-            positive, is above the truncation of a submap, or is too small for the volume's reach.
+        ValueError: No submaps, a wrong number of poses, a pose that is not rigid, or a voxel size that is not positive,
+            above a submap's truncation, or too small for the volume.
         DeviceError: Submaps on different devices.
-
-    Notes:
-        Frames that two submaps share count twice in the weights.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -1,4 +1,4 @@
-"""Maps brought together: where registration puts one in another, and one map of two that are known to lie so."""
+"""Registration and merging of maps."""
 
 from __future__ import annotations
 
@@ -22,14 +22,11 @@ from .tracker import AGREED, clean_pose
 
 Pose = NDArray[np.float64]
 
-TRIED = 3  # poses that are looked at, the highest score first
+TRIED = 3  # verified poses, by descending score
 
 
 def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], seed: int) -> MapJoin | None:
-    """How two maps lie to each other by registration of their submaps, or of all of each where there are none.
-
-    None where no pose is accepted; else the pose that the maps bear out, or the best one with why they do not.
-    """
+    """Relative pose of two maps by registration: verified, or the best rejected one; None if there is none."""
     pieces = [_pieces(known, results) for known in (target, source)]
     if not all(pieces):
         return None
@@ -63,7 +60,7 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
 
 
 def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
-    """Where the loops put one map in the other, each place once: those that most loops agree on first."""
+    """Distinct relative poses of the maps, those with most agreeing loops first."""
     poses = [clean_pose(matmul(places[p.target], p.T_target_source, inv(places[p.source]))) for p in loops]
     near = [[apart(matmul(inv(a), b)) < AGREED for b in poses] for a in poses]
     order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
@@ -75,7 +72,6 @@ def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
 
 
 def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results: list[TrackingResult]) -> None:
-    """All that the source holds becomes the target's, in its coordinates; the camera's motion is taken over too."""
     T = T_target_source
     turned = np.kron(np.eye(2), T[:3, :3])
     for i, result in enumerate(results):
@@ -96,7 +92,6 @@ def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results:
 
 
 def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:
-    """The camera, which is in the source, is in the target from now on."""
     T, motion = T_target_source, source.tracker.motion
     assert motion.pose is not None
     motion.pose = clean_pose(matmul(T, motion.pose))
@@ -105,25 +100,16 @@ def hand_over(target: SlamMap, source: SlamMap, T_target_source: Pose) -> None:
 
 
 class Joining:
-    """Finds how the maps of a run lie to each other, and joins them.
-
-    Args:
-        maps: The Maps.
-        results: Those of the run, which are moved with their maps.
-        seed: As of `register_globally`.
-
-    Attributes:
-        judged: What came of each pose that was found.
-    """
+    """Finds relative poses of the maps of a run, and joins them; `judged` lists all attempts."""
 
     def __init__(self, maps: Maps, results: list[TrackingResult], seed: int):
         self._maps, self._results, self._seed = maps, results, seed
         self.judged: list[MapJoin] = []
         self._proposal: Proposal | None = None
-        self._tried: set[tuple[int, int, int, int]] = set()  # two maps and how many frames they had
+        self._tried: set[tuple[int, int, int, int]] = set()  # two maps and their numbers of frames
 
     def look(self, frame: SensorFrame, pose: Pose, is_new_view: bool) -> None:
-        """Whether a fused frame, or those before it, tell how another map lies to the one that the camera is in."""
+        """Test whether recent fused frames locate another map relative to the current one."""
         proposal = self._proposal
         if proposal is None or proposal.here is not self._maps.here or proposal.other not in self._maps.kept:
             self._proposal = self._propose(frame, pose, is_new_view)
@@ -148,14 +134,13 @@ class Joining:
         return None
 
     def search(self) -> list[MapJoin]:
-        """Register all maps with each other and join accepted ones; what was tried just now."""
+        """Register all maps, and join accepted ones; returns the attempts."""
         first = len(self.judged)
         while (join := self._next()) is not None:
             self._join(join)
         return self.judged[first:]
 
     def _next(self) -> MapJoin | None:
-        """The next two maps that can be joined, the larger ones first."""
         sizes = map_sizes(self._results)
         kept = sorted(self._maps.kept, key=lambda known: (-sizes.get(known.number, 0), known.number))
         for pair in itertools.combinations(kept, 2):

@@ -1,4 +1,4 @@
-"""A surface that frames are tracked against and fused into, in the spirit of Open3D's `t.pipelines.slam.Model`."""
+"""The TSDF model for frame-to-model tracking, similar to Open3D's `t.pipelines.slam.Model`."""
 
 from __future__ import annotations
 
@@ -24,37 +24,37 @@ from .movers import Movers
 
 Pose = NDArray[np.float64]
 
-SEEN_OFTEN = 3  # frames beyond which a voxel is rendered, once there are so many; Open3D's figure
-DEPTH_MIN = 0.1  # [m] where rays begin
-BLUR = 0.1  # voxels: what distances between them are off by where the surface bends, beside a camera's noise
-FEWEST_FRAMES = 10  # before, little is seen and its rim, which has no slopes, is much of it: planes are fitted
-COARSE = 0.03  # [m] voxels from which on slopes of the distances are better normals than planes of rendered depth
+SEEN_OFTEN = 3  # minimum weight of rendered voxels, as in Open3D
+DEPTH_MIN = 0.1  # [m] start of rays
+BLUR = 0.1  # voxels: SDF interpolation error at curved surfaces
+FEWEST_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no gradients
+COARSE = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
 
 
 class Model:
-    """A signed-distance volume that a depth camera is tracked against, frame to model.
+    """A TSDF volume for frame-to-model tracking of a depth camera.
 
-    Beside Open3D's Model: the camera is given once, frames are anything with `depth` and `color`, the model is rendered
-    at the size that frames are compared at, with colour, and `track_frame` begins where it is told to.
+    Unlike Open3D's Model, the camera is given once, frames are any objects with `depth` and `color`, the model is
+    rendered with color at the tracking resolution, and `track_frame` accepts an initial pose.
 
     Args:
         intrinsic: The camera of all frames.
-        voxel_size: Edge of a voxel [m].
-        truncation: Distance at which signed distances are cut [m]; None for 4 voxels.
-        T_init: The first pose, T_world_camera; None for the identity.
-        depth_scale: Integer units a metre.
-        depth_max: Farthest depth used [m].
-        leave_out_moving: Whether pixels are left out that show what was not there a second ago.
-        device: "cpu", "cuda:0", "auto"; None for the CPU.
+        voxel_size: Voxel edge [m].
+        truncation: Truncation distance [m]; None: 4 voxels.
+        T_init: Initial T_world_camera; None: the identity.
+        depth_scale: Integer depth units per meter.
+        depth_max: Maximum depth used [m].
+        leave_out_moving: Exclude pixels of objects that appeared within the last second.
+        device: "cpu", "cuda:0", "auto"; None: the CPU.
 
     Attributes:
-        current_frame_pose: The pose of the latest frame that was integrated; before that, T_init.
+        current_frame_pose: Pose of the last integrated frame; initially T_init.
         volume: The TSDFVolume.
-        movers: What tells moving things from still ones; knows nothing where they are not left out.
+        movers: The detector of moving objects; empty if disabled.
 
     Raises:
-        ValueError: Sizes that are not positive, a pose that is no rigid motion.
-        TypeError: An intrinsic of another type.
+        ValueError: A size that is not positive, or a pose that is not rigid.
+        TypeError: `intrinsic` has another type.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -98,17 +98,17 @@ class Model:
 
     @property
     def frame_count(self) -> int:
-        """Frames integrated."""
+        """Number of integrated frames."""
         return self.volume.frame_count
 
     def begin_anew(self, pose: Pose) -> None:
-        """Forget what was fused; the next frame stands at a pose, T_world_camera."""
+        """Reset the volume; the next frame is at the given T_world_camera."""
         sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
         self.volume, self.movers = TSDFVolume(**sizes, device=self.device), Movers()
         self.current_frame_pose = pose
 
     def prepare(self, frame: Any) -> SensorFrame:
-        """The frame on the model's device, for several calls with it; a prepared one as it is.
+        """Upload a frame for repeated use; a prepared frame is returned unchanged.
 
         Raises:
             TypeError, ValueError: As `SensorFrame`.
@@ -118,17 +118,17 @@ class Model:
         return SensorFrame(frame, self.intrinsic, self.depth_scale, self.depth_max, self.device)
 
     def track_frame(self, frame: Any, T_world_camera: ArrayLike | None = None) -> OdometryResult:
-        """Where a frame was taken, from its alignment with the model as it is seen from a pose nearby.
+        """Estimate the pose of a frame by alignment with the model rendered at a nearby pose.
 
         Args:
             frame: The frame.
-            T_world_camera: Where to begin; None for `current_frame_pose`.
+            T_world_camera: Initial pose; None: `current_frame_pose`.
 
         Returns:
-            An OdometryResult whose transformation is T_world_camera; its information is about that camera.
+            An OdometryResult whose transformation is T_world_camera, with information about that camera.
 
         Raises:
-            TypeError, ValueError: As `prepare`; a start that is no rigid motion.
+            TypeError, ValueError: As `prepare`; or an initial pose that is not rigid.
         """
         given = self.current_frame_pose if T_world_camera is None else check_rigid("T_world_camera", T_world_camera)
         found = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=Method.Hybrid)
@@ -137,16 +137,16 @@ class Model:
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
         """Fuse a frame, which becomes the current one.
 
-        What an earlier frame of the last second looked through moved there since, and is left out. A frame without
-        colour in a model of coloured ones takes the model's own, grey where it shows none.
+        Pixels in space that was seen free within the last second are excluded as moving. A frame without color in a
+        colored model uses the model's colors, or gray.
 
         Raises:
-            TypeError, ValueError: As `prepare`; a pose that is no rigid motion. The model stays as it was.
+            TypeError, ValueError: As `prepare`; or a pose that is not rigid. The model is then unchanged.
         """
         self.fuse(self.prepare(frame), check_rigid("T_world_camera", T_world_camera))
 
     def fuse(self, prepared: SensorFrame, pose: Pose) -> tuple[Any, Any]:
-        """`integrate` for what is checked already; the depth and the colours that were taken, on the device."""
+        """`integrate` for checked input; returns the used depth and colors on the device."""
         pixels = prepared.pixels
         if self.frame_count and not self.volume.has_frame_colors:
             pixels = None
@@ -161,15 +161,14 @@ class Model:
         return depth, pixels
 
     def render(self, T_world_camera: ArrayLike, *, weight_threshold: float | None = None) -> RayCast:
-        """What the camera would see of the model: depth, points, normals, colours.
+        """Render depth, points, normals and colors of the model.
 
         Args:
             T_world_camera: The pose.
-            weight_threshold: Voxels seen by no more frames than this are as if absent; None for 3, or fewer while there
-                are fewer frames.
+            weight_threshold: Minimum weight (exclusive) of voxels; None: 3, or less with fewer frames.
 
         Raises:
-            ValueError: A pose that is no rigid motion.
+            ValueError: The pose is not rigid.
         """
         pose = check_rigid("T_world_camera", T_world_camera)
         threshold = self.threshold if weight_threshold is None else weight_threshold
@@ -177,10 +176,9 @@ class Model:
         return self.volume.ray_cast(self.intrinsic, inv(pose), weight_threshold=threshold, **limits)
 
     def seen_from(self, T_world_camera: Pose, *, weight_threshold: float | None = None) -> OdometryFrame:
-        """The model as a frame for odometry, at the size that frames are compared at; it stays on the device.
+        """Render the model as an odometry frame on the device.
 
-        Its planes are fitted to its depth, as a frame's are: gradients of the distances about a voxel are coarser.
-        Where voxels are larger than a window of pixels, the gradients are better.
+        Normals are fitted to the depth as for frames, or from SDF gradients if voxels exceed the pixel window.
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
         edge = self.volume.voxel_size
@@ -202,7 +200,7 @@ class Model:
 
     @property
     def threshold(self) -> float:
-        """Frames beyond which a voxel is rendered: 3, or fewer while there are fewer frames."""
+        """Weight above which a voxel is rendered: 3, or less with fewer frames."""
         return float(max(min(self.frame_count - 1, SEEN_OFTEN), 0))
 
     def _own_colors(self, pose: Pose) -> Any:
@@ -211,7 +209,6 @@ class Model:
 
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
-    """The camera at the size of the finest level of a SensorFrame's pyramid."""
     camera = intrinsic
     while camera.width * camera.height > MOST_PIXELS and min(camera.width, camera.height) >= 2:
         camera = camera.scaled(0.5)
@@ -219,5 +216,4 @@ def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic
 
 
 def _moved(found: OdometryResult, pose: Pose) -> OdometryResult:
-    """The result with its motion in the world."""
     return dataclasses.replace(found, transformation=matmul(pose, found.transformation))

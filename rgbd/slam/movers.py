@@ -1,4 +1,4 @@
-"""What moves is kept out of the model: frames of a while ago tell what was free then."""
+"""Exclusion of moving objects from the model by free space seen in recent frames."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from .frames import SensorFrame
 
 Pose = NDArray[np.float64]
 
-EVERY = 6  # fused frames from one that is kept to the next
-KEPT = 5  # frames kept: the last second, at 30 a second
-ASKED = (0, 2)  # which of them are asked, from the oldest on: a slow walker is told from afar, a quick one soon
+EVERY = 6  # fused frames between kept ones
+KEPT = 5  # kept frames: the last second, at 30 Hz
+ASKED = (0, 2)  # compared ones, from the oldest: old ones for slow motion, recent ones for fast
 
 
 class Movers:
-    """The frames of the last second, and what they say of those that follow."""
+    """The frames of the last second, for comparison with new ones."""
 
     def __init__(self) -> None:
         self._earlier: list[tuple[FreeSpace, Pose]] = []
@@ -30,7 +30,7 @@ class Movers:
         return bool(self._earlier)
 
     def still_depth(self, frame: SensorFrame, pose: Pose) -> Any:
-        """The frame's depth on its device, 0 where it shows what was not there before."""
+        """The frame's depth on its device, 0 for pixels in space that was free before."""
         asked = [self._earlier[index] for index in ASKED if index < len(self._earlier)]
         if not asked:
             return frame.depth
@@ -38,7 +38,6 @@ class Movers:
         return hide_moved(frame.depth, frame.intrinsic, views)
 
     def add(self, frame: SensorFrame, pose: Pose) -> None:
-        """A frame that was fused."""
         if self._count % EVERY == 0:
             self._earlier = [*self._earlier[-KEPT + 1 :], (FreeSpace(frame.pyramid.levels), pose.copy())]
         self._count += 1

@@ -1,4 +1,4 @@
-"""What tracking says of a frame."""
+"""Tracking result of a frame."""
 
 from __future__ import annotations
 
@@ -18,27 +18,24 @@ class TrackingResult:
     """Pose of a frame and its status.
 
     Attributes:
-        pose: T_world_camera, float64 [4, 4] [m]; None for a lost frame.
-        verdict: "tracked", "uncertain" (a pose that the model speaks for, not firmly: nothing is fused there, but where
-            `has_drifted`), "lost".
-        reason: Why it is not tracked; empty where it is.
-        fitness: Share of the frame's pixels with depth that lie on the model's surface.
-        overlap: Share of the frame's pixels with depth for which the model shows depth.
-        inlier_rmse: Distance from the model's surface [m], root of the mean square.
-        intensity_rmse: Difference of brightness, 0..1; NaN without colours.
-        smallest_eigenvalue: How well the frame determines its motion: the ratio of the least to the greatest eigenvalue
-            of the normal equations.
-        iterations: Steps of the alignment that was taken.
-        relocalized: Whether the pose was found anew, from a keyframe or by shape, not from the frames before.
-        index: Number of the frame, from 0 on, in the order of tracking.
-        name: The frame's name, where it has one.
-        timestamp: The frame's time [s], where it has one.
-        fused: Whether the frame went into the model.
-        covariance: Of the pose about the camera, in the world's directions, rotation first [rad, m], float64 [6, 6]:
-            what was open on the way from the first frame adds up, until the camera sees what is surer. Zero for the
-            first frame and lost ones.
-        has_drifted: Whether that is the only reason: the frame lies on the model, and is fused.
-        map: The map that the pose is of, by number: poses of two maps do not lie relative to each other.
+        pose: T_world_camera, float64 [4, 4] [m]; None if lost.
+        verdict: "tracked", "uncertain" (not fused, except with `has_drifted`), "lost".
+        reason: Why it is not tracked; empty if it is.
+        fitness: Fraction of the frame's depth pixels on the model surface.
+        overlap: Fraction of the frame's depth pixels where the model has depth.
+        inlier_rmse: Root mean square distance from the surface [m].
+        intensity_rmse: Brightness difference, 0..1; NaN without color.
+        smallest_eigenvalue: Ratio of the smallest to the largest eigenvalue of the normal equations.
+        iterations: Steps of the alignment.
+        relocalized: True if the pose is from a keyframe or by shape, not from the previous frames.
+        index: Frame number in tracking order, from 0.
+        name: Frame name, if any.
+        timestamp: Frame time [s], if any.
+        fused: True if the frame was fused.
+        covariance: Of the pose about the camera, in world axes, rotation first [rad, m], float64 [6, 6], accumulated
+            since the first frame; zero for the first frame and lost ones.
+        has_drifted: True if the accumulated uncertainty is the only problem; the frame is fused.
+        map: Number of the map that the pose refers to.
     """
 
     pose: NDArray[np.float64] | None
@@ -61,10 +58,9 @@ class TrackingResult:
 
     @property
     def is_tracked(self) -> bool:
-        """True if the status is "tracked"."""
         return self.verdict == "tracked"
 
     @property
     def position_deviation(self) -> float:
-        """The standard deviation of the position along its most open direction [m]."""
+        """Standard deviation of the position along its least determined direction [m]."""
         return float(np.sqrt(max(eigvalsh(self.covariance[3:, 3:])[-1], 0.0)))

@@ -1,4 +1,4 @@
-"""Submaps: pieces of a run of frames, each a volume of its own that may be moved as a whole later."""
+"""Submaps: sequences of frames fused into separate volumes that can be moved rigidly."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rota
 
 Matrix = NDArray[np.float64]
 
-FRAMES = 100  # of a submap: at 30 a second some 3 s, in which a tracker loses millimetres
-SHARED = 0.2  # of a submap, which the one before it has too: what fixes how they lie to each other
-ARM = 1.0  # [m] a turn by an angle counts as a way of so long an arm
+FRAMES = 100  # 3 s at 30 Hz, in which tracking drifts by millimeters
+SHARED = 0.2  # fraction shared with the previous submap, which determines their relative pose
+ARM = 1.0  # [m] radius at which rotations count as path
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Submap:
-    """A piece of a run: the volume of its frames in the frame of its first camera, and where it lies.
+    """A volume of consecutive frames in the coordinates of its first camera, and its pose.
 
     Args:
-        volume: A TSDFVolume in coordinates of the submap.
-        T_world_submap: Where tracking put it, float64 [4, 4].
-        frames: Numbers of its frames in the run, ascending, int64 [n].
-        T_submap_camera: Where its cameras stand in it, float64 [n, 4, 4].
-        follows: Whether tracking led here from the submap before; False where it was lost between them.
+        volume: A TSDFVolume in submap coordinates.
+        T_world_submap: Pose from tracking, float64 [4, 4].
+        frames: Frame numbers, ascending, int64 [n].
+        T_submap_camera: Camera poses, float64 [n, 4, 4].
+        follows: True if tracking was not lost since the previous submap.
 
     Raises:
-        TypeError: No TSDFVolume, or not numbers.
-        ValueError: Frames that do not ascend, not as many poses as frames, or one that is no rigid motion.
+        TypeError: Not a TSDFVolume, or not numbers.
+        ValueError: Frames not ascending, a wrong number of poses, or a pose that is not rigid.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -78,22 +78,22 @@ class Submap:
 
     @property
     def T_world_camera(self) -> Matrix:
-        """Where tracking put its cameras, float64 [n, 4, 4]."""
+        """Camera poses from tracking, float64 [n, 4, 4]."""
         return matmul(self.T_world_submap, self.T_submap_camera)
 
     @property
     def weight_threshold(self) -> float:
-        """Voxels seen more often than this count as surface."""
+        """Weight above which voxels count as surface."""
         return least_weight(self.volume.frame_count)
 
     def cloud(self, voxel_size: float) -> PointCloud:
-        """Its surface as points in coordinates of the submap, one a voxel, with normals and colours.
+        """The surface as points in submap coordinates, one per voxel, with normals and colors.
 
         Args:
-            voxel_size: Edge of the voxels [m].
+            voxel_size: Voxel edge [m].
 
         Raises:
-            TypeError, ValueError: No positive number.
+            TypeError, ValueError: Not a positive number.
         """
         check_positive("voxel_size", voxel_size)
         cloud = self.volume.extract_point_cloud(self.weight_threshold)
@@ -101,20 +101,18 @@ class Submap:
 
 
 def _rigid(name: str, pose: ArrayLike) -> Matrix:
-    """A rigid motion, its rotation exact: files round to a few digits, and inverses are taken by the transpose."""
+    """A rigid pose with an exact rotation: files round to a few digits, and inverses use the transpose."""
     T = check_rigid(name, pose)
     return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3])
 
 
 def way_between(first: Matrix, second: Matrix) -> float:
-    """How far a camera went between two poses [m], turns counted on an arm of a metre."""
+    """Path length between two poses [m]; rotations count at 1 m radius."""
     motion = matmul(invert_pose(first), second)
     return float(norm(motion[:3, 3]) + ARM * norm(rotation_vector(motion[:3, :3])))
 
 
 class _Recording:
-    """A submap that is being recorded."""
-
     def __init__(self, volume: TSDFVolume, T_world_submap: Matrix, follows: bool):
         self.volume, self.T_world_submap, self.follows = volume, T_world_submap, follows
         self.numbers: list[int] = []
@@ -128,30 +126,27 @@ class _Recording:
 
 
 class SubmapRecorder:
-    """Posed frames in, submaps out: each takes frames until it is full, and shares its last ones with the next.
+    """Fuse posed frames into submaps; each shares its last frames with the next.
 
-    A submap lies in coordinates of its first camera, so that its volume is small numbers wherever it is. At most two
-    are recorded at a time.
+    Submaps use the coordinates of their first camera, so volumes stay near the origin. At most two are open at a time.
 
     Args:
         intrinsic: The camera.
-        voxel_size: Of the volumes [m].
+        voxel_size: Voxel edge of the volumes [m].
         truncation: As of TSDFVolume.
-        depth_scale: Integer units a metre.
-        depth_max: Farther depth is left out [m].
-        frames: Frames of a full submap.
-        way: A submap is also full when the camera went this far [m], a turn by an angle counted on an arm of a metre;
-            None for any.
-        shared: Share of a submap that the next one has too, 0 to 0.5.
-        color: Whether colour is kept.
+        depth_scale: Integer depth units per meter.
+        depth_max: Maximum depth [m].
+        frames: Frames per submap.
+        way: Maximum camera path per submap [m], rotations at 1 m radius; None: unlimited.
+        shared: Fraction of a submap shared with the next, 0 to 0.5.
+        color: Fuse colors.
         device: As of TSDFVolume.
 
     Attributes:
-        submaps: Those that are full.
+        submaps: The completed submaps.
 
     Raises:
-        TypeError: No PinholeCameraIntrinsic, or not numbers.
-        ValueError: Sizes and counts out of range.
+        TypeError, ValueError: Not a PinholeCameraIntrinsic, not numbers, or out of range.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -184,7 +179,7 @@ class SubmapRecorder:
         self._intrinsic, self._scale = intrinsic, check_positive("depth_scale", depth_scale)
         self._depth_max = check_positive("depth_max", depth_max)
         self._sizes = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
-        TSDFVolume(**self._sizes)  # checks them
+        TSDFVolume(**self._sizes)  # validates them
         self._most_frames = check_count("frames", frames)
         self._most_way = math.inf if way is None else check_positive("way", way)
         self._shared = check_share("shared", shared)
@@ -196,7 +191,7 @@ class SubmapRecorder:
 
     @property
     def current(self) -> Submap | None:
-        """The submap that has most frames of those being recorded, as far as it is; None before the first frame."""
+        """The open submap with most frames; None before the first frame."""
         return self._open[0].done() if self._open and self._open[0].numbers else None
 
     def add(
@@ -206,16 +201,16 @@ class SubmapRecorder:
         color: ArrayLike | None = None,
         number: int | None = None,
     ) -> None:
-        """Take in a frame where tracking put its camera.
+        """Add a frame with its pose.
 
         Args:
             depth: As of `TSDFVolume.integrate`, of the camera's size.
-            T_world_camera: Shape [4, 4]; None where tracking was lost: the next submap then follows none.
-            color: Likewise; needed where colour is kept.
-            number: The frame's number in the run, above those before; None counts.
+            T_world_camera: Shape [4, 4]; None if tracking was lost: the next submap then has `follows` False.
+            color: Likewise; required if colors are fused.
+            number: Frame number, ascending; None counts.
 
         Raises:
-            ValueError, TypeError: As of `TSDFVolume.integrate`, or a number that is not above those before.
+            ValueError, TypeError: As of `TSDFVolume.integrate`, or a number that is not ascending.
         """
         number = self._count if number is None else check_count("number", number, minimum=0)
         if number < self._count:
@@ -247,7 +242,7 @@ class SubmapRecorder:
         return max(len(recording.numbers) / self._most_frames, recording.way / self._most_way)
 
     def finish(self) -> list[Submap]:
-        """All submaps; one that has no frame of its own is left out. Frames that follow begin a new one."""
+        """Complete and return all submaps without those that have no own frames; later frames begin a new one."""
         last = self.submaps[-1].frames[-1] if self.submaps else -1
         for recording in self._open:
             if recording.numbers and recording.numbers[-1] > last:
@@ -257,14 +252,13 @@ class SubmapRecorder:
         return list(self.submaps)
 
     def take_over(self, submaps: Sequence[Submap]) -> None:
-        """Count the full submaps of another recorder, in the same coordinates, among its own."""
+        """Add the completed submaps of another recorder in the same coordinates."""
         self.finish()
         self.submaps += submaps
         self._count = max([self._count, *(int(submap.frames[-1]) + 1 for submap in submaps)])
 
 
 def tracked_run(submaps: Sequence[Submap]) -> tuple[NDArray[np.int64], Matrix]:
-    """The numbers of all frames of submaps, ascending, and where tracking put their cameras."""
     poses: dict[int, Matrix] = {}
     for submap in submaps:
         for number, pose in zip(submap.frames.tolist(), submap.T_world_camera, strict=True):
@@ -274,12 +268,6 @@ def tracked_run(submaps: Sequence[Submap]) -> tuple[NDArray[np.int64], Matrix]:
 
 
 def check_submaps(submaps: Sequence[Submap]) -> list[Submap]:
-    """Submaps as a list.
-
-    Raises:
-        TypeError: Not Submaps.
-        ValueError: None of them.
-    """
     items = check_list("submaps", submaps, "Submaps")
     if not items:
         raise ValueError("submaps: expected at least one, got none")
@@ -290,12 +278,6 @@ def check_submaps(submaps: Sequence[Submap]) -> list[Submap]:
 
 
 def check_poses(submaps: Sequence[Submap], poses: ArrayLike) -> Matrix:
-    """A rigid motion for each submap.
-
-    Raises:
-        TypeError: Not numbers.
-        ValueError: Another number of poses, or one that is no rigid motion.
-    """
     stack = check_numeric("T_world_submap", poses)
     if stack.shape != (len(submaps), 4, 4):
         raise ValueError(f"T_world_submap: expected shape [{len(submaps)}, 4, 4], got {list(stack.shape)}")

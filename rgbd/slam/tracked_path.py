@@ -1,4 +1,4 @@
-"""What tracking makes of a sequence of frames: the path, and what became of each frame."""
+"""Result of tracking: the trajectory, and the status of each frame."""
 
 from __future__ import annotations
 
@@ -19,48 +19,34 @@ from ...registration.trajectories.trajectory_error import TrajectoryError
 from .joins import MapJoin
 from .paths import error_against_truth, path_length
 
-MANY_UNCERTAIN = 0.2  # share of the frames with an uncertain pose, beyond which the path is unreliable
+MANY_UNCERTAIN = 0.2  # fraction of uncertain frames above which the path is unreliable
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class TrackedPath(Assessed):
-    """Where frames were taken, and what became of each, by its number in the sequence, from 0.
-
-    `print(path)` shows its figures, `path.reliable` whether its checks passed.
+    """Result of `track`; frames are numbered from 0.
 
     Attributes:
-        trajectory: The poses of the frames that have one, T_world_camera, in the map that most of them are of; ids hold
-            the frames' numbers, and it has timestamps where all those frames have them.
-        true_poses: The true pose of each of these, float64 [4, 4] [m], or None where nobody knows it.
-        frame_count: How many frames there were.
-        uncertain: Frames whose pose is uncertain.
-        lost: Frames that could not be placed, and why.
-        unreadable: Frames that could not be read, and why.
-        residuals: Root mean square distance [m] from the model of each placed frame after the first.
-        fitness: Share of its depth that lies on the model.
-        depth_share: Share of all pixels that have a depth; 0 where no frame could be read.
-        used_share: Share of all pixels that have a depth up to `depth_max`.
-        voxel_size: Edge of a voxel of the model that frames were held against [m].
-        depth_max: Farther depth was left out [m].
-        device: Where it was computed.
-        uncertain_reason: The first reason of an uncertain frame; empty if no frame is uncertain.
-        stream: What is wrong with the camera's pictures of colour and depth, one against the other; None where nothing
-            is known to be.
-        deviations: Standard deviation [m] of the position of each placed frame along its most open direction, by what
-            the frames on the way left open and by noise.
-        drifted: Frames whose position is too uncertain for a pose to be accepted; they are among the uncertain.
-        other_maps: As `trajectory`, of each further map, the largest first, in coordinates of its own: the camera was
-            lost for long before it, and nothing tells how it lies to the others.
-        joins: A MapJoin for each two maps for which a pose was found: what spoke for it, and why it was refused.
-
-    Example:
-        >>> import numpy as np, pointloom as loom
-        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
-        >>> v, u = np.mgrid[:48, :64]
-        >>> depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
-        >>> path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
-        >>> path.to_dict()["tracked"], path.lost, path.reliable
-        (3, {}, True)
+        trajectory: Known poses T_world_camera of the largest map; ids are frame numbers; timestamps if all have them.
+        true_poses: The true pose of each, float64 [4, 4] [m], or None if unknown.
+        frame_count: Number of frames.
+        uncertain: Frames with an uncertain pose.
+        lost: Lost frames, with the reason.
+        unreadable: Unreadable frames, with the reason.
+        residuals: Root mean square distance [m] of each tracked frame (after the first) from the model.
+        fitness: Fraction of its depth on the model.
+        depth_share: Fraction of all pixels with depth; 0 if no frame could be read.
+        used_share: Fraction of all pixels with depth up to `depth_max`.
+        voxel_size: Voxel edge of the model [m].
+        depth_max: Maximum depth [m].
+        device: Compute device.
+        uncertain_reason: Reason of the first uncertain frame, or empty.
+        stream: Inconsistency of the color and depth streams, or None.
+        deviations: Accumulated standard deviation [m] of each position along its least determined direction.
+        drifted: Uncertain frames whose accumulated deviation is too large.
+        other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
+            lost for long.
+        joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
     """
 
     trajectory: Trajectory
@@ -88,12 +74,10 @@ class TrackedPath(Assessed):
 
     @property
     def error(self) -> TrajectoryError | None:
-        """ATE and RPE where the frames came with true poses, aligned by a rigid motion; None of fewer than two."""
         return error_against_truth(self.trajectory.poses, self.true_poses)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
         count, reach = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
         reasons = [reason for reason in (reach, self.stream) if reason is not None]
         if lost := self.lost:
@@ -118,7 +102,6 @@ class TrackedPath(Assessed):
         return tuple(reasons)
 
     def _apart(self) -> str:
-        """That not all poses lie relative to each other."""
         own = [_numbers(path) for path in self.other_maps]
         told = " and ".join(some_frames(numbers) for numbers in own)
         kind = "a map of their own" if len(own) == 1 else "maps of their own"
@@ -127,13 +110,11 @@ class TrackedPath(Assessed):
 
     @returns_new
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
-        """The same with other poses of the frames that have one."""
         told = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
         return dataclasses.replace(self, trajectory=Trajectory(corrected, timestamps=told.timestamps, ids=told.ids))
 
     def to_dict(self) -> dict[str, Any]:
-        """The figures, in JSON's types."""
         return {
             "device": self.device,
             "voxel_size": self.voxel_size,
@@ -160,7 +141,6 @@ class TrackedPath(Assessed):
         }
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
-        """The frames and the path as labels and values, with the rate where it was measured."""
         rate = "" if frames_per_second is None else f", {frames_per_second:.1f} frames/s"
         seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
         long = path_length(self.trajectory.poses)
@@ -184,7 +164,6 @@ class TrackedPath(Assessed):
 
 
 def _numbers(path: Trajectory) -> list[int]:
-    """The numbers of a trajectory's frames."""
     return [] if path.ids is None else path.ids[:, 0].tolist()
 
 

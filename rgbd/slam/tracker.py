@@ -1,33 +1,9 @@
-"""From a frame to its pose: what is expected, where the model is inexact, and when the camera was lost.
+"""Frame-to-model tracking: pose prediction, loss and recovery, accumulated uncertainty, rejection of ambiguous poses.
 
-A frame is aligned with the model as it would be seen from where constant velocity puts the camera. Where that fails, it
-is tried from where the camera last stood, then against the frame before, which sees what the model does not have yet.
-A lost camera is looked for where its velocity led, at the keyframes that its picture looks like, and by its shape.
-
-Somebody who came in with a new part of the scene counts as scene. Before a wall, whose surface lets the camera slide,
-they pull it along as they walk; the brightness of all the rest tells, and then leads.
-
-How far a frame's pose may be off by all that was open on the way to it: a covariance that adds up.
-
-A frame stands on the surface that it sees, and so it is off as those frames were that the surface came from, and by
-its own noise beside it. Keyframes stand for the frames of the model. Each point of a frame is put down to the keyframes
-that saw it; by the normal equations of these points the frame's error is a mean of theirs, and its covariance follows
-from the joint one of all keyframes. Who sees what the first keyframes saw is as sure as they are, however long the way;
-before a wall what the surface leaves open comes from frame to frame and grows.
-
-Errors are twists about the world's origin, rotation first. Smith, Self and Cheeseman 1990, "Estimating uncertain
-spatial relationships in robotics".
-
-A lost frame found on the model by its shape alone, from no guess, wherever the camera stands by now.
-
-The frame's points are registered with the model's by `registration`'s features and consensus, and taken where its
-score accepts the pose. It takes as long as some frames, so it is tried less and less often while a camera is lost.
-
-Where else a frame would lie on the model as well as at the place that was found for it.
-
-A corridor has like doors and a staircase like steps: a frame that was lost fits at several of them. Like parts of a
-building are shifted, seldom turned, so the frame's points are shifted over the model, first by blocks of voxels, then
-finely where many of them meet some; the best of these, apart from the place found, are its rivals.
+A frame is aligned from the constant-velocity prediction, then from the last pose, then against the previous frame. A
+lost camera is searched near its prediction, at similar keyframes, and by shape. Covariances are propagated through
+keyframes (Smith, Self and Cheeseman, "Estimating uncertain spatial relationships in robotics", 1990). Rivals of a
+relocalized pose are translations of the frame over the model, as with repeated doors or steps.
 """
 
 from __future__ import annotations
@@ -77,34 +53,23 @@ from .verdicts import (
 
 Pose = NDArray[np.float64]
 
-FEWEST_FRAMES = 5  # of a model that a camera is found on that was lost for longer: any wall lies on another
-CANDIDATES = 5  # keyframes that are tried for a lost frame
-LONGEST_STEP = 3.0  # times the usual time between frames; after a longer one nothing is known of the motion
-SUSPECT = 1.15  # times the usual difference in brightness: more, and something that moves may pull the surface along
-PLAINLY = 0.95  # times the difference: where brightness leads it has to be smaller than where the surface leads
-PULLED = 0.008  # [m], [rad] that the two are apart; where they are nearer the surface is the firmer of them
-RECENT = 0.1  # weight of the latest frame in what is usual
-NEAR_AGAIN = 0.05  # [m], [rad] a second alignment from a recognised pose may move it
-PLACE_OFF = 0.15  # and from one that was found by shape, in voxels of some centimetres
-AGREED = 0.06  # [m], [rad] that two frames found by shape may differ by from the motion between them
-HAND, AIM = 10.0, 0.05  # [m/s^2] a hand moves a camera at most, [m] beside it: how far off its velocity may have led
+FEWEST_FRAMES = 5  # minimum frames of a model for relocalization: any wall matches another
+CANDIDATES = 5  # keyframes tried for a lost frame
+LONGEST_STEP = 3.0  # times the usual frame interval; beyond it the motion is unknown
+SUSPECT = 1.15  # times the typical brightness residual: moving objects may pull the surface
+PLAINLY = 0.95  # required ratio of the brightness residual if brightness leads
+PULLED = 0.008  # [m], [rad] difference of the two poses; below it the surface is more reliable
+RECENT = 0.1  # weight of the latest frame in running means
+NEAR_AGAIN = 0.05  # [m], [rad] maximum correction of a relocalized pose
+PLACE_OFF = 0.15  # likewise for a pose found by shape, at voxels of some centimeters
+AGREED = 0.06  # [m], [rad] maximum difference of two frames found by shape
+HAND, AIM = 10.0, 0.05  # [m/s^2] hand acceleration, [m] besides: error of the extrapolation
 NOTHING = OdometryResult(np.eye(4), np.zeros((6, 6)), ("no frame",))
 
 
 @dataclasses.dataclass
 class Motion:
-    """Where the camera was last, and how it moved.
-
-    Attributes:
-        pose: T_world_camera of the last frame that was not lost; None before the first.
-        step: Its motion from the frame before, T_before_camera.
-        seconds: The time that this took; NaN where it is unknown.
-        time: Of the last frame; None where it is unknown.
-        frame: The last tracked frame's pyramid.
-        missed: Frames lost since.
-        shades: How far the brightness of tracked frames is from the model's, 0..1, a running mean.
-        gap: How far their surface is from the model's [m], likewise.
-    """
+    """Last pose and motion T_before_camera, and running means of brightness (0..1) and surface [m] residuals."""
 
     pose: Pose | None = None
     step: Pose = dataclasses.field(default_factory=lambda: np.eye(4))
@@ -116,7 +81,7 @@ class Motion:
     gap: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
-        """Where constant velocity puts the next camera; where it stood, after frames were lost or time jumped."""
+        """The constant-velocity prediction; the last pose after lost frames or a jump in time."""
         assert self.pose is not None
         if self.missed:
             return self.pose
@@ -128,7 +93,7 @@ class Motion:
         return matmul(self.pose, make_pose(turn, share * self.step[:3, 3]))
 
     def ahead(self) -> list[Pose]:
-        """Where the camera may be after frames were lost: half the way and all the way that its velocity leads."""
+        """Predictions after lost frames: half and all of the extrapolated path."""
         assert self.pose is not None
         turn, shift = rotation_vector(self.step[:3, :3]), self.step[:3, 3]
         if not self.missed or not (np.any(turn) or np.any(shift)):
@@ -137,12 +102,11 @@ class Motion:
         return [matmul(pose, pose_of(share * (self.missed + 1) * twist)) for share in (1.0, 0.5)]
 
     def reach(self, frame: SensorFrame) -> float:
-        """How far the camera may be from where it stood, or its velocity led, by now [m]."""
+        """Maximum distance of the camera from its last or predicted position [m]."""
         most, seconds = MOST_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
         return most if math.isnan(seconds) else min(most, AIM + HAND / 2 * seconds * seconds)
 
     def learn(self, result: OdometryResult) -> None:
-        """Take a tracked frame's differences for what is usual."""
         before = result.inlier_rmse if math.isnan(self.gap) else self.gap
         self.gap = (1 - RECENT) * before + RECENT * result.inlier_rmse
         if not math.isnan(result.intensity_rmse):
@@ -150,7 +114,7 @@ class Motion:
             self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
 
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
-        """The next frame stands at a pose; one found from a keyframe, or one that may have slid, tells no velocity."""
+        """Add a pose; one from a keyframe, or one that may have slid, gives no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
             self.step, self.seconds = matmul(invert_pose(self.pose), pose), frame.seconds_since(self.time)
         else:
@@ -161,12 +125,7 @@ class Motion:
 
 
 class Tracker:
-    """Finds frames in a model.
-
-    Args:
-        model: The Model.
-        keyframes: What lost frames are recognised from.
-    """
+    """Tracks frames against a model and relocalizes lost ones from keyframes."""
 
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
@@ -176,7 +135,7 @@ class Tracker:
         self._rivals: list[Pose] = []
 
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
-        """The best attempt for a frame, and whether it was found anew, not from the frames before."""
+        """The best attempt for a frame, and whether it was relocalized."""
         attempt, is_anew = self._beaten(frame)
         if is_anew and attempt.verdict == "tracked" and self.motion.missed > FEWEST_FRAMES > self.model.frame_count:
             reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
@@ -187,7 +146,7 @@ class Tracker:
         return dataclasses.replace(attempt, covariance=covariance), is_anew
 
     def _beaten(self, frame: SensorFrame) -> tuple[Attempt, bool]:
-        """As `locate`, where it beats its rivals, without the covariance."""
+        """As `locate`, after the comparison with rivals, without the covariance."""
         attempt, is_anew = self._find(frame)
         if attempt.verdict == "lost":
             self._rivals = []
@@ -199,7 +158,7 @@ class Tracker:
         return best, is_anew or best.pose is not attempt.pose
 
     def _find(self, frame: SensorFrame) -> tuple[Attempt, bool]:
-        """The best attempt for a frame, whatever its rivals, and whether it was found anew."""
+        """As `locate`, before the comparison with rivals."""
         still = self._follow_still(frame)
         if still is not None:
             self._tries = 0
@@ -219,15 +178,14 @@ class Tracker:
 
     @property
     def awaits_confirmation(self) -> bool:
-        """Whether the last frame was found by its shape, so that the next one may confirm it."""
+        """True if the last frame was found by shape, so that the next one must confirm it."""
         return self._proposal is not None
 
     def try_place(self, frame: SensorFrame, pose: Pose) -> Attempt:
-        """A frame tried at a place that it is said to have been taken from; what it says of the camera is not kept."""
         return self._recognize(frame, pose, SURE_OVERLAP)
 
     def _follow_still(self, frame: SensorFrame) -> Attempt | None:
-        """A frame found from the one before by what did not move since, where that tracks it firmly."""
+        """Track a frame from the previous one by static pixels; None if that is not reliable."""
         if self.motion.missed or not self.model.movers:
             return None
         depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
@@ -241,7 +199,6 @@ class Tracker:
         return followed
 
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
-        """A lost frame tried where it may be, until it is found."""
         assert self.motion.pose is not None
         places = [(self.motion.pose, SURE_OVERLAP), *((ahead, RIM_OVERLAP) for ahead in self.motion.ahead())]
         alike = self.keyframes.recognize(frame.pyramid, CANDIDATES)
@@ -255,17 +212,15 @@ class Tracker:
             yield self._place(frame)
 
     def _rival_starts(self, frame: SensorFrame, pose: Pose) -> list[Pose]:
-        """Where else a frame that was found anew may have been taken, if it could have come there."""
         assert self.motion.pose is not None
         led, reach = [self.motion.pose, *self.motion.ahead()], self.motion.reach(frame)
         starts = [*led, *find_rivals(self.model, frame.pyramid, pose)]
-        if _way(pose, led) > reach:  # it was carried there while nothing was seen: it may be anywhere
+        if _way(pose, led) > reach:  # moved while blind: it may be anywhere
             return starts
         return [start for start in starts if _way(start, led) <= reach]
 
     def _beat_rivals(self, frame: SensorFrame, found: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
-        """A found frame tried at poses that look like its own: the one that explains it best, uncertain where another
-        explains it as well. What shows nothing of the model speaks neither for nor against a rival."""
+        """Select the best of a found pose and its rivals; uncertain if another one with overlap is as good."""
         tried = [found]
         for start in starts:
             rival = self._recognize(frame, start, RIM_OVERLAP)
@@ -284,7 +239,7 @@ class Tracker:
         return dataclasses.replace(best, verdict="uncertain", reason=f"it fits as well {off:.2f} m away")
 
     def _place(self, frame: SensorFrame) -> Attempt:
-        """A lost frame found by its shape; where it sees little of the model, the next one has to agree."""
+        """Relocalize by shape; with little overlap, the next frame has to confirm it."""
         before, self._proposal = self._proposal, None
         place = self.places.find(frame)
         if place is None:
@@ -305,7 +260,6 @@ class Tracker:
         return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
 
     def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
-        """A frame found from the one before."""
         last, expected = self.motion.pose, self.motion.expected(frame)
         assert last is not None
         seen = self.model.seen_from(expected)
@@ -317,7 +271,7 @@ class Tracker:
         return best
 
     def _extend(self, pyramid: OdometryFrame, expected: Pose) -> Attempt:
-        """A frame that shows what the model lacks: found from the frame before, then on all of the model."""
+        """Track a frame of unmapped parts from the previous frame, then on the complete model."""
         last, before = self.motion.pose, self.motion.frame
         assert last is not None
         start = expected
@@ -328,7 +282,7 @@ class Tracker:
         return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
     def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
-        """A frame tried at a place: aligned from there, and once more from where that led."""
+        """Try a frame at a pose: align, then align again from the result."""
         found = align_frames(frame.pyramid, self.model.seen_from(pose))
         at = clean_pose(matmul(pose, found.transformation))
         if found.reliable or agreement_of(found) > 0.5:
@@ -346,7 +300,7 @@ class Tracker:
         return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
 
     def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
-        """A recognised frame on all of the model: at its rim, seen seldom, it may hold most of what the frame shows."""
+        """Align a relocalized frame with the complete model, including its rarely seen border."""
         result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
         is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
         if not is_near or self._judge(result, SURE_OVERLAP)[0] != "tracked":
@@ -354,7 +308,7 @@ class Tracker:
         return Attempt(clean_pose(matmul(found.pose, result.transformation)), result, "tracked")
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
-        """A frame aligned with the model as seen from `at`, from a start, and judged by what was expected."""
+        """Align a frame with the model rendered at `at`, and judge the result by the expected pose."""
         T = matmul(invert_pose(at), start)
         result = align_frames(pyramid, seen, T)
         if result.intensity_rmse > SUSPECT * self.motion.shades:
@@ -368,17 +322,15 @@ class Tracker:
 
 
 def clean_pose(T: Pose) -> Pose:
-    """The pose with its rotation made orthonormal again; NaN stays."""
     return make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if np.isfinite(T).all() else T
 
 
 def _way(pose: Pose, others: list[Pose]) -> float:
-    """How far a pose is from the nearest of others [m]."""
     return min(float(norm(pose[:3, 3] - other[:3, 3])) for other in others)
 
 
 def _apart(T: Pose) -> float:
-    """How much a motion is: the larger of its shift [m] and its turn [rad]."""
+    """Size of a motion: the larger of its translation [m] and its rotation [rad]."""
     return max(float(norm(T[:3, 3])), float(norm(rotation_vector(T[:3, :3]))))
 
 
@@ -388,32 +340,22 @@ def _score(attempt: Attempt) -> float:
 
 Matrix = NDArray[np.float64]
 
-STRIDE = 2  # pixels of the coarsest level from one point to the next
-NEAR, NEAR_SHARE = 0.05, 0.03  # [m] and of the depth: how far a keyframe's depth may be from a point that it saw
-OPEN = 1e-3  # of the normal equations' largest number: below it points count by their number alone
+STRIDE = 2  # pixel stride at the coarsest level
+NEAR, NEAR_SHARE = 0.05, 0.03  # [m] and relative: depth difference of a point that a keyframe saw
+OPEN = 1e-3  # relative to the largest entry: below it points only count by number
 
 
 class Drift:
-    """The covariance of keyframes, and that of frames by them.
-
-    Args:
-        keyframes: The Keyframes, whose poses may be corrected on the way.
-    """
+    """The joint covariance of keyframes, and the covariance of frames derived from it."""
 
     def __init__(self, keyframes: Keyframes):
         self.keyframes = keyframes
         self._views: list[tuple[NDArray[np.float32], NDArray[np.float64]]] = []  # depth [h, w] and lens of each
         self._joint = np.zeros((0, 0))
-        self._latest = np.zeros((6, 0)), np.zeros((6, 6))  # the latest frame's row and own covariance
+        self._latest = np.zeros((6, 0)), np.zeros((6, 6))  # row and own covariance of the latest frame
 
     def of(self, frame: OdometryFrame, pose: Pose, own: Matrix) -> Matrix:
-        """The covariance [rad, m] of a frame's pose about its camera, in the world's directions, float64 [6, 6].
-
-        Args:
-            frame: Its pyramid.
-            pose: T_world_camera.
-            own: That of its alignment with the model, about the camera.
-        """
+        """Covariance [rad, m] of a pose about its camera, in world axes, [6, 6]; `own` is that of the alignment."""
         count = len(self._views)
         if not count:  # the first frame is the world
             return np.zeros((6, 6))
@@ -427,7 +369,7 @@ class Drift:
             even = OPEN * scale * np.eye(6)
             parts += even * (shares / shares.sum())[:, None, None]
             row = solve(whole + even, np.concatenate(list(parts), 1))
-        else:  # what no keyframe saw hangs on the latest
+        else:  # unseen points refer to the latest keyframe
             row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
         self._latest = row, noise
         total = matmul(row, self._joint, row.T) + noise
@@ -435,7 +377,6 @@ class Drift:
         return matmul(about, total, about.T)
 
     def keep(self, frame: OdometryFrame) -> None:
-        """The frame that was asked about last became a keyframe."""
         row, noise = self._latest
         cross = matmul(row, self._joint)
         corner = matmul(cross, row.T) + noise
@@ -444,13 +385,7 @@ class Drift:
         self._views.append((depth.astype(np.float32), lens))
 
     def take_over(self, other: Drift, T_here_other: Pose, deviation: float) -> None:
-        """Another map's keyframes, which follow one's own, lie so to them.
-
-        Args:
-            other: Its Drift.
-            T_here_other: How it lies, 4 x 4.
-            deviation: Standard deviation of that [m], and at 1 m from the other's origin of its turn.
-        """
+        """Append another map's keyframes; `deviation`: standard deviation of T_here_other [m], its rotation at 1 m."""
         count, more = len(self._views), len(other._views)
         to_here = adjoint_of(T_here_other)
         blocks = np.kron(np.eye(more), to_here)
@@ -463,7 +398,7 @@ class Drift:
         self._latest = np.concatenate([row, np.zeros((6, 6 * more))], 1), noise
 
     def _parts(self, frame: OdometryFrame, pose: Pose) -> NDArray[np.float64]:
-        """The normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
+        """Normal equations of a frame's points, by the keyframes that saw them, float64 [keyframes, 6, 6]."""
         depth, lens, planes = coarsest_level(frame)
         v, u = np.mgrid[: depth.shape[0] : STRIDE, : depth.shape[1] : STRIDE]
         z, plane = depth[v, u], planes[v, u]
@@ -478,7 +413,6 @@ class Drift:
         return matmul(seen, (rows[:, :, None] * rows[:, None]).reshape(len(rows), 36)).reshape(-1, 6, 6)
 
     def _sees(self, index: int, points: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Which points a keyframe saw."""
         depth, lens = self._views[index]
         pose = self.keyframes.poses[index]
         local = matmul(points - pose[:3, 3], pose[:3, :3])
@@ -491,23 +425,18 @@ class Drift:
 
 
 def _about(place: NDArray[np.float64]) -> Matrix:
-    """From twists about the origin to those about a place, in the same directions."""
+    """The adjoint from twists about the origin to twists about a position."""
     return adjoint_of(make_pose(np.eye(3), -place))
 
 
-VOXELS = 2.0  # voxels of the model in one of registration; with larger ones little overlap is not found
-LEAST_VOXEL = 0.04  # [m] below it a single frame's normals are noise
-SURE = 0.8  # score above which a pose is worth a second look; of poses on a tenth of a frame half that may be wrong
-FIRST, LATER = (1, 4, 10, 20), 20  # which frames of those in a row that are not found are tried, and then every so many
+VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
+LEAST_VOXEL = 0.04  # [m] below it normals of a single frame are noise
+SURE = 0.8  # minimum score; half of it may be wrong for poses on a tenth of a frame
+FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterwards
 
 
 class PlaceSearch:
-    """Registers lost frames with a model; its description is made once while the model stays.
-
-    Args:
-        model: The Model.
-        seed: As of `register_globally`.
-    """
+    """Global registration of lost frames with a model, whose description is cached."""
 
     def __init__(self, model: Model, seed: int):
         self.model, self.seed = model, seed
@@ -515,11 +444,10 @@ class PlaceSearch:
         self._described: tuple[int, Description | None] = (-1, None)
 
     def is_due(self, attempts: int) -> bool:
-        """Whether a frame is tried that is the `attempts`-th in a row, from 1 on, that shows something and is lost."""
+        """True if the `attempts`-th lost frame in a row (from 1) is tried."""
         return attempts in FIRST or (attempts > FIRST[-1] and attempts % LATER == 0)
 
     def find(self, frame: SensorFrame) -> Pose | None:
-        """T_world_camera of a frame, or None where none is accepted."""
         target = self._model()
         stride = max(1, round(frame.intrinsic.width / 320))
         cloud = PointCloud._from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
@@ -537,26 +465,19 @@ class PlaceSearch:
         return self._described[1]
 
 
-FARTHEST = 4.0  # [m] a rival lies off: what a depth camera sees at once, and so what may repeat in its picture
-APART = 0.15  # [m] two rivals are apart at least; nearer ones are within the reach of one alignment
-MOST = 6  # rivals that are looked at
-POINTS = 300  # of a frame that are shifted
-BLOCK = 8  # voxels of the coarse steps
-FINE = 2  # voxels of the fine ones: half the truncation of 4 voxels
-COARSE_SHARE = 0.45  # of the points that meet the model at the place found, in the coarse steps, and of the
-ALIKE = 0.4  # score there, in the fine ones: a place at the model's rim shows half of it and may be the right one
-MOST_COARSE = 1000  # coarse shifts that are looked at finely, the best first
+FARTHEST = 4.0  # [m] maximum distance of a rival: the range of a depth camera
+APART = 0.15  # [m] minimum distance of rivals; nearer ones are within one alignment
+MOST = 6  # examined rivals
+POINTS = 300  # shifted points per frame
+BLOCK = 8  # voxels per coarse step
+FINE = 2  # voxels per fine step: half the truncation of 4 voxels
+COARSE_SHARE = 0.45  # fraction of the matched points at the found pose, in coarse steps, and ...
+ALIKE = 0.4  # ... in fine steps: a pose at the model border shows half of it and may be correct
+MOST_COARSE = 1000  # refined coarse shifts, the best first
 
 
 def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
-    """Poses T_world_camera that a frame may have beside the one found, by its surface alone; the likest first.
-
-    Args:
-        model: The Model.
-        frame: The frame's pyramid.
-        pose: Where it was found.
-        farthest: How far off they may be [m].
-    """
+    """Other poses T_world_camera up to `farthest` [m] away where the frame's surface fits, the best first."""
     points, axes = _points_of(frame, pose)
     if len(points) < POINTS // 4:
         return []
@@ -579,7 +500,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
 
 
 def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Points [m] of the coarsest level in the world, in an order that is spread over it, and their main directions."""
+    """World points [m] of the coarsest level in a spatially spread order, and their principal directions."""
     picture, (fx, fy, cx, cy), facets = coarsest_level(frame)
     width, depth, planes = picture.shape[1], picture.ravel(), facets.reshape(-1, 4)
     at = np.flatnonzero((depth > 0) & (planes[:, 3] < 0))
@@ -603,7 +524,6 @@ def _best_apart(shifts: NDArray[np.float64], scores: NDArray[np.float32], least:
 
 @functools.cache
 def _ball(radius: int) -> NDArray[np.float64]:
-    """Whole steps within a radius, but none."""
     axis = np.arange(-radius, radius + 1)
     steps = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)
     squares = (steps**2).sum(1)
@@ -612,7 +532,6 @@ def _ball(radius: int) -> NDArray[np.float64]:
 
 @functools.cache
 def _steps() -> NDArray[np.float64]:
-    """The fine steps within a coarse one."""
     half = BLOCK // FINE / 2
     axis = np.arange(-half + 0.5, half)
     return np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), -1).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""The path of a camera from its RGB-D frames: `track`."""
+"""Camera trajectory from RGB-D frames: `track`."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from .results import TrackingResult
 from .sizes import check_sizes
 from .tracked_path import TrackedPath
 
-VOXEL_SIZE = 0.02  # [m] of the model that frames are held against
+VOXEL_SIZE = 0.02  # [m] of the model
 
 
 def track(
@@ -45,34 +45,32 @@ def track(
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
 ) -> TrackedPath:
-    """Find where each frame of a moving depth camera was taken, as `pointloom track` does.
+    """Estimate the pose of each frame of a moving depth camera, as `pointloom track` does.
 
-    Each frame is held against the model of those before it (`loom.slam.DenseSLAM`), and folded into it where it fits.
+    Frame-to-model tracking with `loom.slam.DenseSLAM`.
 
     Args:
-        frames: Of `open_frames`, `frames_from`, a camera, or anything with `intrinsic`, `depth_scale` and either `len`
-            and `read(i)` or an iterator; in their order. Poses of theirs are kept as the truth and tell the tracker
-            nothing.
-        voxel_size: Edge of a voxel of the model [m].
-        depth_max: Farther depth is left out [m].
-        device: Where to compute; None for the CPU.
-        read_ahead: Frames that are read while others are tracked; 0 reads each when its turn comes.
-        progress: Called with the stage, how many of its steps are done, and how many there are (0: nobody knows).
-        clock: Counts the seconds of the stages: waiting for frames ("read"), "track".
+        frames: From `open_frames`, `frames_from`, a camera, or any ordered source with `intrinsic`, `depth_scale` and
+            either `len` and `read(i)` or an iterator. Their poses are only kept as the truth.
+        voxel_size: Voxel edge of the model [m].
+        depth_max: Maximum depth [m].
+        device: Compute device; None: the CPU.
+        read_ahead: Number of frames read ahead; 0: none.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
+        clock: Measures the stages "read" (waiting for frames) and "track".
 
     Returns:
-        The poses, T_world_camera with the first frame that has depth as the world, and what became of each frame.
-        Frames that were lost, or cannot be read by their place, have no pose, and the reason is told. Where the camera
-        was lost for long it begins a new map; one that could not be joined is told apart (`TrackedPath.other_maps`).
+        The poses T_world_camera, with the first frame with depth as the world, and the status of each frame. Lost or
+        unreadable frames have no pose, but a reason. A camera that is lost for long starts a new map; unjoined ones are
+        in `TrackedPath.other_maps`.
 
     Raises:
-        TypeError: No frames of one camera.
-        ValueError: A length out of range, no frame, or pictures whose size is not the camera's.
-        FileError: No frame can be read, or one of those that only come one after another.
+        TypeError, ValueError: Not frames of one camera, a length out of range, no frame, or a wrong image size.
+        FileError: No frame can be read, or a frame of a stream cannot be read.
         DeviceError: No such device.
 
     Notes:
-        The same bits from run to run, for any number of threads.
+        Bitwise reproducible for any number of threads.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -101,11 +99,6 @@ def track_with(
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
 ) -> TrackedPath:
-    """`track` by a tracker that was made for these frames, and stays with what it saw.
-
-    Raises:
-        TypeError, ValueError, FileError: As `track`.
-    """
     say, clock = check_progress(progress), check_clock(clock)
     tally, count = _Tally(slam), count_of(frames)
     first_error: FileError | None = None
@@ -138,14 +131,11 @@ def make_slam(
     device: Any,
     submap_frames: int | None = None,
 ) -> DenseSLAM:
-    """A tracker for frames of one camera; one that can close loops where it keeps submaps."""
     options: dict[str, Any] = {"depth_scale": frames.depth_scale, "depth_max": depth_max, "device": device}
     return DenseSLAM(frames.intrinsic, voxel_size=voxel_size, submap_frames=submap_frames, **options)
 
 
 class _Tally:
-    """What became of the frames so far; the attributes are those of a TrackedPath, or by number of frame."""
-
     def __init__(self, slam: DenseSLAM):
         self.slam, self.count, self._first = slam, 0, len(slam.results)
         self.stepped: list[int] = []
@@ -155,7 +145,6 @@ class _Tally:
         self.shares: list[tuple[float, float]] = []
 
     def take(self, number: int, frame: Any, farthest: float) -> None:
-        """One frame goes into the model."""
         self.shares.append(measured_shares(frame.depth, farthest))
         self.slam.step(frame)
         self.stepped.append(number)
@@ -163,12 +152,11 @@ class _Tally:
         self.true_poses[number] = getattr(frame, "T_world_camera", None)
 
     def path(self, **sizes: Any) -> TrackedPath:
-        """The result, by what is known of all frames by now; `sizes` are those that they were tracked with."""
         results = dict(zip(self.stepped, self.slam.results[self._first :], strict=True))
         placed = {number: result for number, result in results.items() if result.pose is not None}
         largest, *others = map_sizes(list(placed.values())) or [0]
         main = [number for number, result in placed.items() if result.map == largest]
-        aligned = [result for result in placed.values() if result.iterations]  # not where a map begins
+        aligned = [result for result in placed.values() if result.iterations]  # not the first frames of maps
         depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
         return TrackedPath(
             trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
