@@ -68,7 +68,7 @@ def _made_rooms(name: str, seeds: range) -> Iterator[Scan]:
 def demo_room() -> Iterator[Scan]:
     """The room of the demo, in six parts."""
     import pointloom as loom
-    from pointloom.data.scenes.room import room_sequence
+    from pointloom.datasets.scenes.room import room_sequence
 
     sequence = room_sequence(60, width=320, height=240)
     for part in range(6):

@@ -21,7 +21,7 @@ CELL = 4.0 / 128  # [m] voxels of the coarsest level of the surface, whose cube 
 
 def prepare_pointloom(points: np.ndarray, device: str) -> Any:
     import pointloom as loom
-    from pointloom.drawing.viewer.detail_tree import DetailTree
+    from pointloom.visualization.viewer.detail_tree import DetailTree
 
     cloud = loom.PointCloud(points, device=device)
     return lambda: DetailTree.from_cloud(cloud)
@@ -58,7 +58,7 @@ def check_build(ours: dict[str, int], theirs: dict[str, int], peer: str) -> None
 
 
 def prepare_view(points: np.ndarray, device: str) -> Any:
-    from pointloom.drawing.render.view import fit_view
+    from pointloom.visualization.render.view import fit_view
 
     tree = prepare_pointloom(points, device)()
     view = fit_view(points)

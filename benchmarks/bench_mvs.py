@@ -25,7 +25,7 @@ BLOCK = 5  # [px] of SGBM
 def room_pair(width: int) -> Scene:
     """Two pictures of the textured room side by side."""
     import pointloom as loom
-    from pointloom.data.scenes.room import room_pose, room_views
+    from pointloom.datasets.scenes.room import room_pose, room_views
 
     focal = 525.0 * width / 640
     height = width * 3 // 4

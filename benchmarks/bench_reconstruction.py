@@ -37,7 +37,7 @@ class Decoded:
 
 def walk(count: int, per_fragment: int, width: int = 640) -> Scene:
     """The first frames of a walk through the room."""
-    from pointloom.data.scenes.room import room_sequence
+    from pointloom.datasets.scenes.room import room_sequence
 
     room = room_sequence(WALK, width=width, height=width * 3 // 4)
     return {"frames": [room.read(i) for i in range(count)], "per_fragment": per_fragment}

@@ -36,7 +36,7 @@ class Walk:
 
 
 def room_walk(count: int, width: int = 640, height: int = 480) -> Walk:
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(LOOP_FRAMES, width=width, height=height)
     frames = [room.read(i) for i in range(count)]

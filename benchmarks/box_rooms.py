@@ -55,7 +55,7 @@ def fragments(seed: int, starts: tuple[float, ...] = (0.0, 65.0, 150.0), frames:
         Of each part its points in the frame of its first camera [m], float64 [n, 3], and T_room_camera.
     """
     import pointloom as loom
-    from pointloom.data.scenes.room import look_along
+    from pointloom.datasets.scenes.room import look_along
 
     boxes, size = furnish(seed)
     rng = np.random.default_rng([seed, 1])

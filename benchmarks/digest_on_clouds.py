@@ -30,7 +30,7 @@ def alpha_shape(p: Place, alpha: Any, **options: Any) -> Any:
 
 
 def detail_tree(p: Place) -> Any:
-    from pointloom.drawing.viewer.detail_tree import DetailTree
+    from pointloom.visualization.viewer.detail_tree import DetailTree
 
     tree = DetailTree.from_cloud(p.cloud)
     return [tree.counts, tree.levels, tree.middles, *(tree.indices_of(i) for i in range(len(tree)))]

@@ -49,7 +49,7 @@ def estimated(d: Scenes) -> Any:
     """A depth estimate that gives what the camera measured."""
     depth = loom().RGBDImage(d.paint, d.frames.depths[0]).depth
     size = depth.shape
-    from pointloom.photos.depth.estimation import DepthEstimate
+    from pointloom.photogrammetry.depth.estimation import DepthEstimate
 
     return DepthEstimate(depth, True, 1.0, 0.0, None, "none", "m", d.paint, d.lens, "given", size, 1.5)
 
@@ -86,10 +86,10 @@ def undistorted_paint(d: Scenes) -> list[Any]:
 
 def picked(p: Place) -> list[Any]:
     """What clicks on a picture mean, and what is seen inside a polygon."""
-    from pointloom.drawing.render.view import fit_view
-    from pointloom.drawing.viewer.tools.clip_planes import Clip, hidden_points
-    from pointloom.drawing.viewer.tools.picking import pick_point
-    from pointloom.drawing.viewer.tools.polygon_crop import seen_inside
+    from pointloom.visualization.render.view import fit_view
+    from pointloom.visualization.viewer.tools.clip_planes import Clip, hidden_points
+    from pointloom.visualization.viewer.tools.picking import pick_point
+    from pointloom.visualization.viewer.tools.polygon_crop import seen_inside
 
     view = fit_view(p.cloud.points, width=320, height=240)
     hidden = hidden_points(p.cloud, Clip(low=p.cloud.get_center() - [np.inf, 0.0, np.inf]))
@@ -123,7 +123,7 @@ def tracked_walk(d: Any) -> Any:
     """The path and the surface of a camera that is carried, covered, and found again."""
     from types import SimpleNamespace
 
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(300, width=80, height=60, covered=(5, 6))
     slam = loom().slam.DenseSLAM(room.intrinsic, voxel_size=0.04, submap_frames=4, device=d.device)
@@ -137,7 +137,7 @@ def tracked_walk(d: Any) -> Any:
 
 def filmed_room(d: Any) -> Any:
     """A picture of the textured room with the noise of a sensor, and its depth."""
-    from pointloom.data.scenes.room import film_pose, room_views
+    from pointloom.datasets.scenes.room import film_pose, room_views
 
     camera = loom().PinholeCameraIntrinsic(80, 60, 65.625, 65.625, 39.5, 29.5)
     poses = np.array([film_pose(k / 30) for k in range(30)])

@@ -84,7 +84,7 @@ def _rgbd_frame(_: int) -> Call:
 
 def _slam_frame(_: int) -> Call:
     import pointloom as loom
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     room = room_loop_sequence(300, width=WIDTH, height=HEIGHT)
     system = loom.slam.DenseSLAM(room.intrinsic, voxel_size=0.01, device=DEVICE)

@@ -18,7 +18,7 @@ FAR = 4.0  # [m] of depth that is fused
 
 def furnish(seed: int) -> tuple[object, Array]:
     """A room with one to eleven pieces of furniture, and its size [m]: everything drawn from the seed."""
-    from pointloom.data.scenes.furniture import SolidBuilder
+    from pointloom.datasets.scenes.furniture import SolidBuilder
 
     rng = np.random.default_rng(seed)
     size = np.array([rng.uniform(3, 6), rng.uniform(2.8, 5), rng.uniform(2.35, 2.9)])
@@ -112,7 +112,7 @@ def fragments(
         Points in the frame of each part's first camera [m], and T_room_camera.
     """
     import pointloom as loom
-    from pointloom.data.scenes.room import look_along
+    from pointloom.datasets.scenes.room import look_along
     from pointloom.kernels.memory import download
     from pointloom.kernels.scenes.depth_noise import measure_depth
     from pointloom.kernels.scenes.room import Room

@@ -22,7 +22,7 @@ import mvs_scenes
 import numpy as np
 from real_data import DataMissingError
 
-from pointloom.photos.mvs.sources import choose_sources
+from pointloom.photogrammetry.mvs.sources import choose_sources
 
 SETS: dict[str, Callable[[Any], mvs_scenes.Scene]] = {
     "room, 12 frames": lambda given: mvs_scenes.room(12, given.width),
@@ -110,7 +110,7 @@ def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
 def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
     """Write a cloud, and beside the middle picture what its camera would see of it."""
     import pointloom as loom
-    from pointloom.files.pictures.image_files import write_png
+    from pointloom.io.pictures.image_files import write_png
 
     path.parent.mkdir(parents=True, exist_ok=True)
     loom.write_point_cloud(path.with_suffix(".ply"), cloud)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from real_data import DataMissingError, real_data
 
-from pointloom.photos.mvs.posed_pictures import SparsePoints
+from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
 
 FEATURES = 4000  # of a picture
 RATIO = 0.8  # of the distances of the nearest and the second feature (Lowe 2004)
@@ -54,7 +54,7 @@ def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
     30 frames go once round; 12 are neighbours on the walk, 6 to 8 degrees and 8 cm apart.
     """
     import pointloom as loom
-    from pointloom.data.scenes.room import room_sequence
+    from pointloom.datasets.scenes.room import room_sequence
 
     count, size = 120 if frames > 12 else 240, {"width": width, "height": width * 3 // 4}
     sequence = room_sequence(count, **size, noise=False, texture=texture, color_noise=2.0)
@@ -90,7 +90,7 @@ def motorcycle_disparities() -> int:
 def fountain(width: int) -> Scene:
     """The eleven pictures of the fountain with their given cameras (Strecha et al. 2008), made smaller."""
     import pointloom as loom
-    from pointloom.files.pictures.image_files import resize_color
+    from pointloom.io.pictures.image_files import resize_color
 
     folder = real_data("mvs-fountain-p11")
     pictures, cameras = [], []

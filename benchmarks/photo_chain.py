@@ -30,7 +30,7 @@ from photo_writing import seen_points, write_set
 from sfm_accuracy import camera_errors, fit_similarity
 
 import pointloom as loom
-from pointloom.drawing.render.picture_files import save_picture
+from pointloom.visualization.render.picture_files import save_picture
 
 SAMPLES = 100_000
 FITS = 40  # steps of closest points

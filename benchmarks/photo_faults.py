@@ -30,7 +30,7 @@ from photo_sets import View, drone
 from photo_writing import write_set
 from PIL import Image
 
-from pointloom.data.made.views import look_at
+from pointloom.datasets.made.views import look_at
 
 COUNT, STEP = 8, 12.0  # pictures, and [degrees] from one to the next
 MOST_RUNS = 60

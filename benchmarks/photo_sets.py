@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import pointloom as loom
-from pointloom.data.made.views import look_at
-from pointloom.data.scenes.painted import PaintedParts
+from pointloom.datasets.made.views import look_at
+from pointloom.datasets.scenes.painted import PaintedParts
 
 Array = NDArray[np.float64]
 Paint = Callable[[Array], Array]

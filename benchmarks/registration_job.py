@@ -21,7 +21,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 import pointloom as loom
-from pointloom.scale.jobs.job import open_manifest
+from pointloom.tiling.jobs.job import open_manifest
 
 SIZE, WIDTH, APART, ERROR = 0.12, 2.4, 1.5, 0.3  # [m]
 POINTS = 3000
@@ -54,11 +54,11 @@ def measure(folder: Path, count: int, workers: int) -> dict[str, Any]:
     places = truth.copy()
     places[:, :3, 3] += np.random.default_rng(2).uniform(-ERROR, ERROR, (count, 3)) / np.sqrt(3)
     begin, clock = time.thread_time(), time.perf_counter()
-    loom.scale.plan_registration(paths, folder / "job", voxel_size=SIZE, places=list(places), place_error=ERROR)
+    loom.tiling.plan_registration(paths, folder / "job", voxel_size=SIZE, places=list(places), place_error=ERROR)
     planned = time.perf_counter() - clock
-    status = loom.scale.run_job(folder / "job", workers=workers)
+    status = loom.tiling.run_job(folder / "job", workers=workers)
     ran, cpu = time.perf_counter() - clock - planned, time.thread_time() - begin
-    found = loom.scale.finish_registration(folder / "job")
+    found = loom.tiling.finish_registration(folder / "job")
     finished = time.perf_counter() - clock - planned - ran
     with open_manifest(folder / "job") as manifest:
         rows = manifest.rows("SELECT stage, count(*) AS n, sum(seconds) AS s FROM tasks GROUP BY stage ORDER BY stage")

@@ -61,7 +61,7 @@ def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[st
 
 def round_frames(count: int) -> Any:
     """Frames of one round through the made-up room, 640 x 480 pixels."""
-    from pointloom.data.scenes.room import film_pose, room_views
+    from pointloom.datasets.scenes.room import film_pose, room_views
 
     camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
     return room_views(np.array([film_pose(k / count) for k in range(count)]), camera)
@@ -79,7 +79,7 @@ def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], di
 
 def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
     """The same round as a video of 240 frames, from which frames are chosen."""
-    from pointloom.drawing.recording.writers import write_mp4
+    from pointloom.visualization.recording.writers import write_mp4
 
     frames, path = round_frames(VIDEO_FRAMES), work / "room.mp4"
     with path.open("wb") as file:

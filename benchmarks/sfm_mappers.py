@@ -19,9 +19,9 @@ import numpy as np
 import sfm_accuracy
 from real_data import real_data
 
-from pointloom.photos.sfm.features import find_features
-from pointloom.photos.sfm.mapping import map_pictures
-from pointloom.photos.sfm.matches import match
+from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.mapping import map_pictures
+from pointloom.photogrammetry.sfm.matches import match
 
 sfm_accuracy.ROOM_FRAMES, sfm_accuracy.STRIDE = 18, 10
 

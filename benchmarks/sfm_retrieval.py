@@ -18,7 +18,7 @@ import numpy as np
 from real_data import real_data
 
 import pointloom as loom
-from pointloom.photos.sfm.matches import OVERLAP, _in_a_row, pairs_that_look_alike
+from pointloom.photogrammetry.sfm.matches import OVERLAP, _in_a_row, pairs_that_look_alike
 
 STRIDE, FEATURES, FEWEST = 5, 1000, 30
 PAIR = 2147483647  # COLMAP numbers the pair (a, b) as PAIR a + b

@@ -55,7 +55,7 @@ def kitchen(every: int) -> Scene:
 
 
 def room(frames: int, size: tuple[int, int], path: str, **effects: Any) -> Scene:
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     made = room_loop_sequence(frames, path, width=size[0], height=size[1], **effects)
     plain = not effects
@@ -114,7 +114,7 @@ def line(name: str, slam: Any, truth: list[Any], seconds: float, is_room: bool =
         off = np.linalg.norm(path.poses[:, :3, 3] - np.array(truth)[path.ids[:, 0], :3, 3], axis=1)
         text += f" | {int((off[path.ids[:, 2] == 1] > WRONG).sum())} tracked but wrong"
     if is_room and slam.volume.frame_count > 10:
-        from pointloom.data.scenes.room import surface_errors
+        from pointloom.datasets.scenes.room import surface_errors
 
         off = surface_errors(slam.extract_triangle_mesh().vertices)
         text += f" | surface {1000 * np.median(off):.1f} mm, 95 % {1000 * np.quantile(off, 0.95):.1f}"

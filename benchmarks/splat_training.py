@@ -72,7 +72,7 @@ def beginnings(shots: Any, count: int, seed: int, device: Any) -> Any:
 
 
 def train(arguments: argparse.Namespace) -> int:
-    shots = small(loom.data.photographs(arguments.pictures), arguments.scale)
+    shots = small(loom.datasets.photographs(arguments.pictures), arguments.scale)
     held = np.arange(len(shots.pictures)) % 5 == 2
     splats = beginnings(shots, arguments.splats, arguments.seed, arguments.device)
     columns, camera = columns_of(splats), shots.intrinsic

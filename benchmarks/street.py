@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pointloom.data.scenes.drive import TURN, in_world, pose_at, road, sensor_pose, turning_rays
+from pointloom.datasets.scenes.drive import TURN, in_world, pose_at, road, sensor_pose, turning_rays
 
 MAX_RANGE = 80.0  # [m]
 POLE_HEIGHT = 6.0  # [m]

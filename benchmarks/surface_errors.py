@@ -19,8 +19,8 @@ import open3d as o3d
 from surface_scenes import SAMPLES, Scene, distances_to, scenes
 
 import pointloom as loom
-from pointloom.drawing.render.picture_files import save_picture
-from pointloom.drawing.render.surface_picture import draw_surface
+from pointloom.visualization.render.picture_files import save_picture
+from pointloom.visualization.render.surface_picture import draw_surface
 
 QUANTILE = 0.01
 

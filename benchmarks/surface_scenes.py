@@ -13,8 +13,8 @@ from real_data import DataMissingError, real_data
 
 import pointloom as loom
 from pointloom.core.devices import resolve_device
-from pointloom.data.scenes.furniture import sofa
-from pointloom.data.scenes.room import room_sequence, surface_errors
+from pointloom.datasets.scenes.furniture import sofa
+from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.kernels.lang import vec3d
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.scenes.primitives import Solids, distance_to_solids

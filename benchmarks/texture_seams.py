@@ -63,7 +63,7 @@ def painted(length: float) -> Colors:
 
 def owl() -> Scene:
     """The owl from 16 places all round."""
-    mesh = loom.data.object_mesh().simplify_quadric_decimation(20_000)
+    mesh = loom.datasets.object_mesh().simplify_quadric_decimation(20_000)
     poses = ring(16, 0.6, (0.15, 0.7))
     return photographed(
         "owl", mesh, painted(0.08), poses, 0.6, loom.PinholeCameraIntrinsic(640, 480, 720, 720, 319.5, 239.5)
@@ -72,12 +72,12 @@ def owl() -> Scene:
 
 def room() -> Scene:
     """The furnished room from 24 places in it."""
-    from pointloom.data.scenes.room import round_pose
+    from pointloom.datasets.scenes.room import round_pose
 
     poses = np.array([round_pose(k / 24) for k in range(24)])
     return photographed(
         "room",
-        loom.data.room_mesh(),
+        loom.datasets.room_mesh(),
         painted(0.5),
         poses,
         2.0,
@@ -89,7 +89,7 @@ SCENES = {"owl": owl, "room": room}
 
 
 def ring(count: int, distance: float, heights: tuple[float, ...]) -> NDArray[np.float64]:
-    from pointloom.data.made import views
+    from pointloom.datasets.made import views
 
     return views.ring(count, distance, heights)
 

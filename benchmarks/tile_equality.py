@@ -22,11 +22,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import pointloom as loom
-from pointloom.files.points.las import read_las
-from pointloom.files.points.las_writer import write_las
-from pointloom.files.table import PointTable
-from pointloom.scale.manifest import Manifest
-from pointloom.scale.steps.parse import KNOWN
+from pointloom.io.points.las import read_las
+from pointloom.io.points.las_writer import write_las
+from pointloom.io.table import PointTable
+from pointloom.tiling.manifest import Manifest
+from pointloom.tiling.steps.parse import KNOWN
 
 from made_survey import SIDE, made_rows  # isort: skip
 from pointloom.pcd.terrain import Raster
@@ -250,8 +250,8 @@ def check(name: str, data: Path, folder: Path, only: str | None) -> int:
         told, expected = [], None
         for size in SIZES:
             job = folder / "job"
-            loom.scale.plan_tiles(paths, steps, job, size=size * s)
-            status = loom.scale.run_tiles(job)
+            loom.tiling.plan_tiles(paths, steps, job, size=size * s)
+            status = loom.tiling.run_tiles(job)
             if not status.is_finished:
                 raise SystemExit(f"{name}, {step}: {status}")
             with Manifest(job) as manifest:
@@ -259,7 +259,7 @@ def check(name: str, data: Path, folder: Path, only: str | None) -> int:
             if expected is None:
                 cloud, other = (whole(some, plan["origin"]) for some in (paths, later))
                 expected = in_memory(cloud, other, plan["voxel_corner"])
-            rows, total = differing(loom.scale.finish_tiles(job), job, expected)
+            rows, total = differing(loom.tiling.finish_tiles(job), job, expected)
             told.append(f"{rows} of {total:,} in {status.done + status.empty} tiles")
             bad += rows
             shutil.rmtree(job)

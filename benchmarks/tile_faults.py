@@ -30,9 +30,9 @@ import numpy as np
 import psutil
 
 import pointloom as loom
-from pointloom.scale.manifest import Manifest
-from pointloom.scale.runners import retry_tiles
-from pointloom.scale.status import tile_status
+from pointloom.tiling.manifest import Manifest
+from pointloom.tiling.runners import retry_tiles
+from pointloom.tiling.status import tile_status
 
 STEPS = [
     {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
@@ -156,7 +156,7 @@ class Attack:
                 return
             if code > 0:
                 self.counts["finish failed"] += 1
-                loom.scale.run_tiles(self.job)
+                loom.tiling.run_tiles(self.job)
 
 
 def _bad_files(job: Path) -> list[str]:
@@ -259,15 +259,15 @@ def main() -> None:
         folder = Path(name)
         files = made_survey(folder, told.points, told.seed)
         side = (told.points / 4) ** 0.5
-        loom.scale.plan_tiles(files, steps, folder / "alone", size=side / 2.5)
-        loom.scale.run_tiles(folder / "alone")
-        expected = sorted_rows(loom.scale.finish_tiles(folder / "alone"))
+        loom.tiling.plan_tiles(files, steps, folder / "alone", size=side / 2.5)
+        loom.tiling.run_tiles(folder / "alone")
+        expected = sorted_rows(loom.tiling.finish_tiles(folder / "alone"))
         size = len(expected)
         print(f"{told.points:,} points in {len(files)} files; {size:,} bytes of rows expected", flush=True)
         while kills.total() < told.kills:
             runner = told.runners.split(",")[counts["jobs"] % len(told.runners.split(","))]
             job = folder / f"job{counts['jobs']}"
-            loom.scale.plan_tiles(files, steps, job, size=side / 7)
+            loom.tiling.plan_tiles(files, steps, job, size=side / 7)
             attack = Attack(job, chance, kills, counts, told.kills)
             attack.work(runner)
             attack.finish(expected)

@@ -23,8 +23,8 @@ import psutil
 
 import pointloom as loom
 from pointloom.core.atomic import atomic_write
-from pointloom.scale.buckets import FOLDER as BUCKETS
-from pointloom.scale.manifest import Manifest
+from pointloom.tiling.buckets import FOLDER as BUCKETS
+from pointloom.tiling.manifest import Manifest
 
 RESULTS = Path(__file__).parent / "results" / "tiles-cpu.json"
 STEPS = [
@@ -66,9 +66,9 @@ def cpu_seconds() -> float:
 def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
     """Plan, run and finish a job."""
     os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
-    loom.scale.plan_tiles(survey, STEPS, job)
+    loom.tiling.plan_tiles(survey, STEPS, job)
     watch = Watch(job)
-    status = loom.scale.run_tiles(job, workers=workers, progress=watch)
+    status = loom.tiling.run_tiles(job, workers=workers, progress=watch)
     run_s = time.monotonic() - watch.begin
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     if not status.is_finished:
@@ -77,7 +77,7 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
         (row,) = manifest.rows("SELECT count(*) AS tiles FROM tiles")
     tile_bytes = size_of(job / "tiles")
     begin, cpu = time.monotonic(), cpu_seconds()
-    result = loom.scale.finish_tiles(job, job / "result.copc.laz", workers=workers, overwrite=True)
+    result = loom.tiling.finish_tiles(job, job / "result.copc.laz", workers=workers, overwrite=True)
     return {
         "points": status.points,
         "files": len(list(survey.glob("*.laz"))),

@@ -16,7 +16,7 @@ from machinery import commands, galleries, pages, reference, scraper, whole  # n
 from machinery.public import by_home, public_modules  # noqa: E402
 
 from pointloom import __version__  # noqa: E402
-from pointloom.drawing.recording.shared_player import write_player  # noqa: E402
+from pointloom.visualization.recording.shared_player import write_player  # noqa: E402
 
 public_modules()  # so that each can be imported by its public name
 

@@ -14,8 +14,8 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.data.scenes.room import room_sequence
-from pointloom.drawing.render.canvas import Canvas
+from pointloom.datasets.scenes.room import room_sequence
+from pointloom.visualization.render.canvas import Canvas
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.651, 0.929)
 SIZE = (400, 300)  # [px] of a picture

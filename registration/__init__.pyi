@@ -1,6 +1,6 @@
 """The public names of pointloom.registration: the one list of them, for type checkers and for `public_names`."""
 
-from ..files.points.scan_files import list_scans as list_scans
+from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
 from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker

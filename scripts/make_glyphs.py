@@ -1,4 +1,4 @@
-"""Draws the letters of pictures once: drawing/render/glyphs.npz, from the font inside Pillow (Aileron, CC0).
+"""Draws the letters of pictures once: src/pointloom/visualization/render/glyphs.npz, from the font inside Pillow (Aileron, CC0).
 
     python scripts/make_glyphs.py [--show sheet.png]
 

@@ -61,7 +61,7 @@ def man_page() -> str:
     """The whole page."""
     sys.path.insert(0, str(ROOT / "src"))  # this checkout's commands
     from pointloom import __version__
-    from pointloom.app.shell.cli import cli
+    from pointloom.cli.shell.cli import cli
 
     with click.Context(cli, info_name="pointloom", **cli.context_settings) as context:
         parts = [

@@ -25,14 +25,14 @@ BUSY_PROCESSES = 8
 # One process each: Chromium's tests run alone in CI as well.
 GROUPS = (
     ("tests/browser",),
-    ("tests/drawing/viewer",),
+    ("tests/visualization/viewer",),
     ("tests/scale",),
     (
         *("tests/kernels/language/test_cpu_pool.py", "tests/kernels/language/test_device_lock.py"),
         *("tests/kernels/language/test_kept_kernels.py", "tests/kernels/language/test_module_loading.py"),
-        *("tests/kernels/language/test_notices.py", "tests/photos/sfm/test_limits.py"),
-        *("tests/files/test_rgbd_sources.py", "tests/rgbd/test_frame_threads.py", "tests/app/test_cli.py"),
-        *("tests/app/test_pipes.py", "tests/app/test_tile_command.py", "tests/app/test_view_command.py"),
+        *("tests/kernels/language/test_notices.py", "tests/photogrammetry/sfm/test_limits.py"),
+        *("tests/io/test_rgbd_sources.py", "tests/rgbd/test_frame_threads.py", "tests/cli/test_cli.py"),
+        *("tests/cli/test_pipes.py", "tests/cli/test_tile_command.py", "tests/cli/test_view_command.py"),
     ),
 )
 

@@ -84,7 +84,7 @@ def fault_of(words: list[str]) -> str | None:
     """What is wrong with a command that a page shows; None where a reader could type it."""
     import click
 
-    from pointloom.app.shell.cli import cli
+    from pointloom.cli.shell.cli import cli
 
     name, *rest = words
     if name == "pointloom":

@@ -12,15 +12,15 @@ from PIL import Image
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.data.scenes.room import room_sequence, write_room_sequence
+from pointloom.datasets.scenes.room import room_sequence, write_room_sequence
 
-from .files.sfm_models import ring_model
-from .files.test_bags import file_of
-from .files.test_recorded_transforms import robot as recorded_robot
+from .io.sfm_models import ring_model
+from .io.test_bags import file_of
+from .io.test_recorded_transforms import robot as recorded_robot
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
-    "app/shell/SKILL.md", "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
+    "src/pointloom/cli/shell/SKILL.md", "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
     "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slac.md", "docs/slam.md",
     "docs/submaps.md", "docs/surfaces.md", "docs/terrain.md",
 }  # fmt: skip
@@ -164,7 +164,7 @@ def walk_and_scans() -> dict[str, Any]:
 
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
-    "app/shell/SKILL.md": scans_and_frames,
+    "src/pointloom/cli/shell/SKILL.md": scans_and_frames,
     "docs/frames.md": walk("kitchen"),
     "docs/fusion-at-scale.md": walk_and_scans,
     "docs/large-clouds.md": survey,

@@ -20,9 +20,9 @@ MODULES = sorted(
 )
 # Over a second of CPU; tests of the same names hold what they do.
 DEAR = {
-    "pointloom.data.made.objects", "pointloom.data.made.photographs", "pointloom.data.made.room",
-    "pointloom.data.made.terrain", "pointloom.meshing.volume.splat_fusion",
-    "pointloom.registration.deformable.nonrigid", "pointloom.scale.jobs.fusion",
+    "pointloom.datasets.made.objects", "pointloom.datasets.made.photographs", "pointloom.datasets.made.room",
+    "pointloom.datasets.made.terrain", "pointloom.meshing.volume.splat_fusion",
+    "pointloom.registration.deformable.nonrigid", "pointloom.tiling.jobs.fusion",
 }  # fmt: skip
 
 

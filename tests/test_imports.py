@@ -351,10 +351,10 @@ def test_the_page_of_the_house_lists_the_rooms_in_their_order():
 def test_a_room_that_imports_from_one_below_it_is_found():
     for path, line, fault in (
         ("kernels/search/tree.py", "from ..icp.rows import x", "search must not import from icp"),
-        ("files/points/ply.py", "from ..meshes.obj import x", "points must not import from meshes"),
-        ("files/source.py", "from .points.ply import x", "files must not import from points"),
+        ("io/points/ply.py", "from ..meshes.obj import x", "points must not import from meshes"),
+        ("io/source.py", "from .points.ply import x", "files must not import from points"),
         ("photos/sfm/model.py", "from .. import mvs", "sfm must not import from mvs"),
-        ("app/jobs/register.py", "from ..shell.options import x", "jobs must not import from shell"),
+        ("cli/jobs/register.py", "from ..shell.options import x", "jobs must not import from shell"),
     ):
         assert room_faults(line, path) == [f"{path}:1: {fault}"]
     for path, line in (
@@ -363,8 +363,8 @@ def test_a_room_that_imports_from_one_below_it_is_found():
             for allowed in ("from ..arrays.sort import x", "from ..lang import kernel")
         ),
         ("kernels/search/tree.py", "from .tree_walk import x"),
-        ("files/meshes/obj.py", "from ..source import x"),
-        ("app/shell/cli.py", "from ..jobs.register import x"),
+        ("io/meshes/obj.py", "from ..source import x"),
+        ("cli/shell/cli.py", "from ..jobs.register import x"),
     ):
         assert room_faults(line, path) == []
 
@@ -422,17 +422,17 @@ def test_calls_in_turn_and_calls_of_the_host_pass():
         ("cameras/camera.py", "from ..files.source import open_source"),
         ("pcd/cloud.py", "from ..meshing.mesh.mesh import TriangleMesh"),
         ("pcd/cloud.py", "def f():\n    from ..registration import icp"),
-        ("files/points/ply.py", "from ...registration import icp"),
-        ("files/points/ply.py", "from ... import PointCloud"),
+        ("io/points/ply.py", "from ...registration import icp"),
+        ("io/points/ply.py", "from ... import PointCloud"),
         ("registration/icp/icp.py", "from ...meshing.volume import tsdf"),
         ("meshing/volume/tsdf.py", "from ... import kernels, registration"),
         ("meshing/volume/tsdf.py", "if TYPE_CHECKING:\n    from ...app.shell import cli"),
         ("rgbd/slam/model.py", "from ...app.shell.cli import cli"),
         ("rgbd/slam/model.py", "from ...drawing.viewer.hub import GuardedHub"),
-        ("drawing/render/render.py", "from ...rgbd.slam.model import Model"),
-        ("photos/mvs/fusion.py", "from ...app.jobs.register import register_files"),
-        ("app/shell/cli.py", "import pointloom.pcd.cloud"),
-        ("app/shell/cli.py", "from pcd.cloud import PointCloud"),
+        ("visualization/render/render.py", "from ...rgbd.slam.model import Model"),
+        ("photogrammetry/mvs/fusion.py", "from ...app.jobs.register import register_files"),
+        ("cli/shell/cli.py", "import pointloom.pcd.cloud"),
+        ("cli/shell/cli.py", "from pcd.cloud import PointCloud"),
     ],
 )
 def test_an_import_the_wrong_way_is_found(path, line):
@@ -442,13 +442,13 @@ def test_an_import_the_wrong_way_is_found(path, line):
 @pytest.mark.parametrize(
     ("path", "line"),
     [
-        ("files/points/ply.py", "from ...core.errors import FileError"),
-        ("files/points/ply.py", "from ...kernels import memory"),
+        ("io/points/ply.py", "from ...core.errors import FileError"),
+        ("io/points/ply.py", "from ...kernels import memory"),
         ("meshing/volume/tsdf.py", "from ... import kernels, pcd"),
         ("registration/icp/icp.py", "import numpy as np\nfrom . import robust"),
-        ("photos/mvs/fusion.py", "from ...drawing.render.render import render"),
-        ("app/shell/cli.py", "from ... import __version__"),
-        ("app/shell/cli.py", "from ...registration.icp.icp import registration_icp"),
+        ("photogrammetry/mvs/fusion.py", "from ...drawing.render.render import render"),
+        ("cli/shell/cli.py", "from ... import __version__"),
+        ("cli/shell/cli.py", "from ...registration.icp.icp import registration_icp"),
     ],
 )
 def test_an_import_the_right_way_passes(path, line):
@@ -460,7 +460,7 @@ def test_an_import_the_right_way_passes(path, line):
     [
         ("kernels/knn.py", "import taichi as ti"),
         ("kernels/lang.py", "from taichi.lang import impl"),
-        ("app/shell/cli.py", "import importlib\nti = importlib.import_module('taichi')"),
+        ("cli/shell/cli.py", "import importlib\nti = importlib.import_module('taichi')"),
         ("kernels/knn.py", "import warp as wp"),
         ("kernels/knn.py", "from warp.types import vec3"),
         ("kernels/knn.py", "from __future__ import annotations\nfrom .lang import *"),
@@ -492,12 +492,12 @@ def test_public_packages_show_their_public_names_alone():
 
     packages = [getattr(loom, name) for name in loom.__all__ if name.islower()]
     packages = [package for package in packages if hasattr(package, "__path__")]
-    assert {"pointloom.registration", "pointloom.scale"} <= {each.__name__ for each in packages}
+    assert {"pointloom.registration", "pointloom.tiling"} <= {each.__name__ for each in packages}
     for package in (loom, o3d, o3d.geometry, *packages):
         assert {name for name in dir(package) if not name.startswith("__")} == set(package.__all__)
     assert sys.modules["pointloom.registration.icp"] is icp
     with pytest.raises(AttributeError, match=r"'icp': it is a private module; did you mean 'registration_icp'"):
         loom.registration.icp  # noqa: B018
     with pytest.raises(AttributeError, match=r"'borders': it is a private module$"):
-        loom.scale.borders  # noqa: B018
+        loom.tiling.borders  # noqa: B018
     assert loom.registration is sys.modules["pointloom.registration"]

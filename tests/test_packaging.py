@@ -99,12 +99,12 @@ def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
 
 
 def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
-    letters = {"pointloom/drawing/render/glyphs.npz", "pointloom/drawing/render/glyphs.md"}
+    letters = {"pointloom/visualization/render/glyphs.npz", "pointloom/visualization/render/glyphs.md"}
     assert letters <= set(wheel.namelist())
 
 
 def test_the_wheel_holds_the_guide_for_assistants_and_the_list_of_chapters(wheel):
-    assert {"pointloom/app/shell/SKILL.md", "pointloom/app/shell/chapters.toml"} <= set(wheel.namelist())
+    assert {"pointloom/cli/shell/SKILL.md", "pointloom/cli/shell/chapters.toml"} <= set(wheel.namelist())
 
 
 def test_the_wheel_names_its_version_and_its_command(wheel):

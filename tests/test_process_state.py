@@ -24,8 +24,8 @@ FORBIDDEN = {
     "socket.setdefaulttimeout", "resource.setrlimit",
 }  # fmt: skip
 ALLOWED = {
-    "app/shell/cli.py", "app/shell/doctor.py", "app/shell/group.py", "kernels/cuda_cache.py",
-    "kernels/language/taichi_compiler.py", "photos/sfm/opencv_worker.py",
+    "cli/shell/cli.py", "cli/shell/doctor.py", "cli/shell/group.py", "kernels/cuda_cache.py",
+    "kernels/language/taichi_compiler.py", "photogrammetry/sfm/opencv_worker.py",
 }  # fmt: skip
 
 

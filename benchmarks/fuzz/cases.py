@@ -22,12 +22,12 @@ import oracles
 import other_cases
 import ply_oracle
 
-from pointloom.files.meshes.obj import read_obj, write_obj
-from pointloom.files.meshes.off import read_off, write_off
-from pointloom.files.meshes.stl import read_stl, write_stl
-from pointloom.files.points.pcd import read_pcd, write_pcd
-from pointloom.files.points.ply import read_ply_mesh, write_ply_mesh
-from pointloom.files.table import MeshTable, PointTable
+from pointloom.io.meshes.obj import read_obj, write_obj
+from pointloom.io.meshes.off import read_off, write_off
+from pointloom.io.meshes.stl import read_stl, write_stl
+from pointloom.io.points.pcd import read_pcd, write_pcd
+from pointloom.io.points.ply import read_ply_mesh, write_ply_mesh
+from pointloom.io.table import MeshTable, PointTable
 
 
 @dataclass(frozen=True)

@@ -25,13 +25,13 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.files.models.frame_cameras import read_transforms
+from pointloom.io.models.frame_cameras import read_transforms
 from pointloom.registration.deformable.control_grid import ControlGrid
 from pointloom.registration.deformable.control_grid_files import read_control_grid, write_control_grid
-from pointloom.scale.manifest import NAME, canonical, hash_of
-from pointloom.scale.polygons import parse_area
-from pointloom.scale.sources import files_of_index
-from pointloom.scale.steps.parse import parse_steps
+from pointloom.tiling.manifest import NAME, canonical, hash_of
+from pointloom.tiling.polygons import parse_area
+from pointloom.tiling.sources import files_of_index
+from pointloom.tiling.steps.parse import parse_steps
 
 VALUES: list[Any] = [
     *(None, True, False, 0, -1, 2, 1.5, -0.0, 1e300, -1e300, 5e-324, 10**19, 2**63, -(2**63), 10**400, float("nan")),
@@ -214,7 +214,7 @@ def job() -> Path:
         {"step": "voxel_down_sample", "voxel_size": 2.0},
         {"step": "crop", "min_bound": [0] * 3, "max_bound": [99] * 3},
     ]
-    loom.scale.plan_tiles([folder / "in.laz"], chain, folder / "job", size=30.0)
+    loom.tiling.plan_tiles([folder / "in.laz"], chain, folder / "job", size=30.0)
     return folder / "job"
 
 
@@ -262,10 +262,10 @@ def _copy(path: Path) -> Any:
 
 
 def _work_off(folder: Path) -> Path:
-    loom.scale.tile_status(folder)
-    status = loom.scale.run_tiles(folder)
+    loom.tiling.tile_status(folder)
+    status = loom.tiling.run_tiles(folder)
     if status.is_finished:
-        loom.scale.finish_tiles(folder)
+        loom.tiling.finish_tiles(folder)
     return folder
 
 

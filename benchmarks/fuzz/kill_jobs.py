@@ -30,7 +30,7 @@ def planned(folder: Path) -> Path:
     """A job of 16 tiles in a folder."""
     points = np.random.default_rng(0).random((20_000, 3)) * (40, 40, 2)
     loom.write_point_cloud(folder / "in.laz", loom.PointCloud(points))
-    loom.scale.plan_tiles([folder / "in.laz"], STEPS, folder / "job", size=10.0)
+    loom.tiling.plan_tiles([folder / "in.laz"], STEPS, folder / "job", size=10.0)
     return folder / "job"
 
 
@@ -68,14 +68,14 @@ def main() -> int:
         begin = time.monotonic()
         if run(job).wait():
             raise RuntimeError("the run that is not killed failed")
-        usual, expected = time.monotonic() - begin, loom.scale.finish_tiles(job).read_bytes()
+        usual, expected = time.monotonic() - begin, loom.tiling.finish_tiles(job).read_bytes()
         while kills < given.count:
             shutil.rmtree(job)
             shutil.copytree(folder / "kept", job)
             kills += kills_until_done(job, rng, usual)
             jobs += 1
             left = sorted(each.name for each in folder.iterdir())
-            is_same = loom.scale.finish_tiles(job).read_bytes() == expected and left == ["in.laz", "job", "kept"]
+            is_same = loom.tiling.finish_tiles(job).read_bytes() == expected and left == ["in.laz", "job", "kept"]
             wrong += not is_same
     print(f"| tile jobs | {jobs} jobs, {kills} kills | {wrong} differ |")
     return 1 if wrong else 0

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from pointloom.files.table import MeshTable, PointTable
+from pointloom.io.table import MeshTable, PointTable
 
 
 class RefusedError(Exception):

@@ -25,13 +25,13 @@ from pointloom.cameras.camera import (
     write_pinhole_camera_intrinsic,
 )
 from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
-from pointloom.files.meshes.glb import read_glb
-from pointloom.files.meshes.glb_writer import write_glb
-from pointloom.files.models.metashape import read_metashape_cameras
-from pointloom.files.points.npz import read_npz, write_npz
-from pointloom.files.points.text import read_text, write_text
-from pointloom.files.points.text_table import read_text_table
-from pointloom.files.table import MeshTable, PointTable
+from pointloom.io.meshes.glb import read_glb
+from pointloom.io.meshes.glb_writer import write_glb
+from pointloom.io.models.metashape import read_metashape_cameras
+from pointloom.io.points.npz import read_npz, write_npz
+from pointloom.io.points.text import read_text, write_text
+from pointloom.io.points.text_table import read_text_table
+from pointloom.io.table import MeshTable, PointTable
 
 
 def _mesh(*, textured: bool = False) -> MeshTable:

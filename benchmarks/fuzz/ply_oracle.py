@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from oracles import color_scale, differing_faces, real, require, same, unix, whole
 
-from pointloom.files.table import MeshTable
+from pointloom.io.table import MeshTable
 
 _CODES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d"}
 _CODES |= {"int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I"}

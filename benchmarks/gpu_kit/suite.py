@@ -30,7 +30,7 @@ STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {house: [f"tes
 DRY_STAGES = {"smoke": ["tests/kernels/arrays/test_select.py"]}
 # What compiles whether there is a GPU or not, and what has no use for one
 SKIP = ("tests/kernels/test_check_cuda.py", "tests/kernels/test_cuda_cache.py")
-SKIP += ("tests/drawing/viewer", "tests/photos/depth")
+SKIP += ("tests/visualization/viewer", "tests/photogrammetry/depth")
 LACKING = ("No module named", "ImportError while importing")
 STAGE_AT_LEAST, ALONE_AT_LEAST, ALONE_AT_MOST, MOST_ALONE = 15.0, 20.0, 60.0, 60
 LONGEST_TEST = 100  # seconds, where pytest-timeout is installed

@@ -1,6 +1,6 @@
 """Depth networks: is a file that is not the preset's refused, and is one that is taken?
 
-Files in the shape of published exports (tests/photos/depth/published_networks.py), as they are and as other programs
+Files in the shape of published exports (tests/photogrammetry/depth/published_networks.py), as they are and as other programs
 rewrite them: onnxruntime's optimiser (basic and extended, which fuses operations), half precision, weights of 8 bits.
 Each is opened under every preset, as a user might who has the file and not the preset's name. Right or wrong is
 measured on a picture whose depth is known, with the checks of names and heads switched off: metres that are off by more
@@ -26,17 +26,17 @@ from judged import Judged
 from numpy.typing import NDArray
 from scipy.stats import spearmanr
 
-from pointloom.photos.depth.estimation import DepthEstimate
+from pointloom.photogrammetry.depth.estimation import DepthEstimate
 
 ROOT = Path(__file__).resolve().parents[2]
 if str(ROOT) not in sys.path:
     sys.path.append(str(ROOT))
 
 import pointloom as loom  # noqa: E402
-from pointloom.photos.depth import network  # noqa: E402
-from pointloom.photos.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
-from pointloom.photos.depth.presets import PRESETS  # noqa: E402
-from tests.photos.depth.published_networks import FILES, FOCAL, depth_of, picture_of, published  # noqa: E402
+from pointloom.photogrammetry.depth import network  # noqa: E402
+from pointloom.photogrammetry.depth.heads import RECIPROCAL, UNKNOWN, Head  # noqa: E402
+from pointloom.photogrammetry.depth.presets import PRESETS  # noqa: E402
+from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, picture_of, published  # noqa: E402
 
 AREA, LUCK = "depth network", "depth network, a preset that fits by luck"
 MOST_ERROR = 0.05  # median, relative

@@ -24,7 +24,7 @@ def judge() -> Iterator[Judged]:
 
 
 def _sequence() -> Any:
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     return room_loop_sequence(30 * FRAMES, "round", width=320, height=240)
 
@@ -87,7 +87,7 @@ def _shaken(poses: np.ndarray, far: float, rng: np.random.Generator) -> np.ndarr
 
 
 def _is_room(mesh: Any) -> tuple[bool, str]:
-    from pointloom.data.scenes.room import surface_errors
+    from pointloom.datasets.scenes.room import surface_errors
 
     if not len(mesh):
         return False, "no surface"

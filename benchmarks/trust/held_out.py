@@ -20,7 +20,7 @@ from judged import Judged
 from places import Place
 from sensors import CameraFrame, DepthCamera, Scanner
 
-from pointloom.data.scenes.room import look_along
+from pointloom.datasets.scenes.room import look_along
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 

@@ -1,5 +1,5 @@
 """Rooms of boxes that a depth camera walks through: other furniture, another renderer and other ways than of the room
-in `data/scenes`, by which nothing of tracking was chosen.
+in `src/pointloom/datasets/scenes`, by which nothing of tracking was chosen.
 
 The camera stays away from the walls: before a near one it slides (docs/slam.md), which is another matter than maps.
 """

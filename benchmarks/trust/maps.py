@@ -1,7 +1,7 @@
 """Maps of a camera that was lost for long: joined where they show the same place, told apart where nobody can know.
 
 A wrong join is the worst answer. Maps of different rooms ought never to be joined, maps of one room that share a part
-ought to be. Constants were chosen by the figure of eight through the room of `data/scenes`; rooms of boxes are others.
+ought to be. Constants were chosen by the figure of eight through the room of `src/pointloom/datasets/scenes`; rooms of boxes are others.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import numpy as np
 from PIL import Image
 
 import pointloom as loom
-from pointloom.data.scenes.room import film_pose, look_along, room_views
+from pointloom.datasets.scenes.room import film_pose, look_along, room_views
 
 SIZE = (640, 480)
 FOCAL = 525.0

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from places import Place
 
-from pointloom.data.scenes.room import look_along
+from pointloom.datasets.scenes.room import look_along
 
 Array = NDArray[np.float64]
 

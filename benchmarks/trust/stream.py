@@ -45,7 +45,7 @@ def kitchen(count: int) -> tuple[list[Any], Any]:
 
 def room(count: int, **effects: Any) -> tuple[list[Any], Any]:
     """Frames of a loop through the made-up room, and their camera."""
-    from pointloom.data.scenes.room import room_loop_sequence
+    from pointloom.datasets.scenes.room import room_loop_sequence
 
     made = room_loop_sequence(400, "eight", width=160, height=120, **effects)
     frames = [made.read(index) for index in range(count)]

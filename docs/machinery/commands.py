@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from pointloom.app.shell.cli import cli
+from pointloom.cli.shell.cli import cli
 
 from .texts import indented, plain, remove_others, titled, write_if_changed
 

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pointloom as loom
-from pointloom.drawing.recording.film import Film, view_frames
-from pointloom.drawing.recording.recorder import Recorder
-from pointloom.drawing.recording.shared_player import share_player
-from pointloom.drawing.render.picture import Picture
+from pointloom.visualization.recording.film import Film, view_frames
+from pointloom.visualization.recording.recorder import Recorder
+from pointloom.visualization.recording.shared_player import share_player
+from pointloom.visualization.render.picture import Picture
 
 MADE = Path(__file__).parents[1] / "made"  # what lies in the site's _static folder
 RECORDINGS, SHOWN = "recordings", "_pointloom_shown"

@@ -14,8 +14,8 @@ from ...core.checks import check_list, check_name
 from ...core.errors import FileError
 from ...core.masked_arrays import unmasked
 from ...core.progress import ReportProgress
-from ...files.models.sfm_model import SfmModel
-from ...files.pictures.image_files import read_color
+from ...io.models.sfm_model import SfmModel
+from ...io.pictures.image_files import read_color
 from ..mesh.posed_images import Names, PosedImages, check_images
 
 NAMES = Names("pictures", "cameras", "T_camera_world")

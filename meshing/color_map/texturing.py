@@ -12,9 +12,9 @@ from ...cameras.images import RGBDImage
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
 from ...core.progress import ReportProgress
-from ...files.frames.datasets import Frame
-from ...files.frames.frames import depth_unit
-from ...files.frames.rgbd_sources import RGBDSource
+from ...io.frames.datasets import Frame
+from ...io.frames.frames import depth_unit
+from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
 from ..mesh.mesh_texture import MOST_TEXELS

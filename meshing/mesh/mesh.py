@@ -12,7 +12,7 @@ from ...core.coordinates import split_origin
 from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
 from ...core.told_arguments import told_arguments
-from ...files.table import MeshTable
+from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload
 from .mesh_attributes import assign_all

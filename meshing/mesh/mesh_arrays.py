@@ -33,7 +33,7 @@ from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
 from ...core.upward import Direction, check_up, up_under
 from ...core.yes_or_no import YesOrNo
-from ...files.table import MeshTable
+from ...io.table import MeshTable
 from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.arrays.concatenation import concatenate_points, concatenate_rows
@@ -63,7 +63,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     _device: Any
     _origin: NDArray[np.float64]
     _attributes: dict[str, dict[str, wp.array]]  # keys are those of ATTRIBUTES
-    _library: str = NUMPY  # library of returned arrays, see core/array_libraries.py
+    _library: str = NUMPY  # library of returned arrays, see src/pointloom/core/array_libraries.py
 
     def __len__(self) -> int:
         return self._arrays["triangles"].size

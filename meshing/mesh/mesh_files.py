@@ -10,9 +10,9 @@ import numpy as np
 from ...core.devices import resolve_device
 from ...core.errors import FileError
 from ...core.paths import path_of
-from ...files.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
-from ...files.source import content_errors
-from ...files.table import MeshTable
+from ...io.meshes.mesh_formats import MESH_READERS, UPRIGHT, read_mesh, write_mesh
+from ...io.source import content_errors
+from ...io.table import MeshTable
 from ...pcd.point_arrays import PointArrays
 from .mesh import TriangleMesh
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...files.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
+from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
 from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom distance field 1"

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...files.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
+from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.occupancy_blocks import UNKNOWN
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, block_box

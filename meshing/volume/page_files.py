@@ -19,7 +19,7 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...core.work_folder import held
-from ...files.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
+from ...io.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
 from .tsdf_files import find_fault_of_sizes

@@ -16,7 +16,7 @@ from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.quaternions import nearest_rotations
 from ...core.units import common_unit
-from ...files.points.point_cloud import read_point_cloud
+from ...io.points.point_cloud import read_point_cloud
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import launch, mat44d

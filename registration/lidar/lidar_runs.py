@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_callback, check_shape
-from ...files.points.scan_files import Scans, read_scans
+from ...io.points.scan_files import Scans, read_scans
 from .lidar_odometry import LidarOdometry
 from .lidar_steps import OdometryStep
 

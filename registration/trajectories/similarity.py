@@ -24,7 +24,7 @@ from ...core.checks import check_finite, check_list, check_name, check_positive,
 from ...core.errors import FileError
 from ...core.known_names import nearest_name
 from ...core.paths import path_of
-from ...files.models.sfm_model import SfmModel
+from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...files.models.sfm_model import SfmModel
+from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import eigh, matmul, norm
 
 Array = NDArray[np.float64]

@@ -17,7 +17,7 @@ def main() -> None:
     """Run the command; Ctrl-C during loading also gives one line and exit code 130."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _leave)
-    from .app.shell.cli import main as run  # loads click and the commands
+    from .cli.shell.cli import main as run  # loads click and the commands
 
     run()
 

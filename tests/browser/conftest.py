@@ -36,7 +36,7 @@ from playwright.sync_api import (
 
 import pointloom as loom
 
-from ..drawing.viewer.events import announced_events  # noqa: F401  a fixture
+from ..visualization.viewer.events import announced_events  # noqa: F401  a fixture
 from .live_pages import Program
 from .pixels import PATIENCE, ready
 from .viewer_scenes import HEIGHT, WIDTH

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from pointloom.drawing.page import sources
+from pointloom.visualization.page import sources
 
 from .pixels import picture, ready
 

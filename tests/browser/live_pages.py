@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from playwright.sync_api import Page
 
-from pointloom.drawing.viewer.guard import RequestGuard
-from pointloom.drawing.viewer.link.server import PageServer
+from pointloom.visualization.viewer.guard import RequestGuard
+from pointloom.visualization.viewer.link.server import PageServer
 
 from .pixels import wait_until
 

@@ -11,8 +11,8 @@ import numpy as np
 from PIL import Image
 from playwright.sync_api import Frame, Page
 
-from ..drawing.viewer import events
-from ..drawing.viewer.events import PATIENCE
+from ..visualization.viewer import events
+from ..visualization.viewer.events import PATIENCE
 
 # Hides panels, notices and all other elements over the canvas. A style sheet that a script adopts passes the page's
 # content security policy.

@@ -11,7 +11,7 @@ from click.testing import CliRunner
 from PIL import Image
 
 import pointloom as loom
-from pointloom.app.shell.cli import cli
+from pointloom.cli.shell.cli import cli
 
 from .pixels import count_pixels, middle_of, see
 from .viewer_scenes import BLUE, BRICK, GREEN, RED, WHITE, brick, grid_cloud, sphere

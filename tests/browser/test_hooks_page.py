@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.viewer.tools.picking import project
+from pointloom.visualization.viewer.tools.picking import project
 
 from .pixels import ready, wait_until
 

@@ -264,7 +264,7 @@ def test_a_network_that_comes_back_is_taken_at_once(program, visit):
 
 def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
     page = visit()
-    monkeypatch.setattr("pointloom.drawing.viewer.link.hub.PROTOCOL", "pointloom.2")
+    monkeypatch.setattr("pointloom.visualization.viewer.link.hub.PROTOCOL", "pointloom.2")
     program.pages.disconnect_all()
     expect(page.get_by_role("button", name="Load again")).to_be_visible()
     monkeypatch.undo()

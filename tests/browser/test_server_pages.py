@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from pointloom.drawing.viewer.server import ViewerServer
+from pointloom.visualization.viewer.server import ViewerServer
 
 from .conftest import REBOUND
 from .pixels import count_pixels, see, wait_for_messages, wait_until

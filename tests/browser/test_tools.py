@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.viewer.tools.picking import project
-from pointloom.drawing.viewer.viewer import Viewer
+from pointloom.visualization.viewer.tools.picking import project
+from pointloom.visualization.viewer.viewer import Viewer
 
 from .pixels import SENDS_CLICKS, count_pixels, ready, see, wait_until
 

@@ -7,7 +7,7 @@ import contextlib
 import numpy as np
 from websockets.exceptions import ConnectionClosed
 
-from ..drawing.viewer.pages import CAMERA, HELLO, line_of, say
+from ..visualization.viewer.pages import CAMERA, HELLO, line_of, say
 from .pixels import count_pixels, picture, see, wait_until
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 

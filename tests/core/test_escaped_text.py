@@ -12,11 +12,11 @@ import pointloom as loom
 from pointloom.core import html_tables, reports, verbosity, wording
 from pointloom.core.errors import FileError
 from pointloom.core.escaped_text import escaped
-from pointloom.files.bags.recording import Recording
-from pointloom.files.columns import warn_of_loss
-from pointloom.files.points.formats import read_points
+from pointloom.io.bags.recording import Recording
+from pointloom.io.columns import warn_of_loss
+from pointloom.io.points.formats import read_points
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig
-from pointloom.scale.jobs.job import JobStatus
+from pointloom.tiling.jobs.job import JobStatus
 
 from ..test_imports import ROOT
 

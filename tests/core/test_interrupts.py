@@ -8,9 +8,9 @@ import signal
 import pytest
 
 import pointloom as loom
-from pointloom.files.foreign import foreign_errors, ignored_errors
-from pointloom.files.frames.depth_cameras import driver_errors
-from pointloom.files.source import content_errors
+from pointloom.io.foreign import foreign_errors, ignored_errors
+from pointloom.io.frames.depth_cameras import driver_errors
+from pointloom.io.source import content_errors
 
 
 class Late(ValueError):  # noqa: N818

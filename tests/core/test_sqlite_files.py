@@ -9,8 +9,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.sqlite_files import protect
-from pointloom.photos.sfm.colmap_jobs import open_database
-from pointloom.scale.manifest import NAME, Manifest, a_new_manifest, read_plan
+from pointloom.photogrammetry.sfm.colmap_jobs import open_database
+from pointloom.tiling.manifest import NAME, Manifest, a_new_manifest, read_plan
 
 CODE = [
     "CREATE VIEW more AS SELECT 1",

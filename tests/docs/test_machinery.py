@@ -6,7 +6,7 @@ import click
 import pytest
 from machinery import commands, pages, public, reference, texts
 
-from pointloom.app.shell.cli import cli
+from pointloom.cli.shell.cli import cli
 
 from .conftest import DOCS
 

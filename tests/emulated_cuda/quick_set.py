@@ -23,7 +23,7 @@ CHOSEN = {
     "tests/meshing/test_mesh_cutting.py": "clips and slices of meshes",
     "tests/pcd/test_visibility.py": "hidden points",
     "tests/pcd/test_splat_pictures.py": "splats of pixels, before and behind what is solid",
-    "tests/photos/mvs/test_plane_priors.py": "planes of image regions without texture",
+    "tests/photogrammetry/mvs/test_plane_priors.py": "planes of image regions without texture",
 }
 
 

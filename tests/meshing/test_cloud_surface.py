@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.app.jobs.mesh import mesh_file
+from pointloom.cli.jobs.mesh import mesh_file
 from pointloom.core.wording import json_text
 
 

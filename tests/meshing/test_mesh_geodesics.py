@@ -143,5 +143,5 @@ def test_distances_do_not_creep_around_slivers_for_ever(monkeypatch):
         loop_while(running, turn)
 
     monkeypatch.setattr(geodesics, "loop_while", counted)
-    mesh = loom.data.object_mesh().filter_smooth_taubin(10)
+    mesh = loom.datasets.object_mesh().filter_smooth_taubin(10)
     assert np.isfinite(mesh.compute_geodesic_distances([0])).all()

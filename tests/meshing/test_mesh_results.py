@@ -8,10 +8,10 @@ import pytest
 
 import pointloom as loom
 from pointloom import TriangleMesh
-from pointloom.app.jobs.clean_mesh import clean_mesh_file
-from pointloom.app.jobs.compare_meshes import compare_mesh_files
-from pointloom.app.jobs.simplify import simplify_file
-from pointloom.app.jobs.smooth_mesh import smooth_mesh_file
+from pointloom.cli.jobs.clean_mesh import clean_mesh_file
+from pointloom.cli.jobs.compare_meshes import compare_mesh_files
+from pointloom.cli.jobs.simplify import simplify_file
+from pointloom.cli.jobs.smooth_mesh import smooth_mesh_file
 
 
 def torn() -> TriangleMesh:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.files.pictures.image_files import write_png
+from pointloom.io.pictures.image_files import write_png
 from pointloom.meshing.color_map.results import NothingSeenError
 
 from ..hostile import faults_of

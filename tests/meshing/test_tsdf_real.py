@@ -5,8 +5,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.images import upload_raw_depth
-from pointloom.data.scenes.room import room_sequence, surface_errors
-from pointloom.files.frames.datasets import open_dataset
+from pointloom.datasets.scenes.room import room_sequence, surface_errors
+from pointloom.io.frames.datasets import open_dataset
 from pointloom.kernels.images.depth import largest_depth, metric_depth
 from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box, touched_blocks
 

@@ -18,10 +18,10 @@ import pytest
 import pointloom as loom
 from pointloom.cameras.panoramas import Panorama
 from pointloom.cameras.undistortion import Undistortion
-from pointloom.files.frames.recordings import FrameRecorder
+from pointloom.io.frames.recordings import FrameRecorder
 
-from ..files.camera_stubs import KinectStub, RealSenseStub
 from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from ..io.camera_stubs import KinectStub, RealSenseStub
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -434,7 +434,7 @@ LEFT_OUT = {
     # tests/drawing: viewer, recording, render
     "draw", "Viewer", "DetailTree", "record", "render", "save_picture", "View",
     "fit_view", "read_view", "write_view", "CameraFrustum",
-    # tests/core, tests/photos/depth, tests/rgbd
+    # tests/core, tests/photogrammetry/depth, tests/rgbd
     "VerbosityLevel", "VerbosityContextManager", "set_verbosity_level",
     "DepthModel", "estimate_depth",
     "fuse", "track", "check_focal", "reconstruct",

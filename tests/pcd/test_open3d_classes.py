@@ -11,7 +11,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.cameras.camera import PinholeCameraIntrinsicParameters
 from pointloom.core.errors import DatasetError
-from pointloom.drawing.render.picture import Picture
+from pointloom.visualization.render.picture import Picture
 
 CAMERA = loom.PinholeCameraIntrinsic(8, 6, 8.0, 8.0, 3.5, 2.5)
 COLOR = np.arange(8 * 6 * 3, dtype=np.uint8).reshape(6, 8, 3)

@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 
-from ..app.surface_poses import bumpy, moved
+from ..cli.surface_poses import bumpy, moved
 from .poses import as_pose
 
 reg = loom.registration

@@ -9,7 +9,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.cameras.trajectory import read_trajectory, write_trajectory
-from pointloom.files.points.scan_files import list_scans
+from pointloom.io.points.scan_files import list_scans
 from pointloom.registration import LidarOdometry, run_odometry
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
 

@@ -151,7 +151,7 @@ def test_rooms_that_share_nothing_but_walls_are_rejected(device, rng):
 
 def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
     """Each of these was, 84 to 177 degrees off: so few voxels match that some pose of a search fits as well."""
-    frames = loom.data.room_frames(24)
+    frames = loom.datasets.room_frames(24)
     for i, j, voxel in ((6, 14, 0.6), (16, 0, 0.6), (17, 4, 0.75), (1, 23, 0.6), (2, 20, 0.6)):
         pair = [
             loom.PointCloud.create_from_depth_image(frames[k].depth, frames[k].intrinsic, device=device) for k in (i, j)

@@ -6,7 +6,7 @@ import pytest
 import pointloom as loom
 from pointloom.registration.voxel_size import choose_voxel_size
 
-from ..app.surface_poses import NEAR, POSE, bumpy, colors_at, moved
+from ..cli.surface_poses import NEAR, POSE, bumpy, colors_at, moved
 
 reg = loom.registration
 PLANE = reg.TransformationEstimationPointToPlane()

@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.app.jobs.evaluate import ALIGNMENTS
 from pointloom.cameras.trajectory import Trajectory, write_trajectory
+from pointloom.cli.jobs.evaluate import ALIGNMENTS
 from pointloom.core.wording import json_text
 from pointloom.registration.lidar.lidar_runs import iterate_odometry
 from pointloom.registration.lidar.lidar_steps import summarize_steps
 from pointloom.registration.pose_graphs.multiway import FragmentsResult
 
-from ..app.commands import answer, run
-from ..app.surface_poses import turned
+from ..cli.commands import answer, run
+from ..cli.surface_poses import turned
 
 reg = loom.registration
 

@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.registration.rigid import fit_pose
 from pointloom.registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
 
-from ..files.sfm_models import LENS, ring_model
+from ..io.sfm_models import LENS, ring_model
 
 TURN = ring_model().T_camera_world[2, :3, :3]
 

@@ -5,8 +5,8 @@ import pytest
 from scipy.special import chdtri
 
 import pointloom as loom
-from pointloom.drawing.render.plots import station_plan
 from pointloom.registration.rigid import make_pose, rotation_of
+from pointloom.visualization.render.plots import station_plan
 
 from .station_scenes import BOXES, COURT, pose_at, scan_all
 from .test_station_adjustment import errors_of

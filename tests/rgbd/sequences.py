@@ -3,7 +3,7 @@
 import numpy as np
 
 import pointloom as loom
-from pointloom.files.frames.datasets import Frame
+from pointloom.io.frames.datasets import Frame
 
 
 class Part:

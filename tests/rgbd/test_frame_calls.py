@@ -10,7 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 import pointloom as loom
-from pointloom.app.shell.cli import cli
+from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import FileError
 from pointloom.core.timing import Clock
 from pointloom.rgbd.reconstruction.config import ReconstructionConfig

@@ -26,7 +26,7 @@ import pointloom as loom
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 path = folder / "room.ply"
-loom.write_point_cloud(path, loom.data.room_cloud(voxel_size=0.02))
+loom.write_point_cloud(path, loom.datasets.room_cloud(voxel_size=0.02))
 
 cloud = loom.read_point_cloud(path)
 print(cloud)
@@ -78,7 +78,7 @@ picture = loom.render(inside, above, (960, 640))
 # -----------------
 # A ``View`` is a camera and the place where it stands. This one is a camera of the walk that scanned the room.
 
-frame = loom.data.room_frames(24)[0]
+frame = loom.datasets.room_frames(24)[0]
 eye = loom.View(loom.PinholeCameraIntrinsic(960, 640, 620.0, 620.0, 479.5, 319.5), frame.T_world_camera)
 from_within = loom.render(cloud, eye)
 

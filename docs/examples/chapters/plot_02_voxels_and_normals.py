@@ -24,7 +24,7 @@ import numpy as np
 
 import pointloom as loom
 
-frame = loom.data.room_frames(24, noise=False)[20]
+frame = loom.datasets.room_frames(24, noise=False)[20]
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
 cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
 print("one picture of a depth camera:", len(cloud), "points")

@@ -20,7 +20,7 @@ import numpy as np
 
 import pointloom as loom
 
-room = loom.data.room_cloud(voxel_size=0.02)
+room = loom.datasets.room_cloud(voxel_size=0.02)
 corner = room.crop(loom.AxisAlignedBoundingBox([0.1, 1.0, -0.05], [2.5, 3.2, 1.2]))
 print(f"{len(corner)} of {len(room)} points lie in the box")
 
@@ -147,7 +147,7 @@ shadow = loom.render(
 # Does the radius suit your cloud? Test it from the scanner's own place, where nearly all points should be seen. Fewer:
 # take a larger one. One frame of the noisy camera, from where it stood:
 
-frame = loom.data.room_frames(24)[20]
+frame = loom.datasets.room_frames(24)[20]
 scan = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
 across = float(np.linalg.norm(scan.get_max_bound() - scan.get_min_bound()))
 shares = {times: len(scan.hidden_point_removal([0, 0, 0], times * across)[1]) / len(scan) for times in (100, 1000)}

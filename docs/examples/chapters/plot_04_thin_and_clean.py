@@ -29,7 +29,7 @@ import numpy as np
 
 import pointloom as loom
 
-figure = loom.data.object_mesh()
+figure = loom.datasets.object_mesh()
 size = float(np.linalg.norm(figure.get_max_bound() - figure.get_min_bound()))
 cloud = figure.sample_points_uniformly(40_000, seed=1)
 print(cloud, f"of a figure {size:.3f} m across")

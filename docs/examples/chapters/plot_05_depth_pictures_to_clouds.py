@@ -22,7 +22,7 @@ import numpy as np
 
 import pointloom as loom
 
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 frame = frames[20]
 camera = frame.intrinsic
 print(camera)

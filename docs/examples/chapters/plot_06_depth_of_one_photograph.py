@@ -28,11 +28,11 @@ import onnx
 from onnx import helper, numpy_helper
 
 import pointloom as loom
-from pointloom.photos.depth.evaluation import evaluate_depth
+from pointloom.photogrammetry.depth.evaluation import evaluate_depth
 
 SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the picture's shape
 
-frame = loom.data.room_frames(24, noise=False)[20]
+frame = loom.datasets.room_frames(24, noise=False)[20]
 truth = frame.depth  # metres, exact: what nobody has in life, and what we measure errors with
 
 
@@ -115,7 +115,7 @@ assert checked and two.inlier_share is None
 # millimetres in 16 bits, so divide by 1000 (some data sets store other units). The same holds where you read a
 # distance off such a picture in place of a tape.
 
-sensor = loom.data.room_frames(24)[20].depth
+sensor = loom.datasets.room_frames(24)[20].depth
 rng = np.random.default_rng(0)
 sparse = np.where(rng.random(sensor.shape) < 0.02, sensor, 0.0).astype(np.float32)
 fitted = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=sparse)
@@ -201,7 +201,7 @@ assert "preset" in message
 # picture of the same view it is near 1; well below that, ask whether both show the same. A wall that is seen from the
 # front tells nothing either way. Where near and far change places, or nearly nothing agrees, it is an error.
 
-elsewhere = loom.data.room_frames(24)[2].depth
+elsewhere = loom.datasets.room_frames(24)[2].depth
 try:
     share = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic, align=elsewhere).inlier_share
 except ValueError as error:

@@ -23,7 +23,7 @@ import numpy as np
 import pointloom as loom
 
 reg = loom.registration
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 
 
 def scan(index: int, voxel_size: float = 0.03) -> loom.PointCloud:

@@ -20,7 +20,7 @@ import numpy as np
 import pointloom as loom
 
 reg = loom.registration
-frames = loom.data.room_frames(48)
+frames = loom.datasets.room_frames(48)
 VOXEL = 0.05  # metres; of rooms. Streets want 0.3 to 0.5, a cup 0.002
 
 

@@ -38,7 +38,7 @@ import numpy as np
 
 import pointloom as loom
 
-shots = loom.data.photographs(24)
+shots = loom.datasets.photographs(24)
 pictures, intrinsic, poses = shots.pictures[:4], shots.intrinsic, shots.poses[:4]
 height, width = pictures[0].shape[:2]
 print(f"{len(pictures)} pictures of {width} x {height} pixels, {intrinsic}")
@@ -123,7 +123,7 @@ close = loom.render(figure, view, (960, 640))
 
 owl = figure.select_by_mask((figure.points[:, 2] > -0.13) & (np.linalg.norm(figure.points[:, :2], axis=1) < 0.12))
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.object_mesh())
+scene.add_triangles(loom.datasets.object_mesh())
 owl["error"] = scene.compute_distance(owl.points.astype(np.float32)) * 1000
 print(f"{len(owl)} points of the figure, half of them within {np.median(owl['error']):.1f} mm of its true surface")
 assert len(owl) > 3000

@@ -20,7 +20,7 @@ import numpy as np
 import pointloom as loom
 
 reg = loom.registration
-room = loom.data.room_cloud(voxel_size=0.015)
+room = loom.datasets.room_cloud(voxel_size=0.015)
 rug = room.crop(loom.AxisAlignedBoundingBox([1.2, 1.05, -0.05], [2.4, 2.9, 0.03]))
 halves = np.random.default_rng(0).random(len(rug)) < 0.5  # no point of one cloud is in the other
 target, source = rug.select_by_mask(halves), rug.select_by_mask(~halves)

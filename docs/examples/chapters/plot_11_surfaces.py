@@ -20,7 +20,7 @@ import numpy as np
 
 import pointloom as loom
 
-figure = loom.data.object_mesh()
+figure = loom.datasets.object_mesh()
 cloud = figure.sample_points_poisson_disk(8000, seed=0)
 spacing = float(np.median(cloud.compute_nearest_neighbor_distance()))
 print(cloud, f"some {spacing * 1000:.1f} mm apart")
@@ -102,7 +102,7 @@ three = side_by_side(
 # Now what a camera gives: two scans from the front, in their true places. No camera saw the back. Normals have to be
 # made; since we know where each camera stood, they are turned towards it.
 
-scans = loom.data.object_scans(10)
+scans = loom.datasets.object_scans(10)
 parts = []
 for k in (0, 1):
     part = scans.scans[k].estimate_normals(radius=4 * spacing, max_nn=30)

@@ -24,7 +24,7 @@ import pointloom as loom
 
 reg = loom.registration
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-scans = loom.data.object_scans(10)
+scans = loom.datasets.object_scans(10)
 to_first = np.linalg.inv(scans.poses[0])
 
 

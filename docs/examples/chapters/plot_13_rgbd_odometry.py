@@ -21,7 +21,7 @@ import numpy as np
 import pointloom as loom
 
 odometry = loom.odometry
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 images = [loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0) for frame in frames]
 

@@ -24,7 +24,7 @@ import numpy as np
 import pointloom as loom
 
 reg = loom.registration
-figure = loom.data.object_mesh()
+figure = loom.datasets.object_mesh()
 target = figure.sample_points_uniformly(12_000, seed=1)
 
 try:

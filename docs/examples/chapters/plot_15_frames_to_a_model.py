@@ -22,7 +22,7 @@ import numpy as np
 import pointloom as loom
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 truth = loom.Trajectory(np.stack([frame.T_world_camera for frame in frames]))
 
@@ -77,7 +77,7 @@ fused = loom.render(inside(mesh), view, (960, 640), shading="none")
 # Is it better than the points? The data has the room's true surface, so we ask both how far they are off.
 
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.room_mesh())
+scene.add_triangles(loom.datasets.room_mesh())
 
 
 def errors(points: np.ndarray) -> np.ndarray:

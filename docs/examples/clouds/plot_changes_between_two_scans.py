@@ -14,7 +14,7 @@ import pointloom as loom
 # %%
 # Two scans of a room in one frame, in metres. In the second one a box was put onto the floor, and what stood in a
 # corner was carried away. Both have their own points and 3 mm of noise, as two scans have.
-whole = loom.data.room_cloud()
+whole = loom.datasets.room_cloud()
 rng = np.random.default_rng(5)
 low, high = whole.get_min_bound(), whole.get_max_bound()
 whole = whole.select_by_mask(whole.points[:, 2] < low[2] + 2.2)

@@ -13,7 +13,7 @@ import numpy as np
 
 import pointloom as loom
 
-cloud = loom.data.object_mesh().sample_points_uniformly(40_000, seed=1)
+cloud = loom.datasets.object_mesh().sample_points_uniformly(40_000, seed=1)
 size = np.linalg.norm(cloud.get_max_bound() - cloud.get_min_bound())
 print(cloud, f"{100 * size:.1f} cm across")
 

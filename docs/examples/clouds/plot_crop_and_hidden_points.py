@@ -14,7 +14,7 @@ import numpy as np
 
 import pointloom as loom
 
-room = loom.data.room_cloud().voxel_down_sample(0.025)
+room = loom.datasets.room_cloud().voxel_down_sample(0.025)
 low, high = room.get_min_bound(), room.get_max_bound()
 print(room, "from", low.round(2), "to", high.round(2), "m")
 

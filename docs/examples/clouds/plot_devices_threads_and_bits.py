@@ -19,7 +19,7 @@ from pointloom.core.threads import get_num_threads
 # What is here. ``device="auto"`` takes the GPU where there is one.
 devices = ["cpu"] + [str(device) for device in wp.get_cuda_devices()]
 print("devices:", devices, "| threads:", get_num_threads())
-room = loom.data.room_cloud().voxel_down_sample(0.03)
+room = loom.datasets.room_cloud().voxel_down_sample(0.03)
 chosen = room.to("auto")
 print("auto is", chosen.device)
 assert str(chosen.device) == devices[min(1, len(devices) - 1)]

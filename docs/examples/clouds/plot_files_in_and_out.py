@@ -18,7 +18,7 @@ import pointloom as loom
 
 # %%
 # A coloured piece of a room with two attributes of our own.
-room = loom.data.room_cloud().voxel_down_sample(0.04)
+room = loom.datasets.room_cloud().voxel_down_sample(0.04)
 room["intensity"] = (1000 * room.colors.mean(axis=1)).astype(np.float32)
 room["label"] = np.arange(len(room), dtype=np.int32) % 7
 folder = Path(tempfile.mkdtemp())

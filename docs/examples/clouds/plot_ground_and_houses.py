@@ -14,7 +14,7 @@ import pointloom as loom
 # %%
 # Some 300,000 points of 200 by 200 m, in UTM metres. ``classification`` is the truth (2 ground, 5 trees, 6 houses)
 # and is used to judge alone.
-cloud = loom.data.terrain()
+cloud = loom.datasets.terrain()
 truth = cloud["classification"]
 print(cloud, cloud.get_min_bound().round(), "to", cloud.get_max_bound().round())
 

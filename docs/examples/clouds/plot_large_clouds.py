@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.drawing.viewer.detail_files import sample_file
+from pointloom.visualization.viewer.detail_files import sample_file
 
 # %%
 # A survey to try it with: hills of 400 by 400 m with a road, made here in parts and written as LAZ.

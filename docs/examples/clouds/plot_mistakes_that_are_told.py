@@ -14,7 +14,7 @@ import numpy as np
 import pointloom as loom
 from pointloom.core.verbosity import get_verbosity_level
 
-cloud = loom.data.object_mesh().sample_points_uniformly(20_000, seed=0).without("normals")
+cloud = loom.datasets.object_mesh().sample_points_uniformly(20_000, seed=0).without("normals")
 
 # %%
 # **Errors.** All that the library raises about the world outside (files, devices, cameras, data sets) are kinds of

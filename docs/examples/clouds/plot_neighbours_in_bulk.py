@@ -13,7 +13,7 @@ import pointloom as loom
 
 # %%
 # The structure is built once for a cloud; queries may be any array of shape [m, 3] or another cloud.
-room = loom.data.room_cloud().voxel_down_sample(0.03)
+room = loom.datasets.room_cloud().voxel_down_sample(0.03)
 search = loom.NearestNeighborSearch(room)
 print(room)
 

@@ -13,7 +13,7 @@ import pointloom as loom
 
 # %%
 # Points on a figure whose surface is known, so the true normals are too.
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 exact = mesh.compute_vertex_normals().sample_points_uniformly(20_000, seed=0)
 truth = exact.normals
 size = np.linalg.norm(exact.get_max_bound() - exact.get_min_bound())

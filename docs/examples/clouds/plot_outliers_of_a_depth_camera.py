@@ -14,8 +14,8 @@ import pointloom as loom
 # %%
 # One frame, as the camera measured it: depth in metres, 0 where nothing came back. The same frame without noise is
 # the truth.
-noisy = loom.data.room_frames(24)[10]
-exact = loom.data.room_frames(24, noise=False)[10]
+noisy = loom.datasets.room_frames(24)[10]
+exact = loom.datasets.room_frames(24, noise=False)[10]
 extrinsic = np.linalg.inv(noisy.T_world_camera)
 
 

@@ -20,7 +20,7 @@ import pointloom as loom
 # %%
 # A scan with some stray points and some that are not finite, as a file.
 folder = Path(tempfile.mkdtemp())
-room = loom.data.room_cloud().voxel_down_sample(0.04).without("normals")
+room = loom.datasets.room_cloud().voxel_down_sample(0.04).without("normals")
 room = room.select_by_mask(room.points[:, 2] < 2.2)
 rng = np.random.default_rng(0)
 stray = loom.PointCloud(rng.uniform([-1, -1, 0], [6, 5, 3], (400, 3)), colors=np.full((400, 3), 0.5))

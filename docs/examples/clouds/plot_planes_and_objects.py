@@ -13,7 +13,7 @@ import pointloom as loom
 
 # %%
 # A furnished room, in metres, with normals and colours; 3 cm are enough to find planes.
-room = loom.data.room_cloud().voxel_down_sample(0.03)
+room = loom.datasets.room_cloud().voxel_down_sample(0.03)
 print(room)
 
 # %%

@@ -13,7 +13,7 @@ import pointloom as loom
 
 # %%
 # An owl of 30 cm, with 1.2 mm of noise along the normals.
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 exact = mesh.sample_points_uniformly(30_000, seed=3)
 rng = np.random.default_rng(4)
 noisy = loom.PointCloud(exact.points + exact.normals * rng.normal(scale=0.0012, size=(len(exact), 1)))

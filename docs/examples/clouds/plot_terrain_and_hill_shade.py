@@ -12,7 +12,7 @@ import pointloom as loom
 
 # %%
 # The ground of an airborne scan in UTM metres.
-cloud = loom.data.terrain()
+cloud = loom.datasets.terrain()
 ground = cloud.select_by_mask(loom.classify_ground(cloud))
 low, high = cloud.get_min_bound(), cloud.get_max_bound()
 print(f"{len(ground):,} of {len(cloud):,} points are ground")

@@ -13,7 +13,7 @@ import pointloom as loom
 
 # %%
 # The scan, and heights above its ground (the page on ground and houses says more of that step).
-cloud = loom.data.terrain()
+cloud = loom.datasets.terrain()
 ground = cloud.select_by_mask(loom.classify_ground(cloud))
 origin = cloud.get_center()
 plan = loom.NearestNeighborSearch(loom.PointCloud((ground.points - origin) * [1, 1, 0]))

@@ -19,7 +19,7 @@ import pointloom as loom
 # own; a tenth of the triangles is turned over; 300 are given twice; one is NaN; a hole is cut; and forty crumbs are
 # scattered.
 
-whole = loom.data.object_mesh()
+whole = loom.datasets.object_mesh()
 assert whole.is_watertight()
 size = float(np.linalg.norm(whole.get_max_bound() - whole.get_min_bound()))
 print(f"whole: {len(whole.triangles)} triangles, {size:.3f} m across, {whole.get_volume() * 1e6:.1f} cm^3")

@@ -16,7 +16,7 @@ import pointloom as loom
 #
 # 60,000 points of the figure with 0.5 mm of noise, made into a surface by Poisson's method.
 
-truth = loom.data.object_mesh()
+truth = loom.datasets.object_mesh()
 scan = truth.sample_points_uniformly(60_000, seed=1)
 scan.points = scan.points + np.random.default_rng(0).normal(0, 0.0005, (len(scan), 3))
 scan = scan.estimate_normals(radius=0.006, max_nn=30).orient_normals_consistent_tangent_plane(20)

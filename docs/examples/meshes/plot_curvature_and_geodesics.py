@@ -38,7 +38,7 @@ assert abs(way.max() / (np.pi * 0.05) - 1) < 0.02
 # first. Results that belong to vertices become attributes: they go along when the mesh is cut or simplified, into .ply
 # and .glb files, and ``color_by`` draws them.
 
-mesh = loom.data.object_mesh().remesh_isotropic(0.003, 5).filter_smooth_taubin(10).compute_vertex_normals()
+mesh = loom.datasets.object_mesh().remesh_isotropic(0.003, 5).filter_smooth_taubin(10).compute_vertex_normals()
 mesh.vertex_attributes["mean curvature [1/m]"] = mesh.compute_vertex_curvature().mean
 top = int(mesh.vertices[:, 2].argmax())
 mesh.vertex_attributes["distance from the top [m]"] = mesh.compute_geodesic_distances([top])

@@ -18,7 +18,7 @@ import pointloom as loom
 # What lies on the side to which the normal points stays. ``cap=True`` closes what it opens (by manifold3d, the extra
 # "mesh"), so the half is watertight and has a volume. Both halves together have that of the whole.
 
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 low, high = mesh.get_axis_aligned_bounding_box()
 middle = 0.5 * (low + high)
 kept = mesh.clip_plane(middle, [0, 0, -1], cap=True)

@@ -20,7 +20,7 @@ import pointloom as loom
 #
 # Values at vertices and at triangles, of any type, by name.
 
-mesh = loom.data.object_mesh().simplify_quadric_decimation(8000).compute_vertex_normals()
+mesh = loom.datasets.object_mesh().simplify_quadric_decimation(8000).compute_vertex_normals()
 mesh.vertex_attributes["quality"] = np.float32(mesh.compute_vertex_curvature().mean)
 mesh.triangle_attributes["label"] = np.uint8(mesh.vertices[mesh.triangles].mean(axis=1)[:, 2] > 0)
 folder = Path(tempfile.mkdtemp())

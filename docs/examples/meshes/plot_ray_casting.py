@@ -17,7 +17,7 @@ import pointloom as loom
 # Each mesh gets a number, by which hits tell what they met. A mesh may stand in several places (``add_instance``) and
 # be moved (``set_pose``) without its tree being built again.
 
-owl = loom.data.object_mesh().compute_vertex_normals()
+owl = loom.datasets.object_mesh().compute_vertex_normals()
 floor = loom.TriangleMesh.create_plane(1.2, 1.2).translate([-0.6, -0.6, float(owl.get_min_bound()[2])])
 scene = loom.RaycastingScene()
 owl_id = scene.add_triangles(owl)

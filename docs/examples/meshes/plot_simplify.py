@@ -19,7 +19,7 @@ import pointloom as loom
 # collapse would move the surface further. The errors are distances [m] between the old and the new surface, measured
 # from samples of either.
 
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 tenth = loom.simplify_mesh(mesh, ratio=0.1)
 hundredth = loom.simplify_mesh(mesh, ratio=0.01)
 print(tenth)

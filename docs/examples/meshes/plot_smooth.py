@@ -15,7 +15,7 @@ import pointloom as loom
 # Noise of known size
 # -------------------
 
-truth = loom.data.object_mesh().compute_vertex_normals()
+truth = loom.datasets.object_mesh().compute_vertex_normals()
 size = float(np.linalg.norm(truth.get_max_bound() - truth.get_min_bound()))
 sigma = 0.002 * size  # [m] along the normal
 noise = np.random.default_rng(0).normal(0.0, sigma, (len(truth.vertices), 1))

@@ -18,7 +18,7 @@ import pointloom as loom
 #
 # 40,000 points with 0.3 mm of noise; the feet were never seen.
 
-truth = loom.data.object_mesh()
+truth = loom.datasets.object_mesh()
 exact = truth.sample_points_uniformly(40_000, seed=0).points
 scan = loom.PointCloud(exact + np.random.default_rng(0).normal(0, 0.0003, exact.shape))
 low, high = scan.get_axis_aligned_bounding_box()

@@ -17,7 +17,7 @@ import pointloom as loom
 # ``solid=True`` fills the inside; the mesh has to be closed. The volume of the filled voxels is that of the mesh and
 # half of the skin.
 
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 shell, solid = mesh.voxelize(0.008), mesh.voxelize(0.008, solid=True)
 filled = len(solid.coordinates) * 0.008**3
 skin = len(shell.coordinates) * 0.008**3

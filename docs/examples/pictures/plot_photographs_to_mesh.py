@@ -22,7 +22,7 @@ import pointloom as loom
 # "sfm") reads files. Poses here are camera to world; photogrammetry keeps world to camera.
 
 count = 8  # of 24 round the figure: 15 degrees apart
-shots = loom.data.photographs(24)
+shots = loom.datasets.photographs(24)
 camera = shots.intrinsic.scaled(0.25)
 folder = Path(tempfile.mkdtemp()) / "photos"
 folder.mkdir()
@@ -44,8 +44,8 @@ found = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
 model = found.model
 print(model, "|", "; ".join(found.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.object_mesh())
-above = model.points[:, 2] > loom.data.object_mesh().get_min_bound()[2] + 0.01  # not of the cloth
+scene.add_triangles(loom.datasets.object_mesh())
+above = model.points[:, 2] > loom.datasets.object_mesh().get_min_bound()[2] + 0.01  # not of the cloth
 error = scene.compute_distance(model.points[above])
 print(f"{above.sum()} points on the figure, {np.median(error) * 1e3:.2f} mm off its surface (median)")
 assert found.reliable and np.median(error) < 0.003
@@ -96,13 +96,13 @@ assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 
 frusta = [loom.CameraFrustum(camera, T, scale=0.08, color=(0.85, 0.35, 0.1)) for T in shots.poses[:count]]
 view = loom.fit_view(
-    np.vstack([shots.poses[:count, :3, 3], loom.data.object_mesh().vertices]),
+    np.vstack([shots.poses[:count, :3, 3], loom.datasets.object_mesh().vertices]),
     direction=(-0.6, 1, -0.7),
     width=640,
     height=640,
 )
 cameras = loom.render([{"geometry": model.point_cloud(), "point_size": 3}, *frusta], view)
 near = loom.fit_view(
-    loom.data.object_mesh().vertices, direction=tuple(shots.poses[count // 2, :3, 2]), width=640, height=640
+    loom.datasets.object_mesh().vertices, direction=tuple(shots.poses[count // 2, :3, 2]), width=640, height=640
 )
 surface = loom.render({"geometry": mesh, "shaded": False}, near)

@@ -21,8 +21,8 @@ folder = Path(tempfile.mkdtemp())
 #
 # A mapping from names to geometries, each with its style. The names make the legend.
 
-mesh = loom.data.object_mesh()
-scan = loom.data.object_scans(3).in_world(0)
+mesh = loom.datasets.object_mesh()
+scan = loom.datasets.object_scans(3).in_world(0)
 box: loom.OrientedBoundingBox = mesh.get_oriented_bounding_box()
 scene = {
     "model": {"geometry": mesh, "color": (0.8, 0.77, 0.72)},

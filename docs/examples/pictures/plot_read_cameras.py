@@ -13,10 +13,10 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.files.models.metashape import read_metashape_cameras
+from pointloom.io.models.metashape import read_metashape_cameras
 
 folder = Path(tempfile.mkdtemp())
-shots = loom.data.photographs(12)
+shots = loom.datasets.photographs(12)
 names = [f"{i:02}.png" for i in range(len(shots))]
 
 # %%
@@ -25,7 +25,7 @@ names = [f"{i:02}.png" for i in range(len(shots))]
 #
 # Binary or text; a folder with ``cameras``, ``images`` and ``points3D``, or the project above it.
 
-points = loom.data.object_mesh().sample_points_poisson_disk(800)
+points = loom.datasets.object_mesh().sample_points_poisson_disk(800)
 lens = loom.CameraModel.from_intrinsic(shots.intrinsic)
 model = loom.SfmModel(
     names, [lens] * len(names), np.linalg.inv(shots.poses), points.points, (points.colors * 255).astype(np.uint8)
@@ -104,6 +104,6 @@ loom.write_trajectory(folder / "poses.log", metric.trajectory())
 frusta = [loom.CameraFrustum(camera, T, scale=0.1, color=(0.85, 0.35, 0.1)) for T in metric.T_world_camera]
 axes = {"geometry": loom.TriangleMesh.create_coordinate_frame(0.1, [-0.25, -0.25, -0.15])}
 labels = [(name, place) for name, place in zip(metric.names, metric.centers, strict=False)]
-scene = [{"geometry": loom.data.object_mesh(), "shaded": False}, axes, *frusta]
+scene = [{"geometry": loom.datasets.object_mesh(), "shaded": False}, axes, *frusta]
 view = {"front": [0.5, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.45}
 picture = loom.render(scene, view, (960, 640), labels=labels)

@@ -22,7 +22,7 @@ folder = Path(tempfile.mkdtemp())
 # Everything that fuses, registers, tracks or clusters inside the block is recorded; results are the same bits with and
 # without. The suffix says the format.
 
-frames = loom.data.room_frames(16)
+frames = loom.datasets.room_frames(16)
 camera = frames[0].intrinsic
 page = folder / "fusion.html"
 with loom.record(page, title="Fusion of 16 frames") as recorder:
@@ -37,7 +37,7 @@ assert page.read_text(encoding="utf-8", errors="ignore").lstrip().lower().starts
 # ``add`` shows a geometry, ``set_pose`` moves it, ``plot`` adds a number, ``step`` ends a frame of the recording. Here
 # as an animation file.
 
-figure = loom.data.object_mesh().simplify_quadric_decimation(6000)
+figure = loom.datasets.object_mesh().simplify_quadric_decimation(6000)
 turning = folder / "turn.gif"
 with loom.record(turning, fps=12, size=(240, 240), automatic=False) as recorder:
     recorder.add("figure", figure)

@@ -31,8 +31,8 @@ assert np.allclose(lens.unproject(pixels)[:, :2] / lens.unproject(pixels)[:, 2:]
 # What this lens would have taken: we draw the scene with a wide pinhole and look up, for each pixel of the lens, where
 # its ray goes.
 
-mesh = loom.data.room_mesh()
-eye = loom.data.room_frames(1)[0].T_world_camera
+mesh = loom.datasets.room_mesh()
+eye = loom.datasets.room_frames(1)[0].T_world_camera
 wide = loom.PinholeCameraIntrinsic(1600, 1100, 620.0, 620.0, 799.5, 549.5)
 ideal = loom.render({"geometry": mesh, "shaded": False}, loom.View(wide, eye))
 columns, rows = np.meshgrid(np.arange(960), np.arange(640))

@@ -17,7 +17,7 @@ reg = loom.registration
 # %%
 # Two parts of a room that share some, as two scans from two places do; the second one is turned by 140 degrees about
 # a slant axis.
-room = loom.data.room_cloud().without("colors")
+room = loom.datasets.room_cloud().without("colors")
 low, high = room.get_min_bound(), room.get_max_bound()
 share = (room.points[:, 0] - low[0]) / (high[0] - low[0])
 rng = np.random.default_rng(1)
@@ -79,7 +79,7 @@ assert scores["the truth"] == max(scores.values())
 # %%
 # **Clouds that have nothing in common**: a room and a street. Some pose has the best fit, and fitness alone would not
 # tell; the score does. The street is made as small as the room, so that size gives nothing away.
-street = loom.data.street_scans(1).scans[0]
+street = loom.datasets.street_scans(1).scans[0]
 street = loom.PointCloud(street.points).scale(0.12, center=[0, 0, 0])
 wrong = reg.register_globally(street, target, voxel_size=voxel)
 print(f"fitness {wrong.fitness:.2f}, score {wrong.score:.2f}: {wrong.reason}")

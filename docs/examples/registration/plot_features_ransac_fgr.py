@@ -21,7 +21,7 @@ reg = loom.registration
 
 # %%
 # Two scans of an object from its two sides, each in its camera's frame; they share some half of the surface.
-views = loom.data.object_scans(10)
+views = loom.datasets.object_scans(10)
 source, target = views.scans[1], views.scans[2]
 truth = np.linalg.inv(views.poses[2]) @ views.poses[1]  # T_target_source
 print(source, target)

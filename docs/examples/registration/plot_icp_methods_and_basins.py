@@ -18,7 +18,7 @@ reg = loom.registration
 # Two scans of one object: the target is one half of the points of a surface, the source the other half, with noise of
 # 0.6 mm each. No point is in both, so that no pair is exact.
 rng = np.random.default_rng(0)
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 whole = mesh.sample_points_uniformly(12_000, seed=2)
 size = float(np.linalg.norm(whole.get_max_bound() - whole.get_min_bound()))
 noise = rng.normal(scale=0.0015 * size, size=(12_000, 3))

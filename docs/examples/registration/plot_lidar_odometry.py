@@ -13,14 +13,14 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.files.points.scan_files import list_scans
+from pointloom.io.points.scan_files import list_scans
 
 reg = loom.registration
 
 # %%
 # Thirty scans, three seconds at 10 m/s, each in the scanner's own frame, with the time of each point. The true poses
 # are used to judge alone.
-drive = loom.data.street_scans(30)
+drive = loom.datasets.street_scans(30)
 print(drive.scans[0])
 
 # %%

@@ -102,7 +102,7 @@ assert len(again.nodes) == count and np.allclose(again.nodes[-1].pose, solved.no
 
 # %%
 # With clouds, the weights of an edge come from the clouds: how firmly their pairs hold each of the six motions.
-scan = loom.data.object_scans(2).scans[0].voxel_down_sample(0.004)
+scan = loom.datasets.object_scans(2).scans[0].voxel_down_sample(0.004)
 weights = reg.get_information_matrix_from_point_clouds(scan, scan, 0.01, np.eye(4))
 print("pairs:", int(weights[5, 5]), "of", len(scan), "points")
 assert weights[5, 5] == len(scan)

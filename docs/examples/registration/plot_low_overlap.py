@@ -15,7 +15,7 @@ reg = loom.registration
 # %%
 # Two pieces of a room with a quarter of their length in common, begun 2 degrees and 6 cm off: where a first
 # registration leaves them.
-room = loom.data.room_cloud().voxel_down_sample(0.04)
+room = loom.datasets.room_cloud().voxel_down_sample(0.04)
 low, high = room.get_min_bound(), room.get_max_bound()
 share = (room.points[:, 0] - low[0]) / (high[0] - low[0])
 rng = np.random.default_rng(2)

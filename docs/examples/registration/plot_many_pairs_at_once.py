@@ -15,7 +15,7 @@ reg = loom.registration
 
 # %%
 # Twelve scans of a street, straightened by what the car's own speed says, thinned to 30 cm, with normals.
-drive = loom.data.street_scans(12)
+drive = loom.datasets.street_scans(12)
 step = np.eye(4)
 step[0, 3] = 1.0  # 10 m/s and ten turns a second: 1 m a scan
 scans = [reg.deskew_point_cloud(scan, step).voxel_down_sample(0.3).estimate_normals(max_nn=15) for scan in drive.scans]

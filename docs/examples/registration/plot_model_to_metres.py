@@ -20,9 +20,9 @@ reg = loom.registration
 # %%
 # Twelve pictures round an owl, with their true poses in metres; the model is a copy of them that was scaled, turned
 # and moved as a reconstruction leaves it.
-shots = loom.data.photographs(12)
+shots = loom.datasets.photographs(12)
 names = [f"photo_{k:02}.jpg" for k in range(len(shots.poses))]
-owl = loom.data.object_mesh().sample_points_uniformly(20_000, seed=1)
+owl = loom.datasets.object_mesh().sample_points_uniformly(20_000, seed=1)
 camera = shots.intrinsic
 lens = loom.CameraModel(
     "PINHOLE", camera.width, camera.height, [*camera.get_focal_length(), *camera.get_principal_point()]

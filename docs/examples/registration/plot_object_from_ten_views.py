@@ -18,7 +18,7 @@ reg = loom.registration
 
 # %%
 # Each scan is in the frame of its own camera, with noise. The true poses judge alone.
-views = loom.data.object_scans(10)
+views = loom.datasets.object_scans(10)
 print(len(views.scans), "scans,", views.scans[0])
 
 # %%
@@ -66,7 +66,7 @@ whole = (
     .normalize_normals()
 )
 scene = loom.RaycastingScene()
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
 distance = np.asarray(scene.compute_distance(whole.points.astype(np.float32)))
 print(

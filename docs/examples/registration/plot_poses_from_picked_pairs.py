@@ -20,7 +20,7 @@ truth = np.array(
 )
 u, _, vt = np.linalg.svd(truth[:3, :3])
 truth[:3, :3] = u @ vt
-mesh = loom.data.object_mesh()
+mesh = loom.datasets.object_mesh()
 target = mesh.sample_points_uniformly(15_000, seed=1)
 source = mesh.sample_points_uniformly(15_000, seed=2).transform(np.linalg.inv(truth))
 size = float(np.linalg.norm(target.get_max_bound() - target.get_min_bound()))

@@ -18,7 +18,7 @@ reg = loom.registration
 # A room and a scan of it, moved by 8 cm and 4 degrees. A third of the scan is clutter near the surfaces that the
 # target does not have: a curtain of points 5 to 30 cm before the walls.
 rng = np.random.default_rng(7)
-room = loom.data.room_cloud().voxel_down_sample(0.06)
+room = loom.datasets.room_cloud().voxel_down_sample(0.06)
 target = room.without("colors")
 picked = np.sort(rng.choice(len(room), len(room) // 2, replace=False))
 good = room.points[picked] + rng.normal(scale=0.004, size=(len(picked), 3))

@@ -18,8 +18,8 @@ from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_
 # Depth is float32 in metres here; uint16 is taken with its ``depth_scale`` (1000 for millimetres). 0 means nothing was
 # measured.
 
-noisy = loom.data.room_frames(4, width=640, height=480)[3]
-exact = loom.data.room_frames(4, width=640, height=480, noise=False)[3].depth
+noisy = loom.datasets.room_frames(4, width=640, height=480)[3]
+exact = loom.datasets.room_frames(4, width=640, height=480, noise=False)[3].depth
 camera, depth = noisy.intrinsic, noisy.depth
 
 

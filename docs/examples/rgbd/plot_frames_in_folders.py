@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import pointloom as loom
-from pointloom.files.frames.recordings import FrameRecorder
+from pointloom.io.frames.recordings import FrameRecorder
 
 folder = Path(tempfile.mkdtemp())
 
@@ -23,7 +23,7 @@ folder = Path(tempfile.mkdtemp())
 # Pairs of colour and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
 # ``depth_scale``, or float32 in metres; 8-bit depth is refused, since it is a picture of depth and holds none.
 
-frames = loom.data.room_frames(12)
+frames = loom.datasets.room_frames(12)
 camera = frames[0].intrinsic
 source = loom.frames_from(frames, camera, depth_scale=1000.0)
 try:

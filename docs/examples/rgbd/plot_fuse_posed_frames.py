@@ -19,7 +19,7 @@ import pointloom as loom
 # the true pose, camera to world. For your own folder take ``loom.open_dataset(folder)``; for anything else
 # ``loom.frames_from``.
 
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 source = loom.frames_from(frames, camera, depth_scale=1.0)
 
@@ -57,7 +57,7 @@ print(f"{volume.block_count} blocks, {volume.memory_bytes / 1e6:.0f} MB, {len(me
 # off by up to 14 mm at 3 m.
 
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.room_mesh())
+scene.add_triangles(loom.datasets.room_mesh())
 error = scene.compute_distance(result.mesh.vertices)
 print(f"fused: median {np.median(error) * 1e3:.1f} mm, 9 of 10 within {np.quantile(error, 0.9) * 1e3:.1f} mm")
 cloud = loom.PointCloud.create_from_rgbd_image(

@@ -18,7 +18,7 @@ od = loom.odometry
 # Two frames of a walk
 # --------------------
 
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 first, second = frames[2], frames[3]
 camera = first.intrinsic
 true = np.linalg.inv(second.T_world_camera) @ first.T_world_camera  # from the first camera's frame to the second's

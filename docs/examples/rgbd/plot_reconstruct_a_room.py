@@ -16,7 +16,7 @@ import pointloom as loom
 #
 # The true poses are taken away, to be compared with at the end. For a folder: ``loom.open_frames(folder)``.
 
-recorded = loom.data.room_frames(24)
+recorded = loom.datasets.room_frames(24)
 camera = recorded[0].intrinsic
 source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], camera, depth_scale=1.0)
 
@@ -58,7 +58,7 @@ assert error.max() < 0.05
 
 mesh = result.mesh.transform(recorded[0].T_world_camera)
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.room_mesh())
+scene.add_triangles(loom.datasets.room_mesh())
 off = scene.compute_distance(mesh.vertices)
 print(
     f"surface off by {np.median(off) * 1e3:.1f} mm (median), 9 of 10 places within {np.quantile(off, 0.9) * 1e3:.0f} mm"

@@ -23,7 +23,7 @@ job = Path(tempfile.mkdtemp()) / "job"
 # 24 frames without poses; frames are read three times, so they lie in a folder. ``ReconstructionConfig.read`` takes
 # Open3D's JSON as it is; an unknown name in it is an error that names the nearest one. Lengths are metres.
 
-recorded = loom.data.room_frames(24)
+recorded = loom.datasets.room_frames(24)
 camera = recorded[0].intrinsic
 source = loom.frames_from([(frame.color, frame.depth) for frame in recorded], camera, depth_scale=1000.0)
 loom.record_frames(source, job.parent / "frames")

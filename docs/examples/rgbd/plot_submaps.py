@@ -16,7 +16,7 @@ import pointloom as loom
 #
 # Each has half of the frames, in coordinates of its own first camera: the second scanner knows nothing of the first.
 
-frames = loom.data.room_frames(24)
+frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
 halves, starts = [frames[:14], frames[10:]], []
 volumes = []
@@ -39,7 +39,7 @@ for part in halves:
 both = loom.fuse_volumes(volumes, starts)
 mesh = both.extract_triangle_mesh(weight_threshold=3)
 scene = loom.RaycastingScene()
-scene.add_triangles(loom.data.room_mesh())
+scene.add_triangles(loom.datasets.room_mesh())
 error = scene.compute_distance(mesh.vertices)
 print(f"{volumes[0].frame_count} and {volumes[1].frame_count} frames; {len(mesh.triangles)} triangles, "
       f"{np.median(error) * 1e3:.1f} mm off the room (median)")  # fmt: skip

@@ -17,7 +17,7 @@ import pointloom as loom
 #
 # Six frames; each pose is up to 3 mm and 0.3 degrees wrong, as tracking leaves them.
 
-frames = loom.data.room_frames(6, noise=False)
+frames = loom.datasets.room_frames(6, noise=False)
 camera = frames[0].intrinsic
 random = np.random.default_rng(0)
 poses = []

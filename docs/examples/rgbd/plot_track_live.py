@@ -18,7 +18,7 @@ import pointloom as loom
 #
 # Any iterable of frames is a source. This one gives 30 frames a second, as a camera does.
 
-recorded = loom.data.room_frames(24)
+recorded = loom.datasets.room_frames(24)
 camera = recorded[0].intrinsic
 
 

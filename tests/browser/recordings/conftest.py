@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from pointloom.drawing.page import sources
-from pointloom.drawing.recording.page import write_page
+from pointloom.visualization.page import sources
+from pointloom.visualization.recording.page import write_page
 
 from ..pixels import ready
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 import pointloom as loom
-from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
-from pointloom.drawing.render.view import View
+from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.render.view import View
 
 from ..pixels import picture, ready
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pointloom.drawing.recording.page import write_page
-from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.page import write_page
+from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
 
 from ..pixels import wait_for_messages, wait_in_page
 from .scenes import from_above, grid, one_frame, stage, two_clouds

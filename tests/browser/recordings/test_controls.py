@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
 
 from ..pixels import count_pixels, ready, wait_in_page
 from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, stage, two_clouds

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.recording.timeline import Frame, Placed, Shape, Timeline
-from pointloom.drawing.render.view import fit_view
+from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.render.view import fit_view
 
 from ..pixels import count_pixels, is_color, middle_of
 from .scenes import (

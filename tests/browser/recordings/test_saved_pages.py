@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.drawing.recording.page import write_page
-from pointloom.drawing.recording.shared_player import share_player, write_player
+from pointloom.visualization.recording.page import write_page
+from pointloom.visualization.recording.shared_player import share_player, write_player
 
 from ..pixels import count_pixels, is_color, ready, wait_in_page
 from .scenes import stage, two_clouds

@@ -8,9 +8,9 @@ import warp as wp
 
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.depth_checks import SAME_SURFACE, DepthChecks
-from pointloom.photos.mvs.filtering import pair_of
+from pointloom.photogrammetry.mvs.filtering import pair_of
 
-from ...photos.mvs.made_maps import cameras, true_map
+from ...photogrammetry.mvs.made_maps import cameras, true_map
 
 HALF = 0.5
 

@@ -9,10 +9,10 @@ import warp as wp
 import pointloom as loom
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.depth_fusion import Agreement, DepthPixels, Gathered, gather_pixels, make_points
-from pointloom.photos.mvs.depth_maps import DepthMap
-from pointloom.photos.mvs.filtering import pair_of
+from pointloom.photogrammetry.mvs.depth_maps import DepthMap
+from pointloom.photogrammetry.mvs.filtering import pair_of
 
-from ...photos.mvs.made_maps import cameras, true_map
+from ...photogrammetry.mvs.made_maps import cameras, true_map
 from .test_depth_checks import lifted, moved, oracle, seen
 
 HALF = 0.5

@@ -8,8 +8,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.data.scenes.room import room_sequence, surface_errors
-from pointloom.files.frames.frames import READ_AHEAD
+from pointloom.datasets.scenes.room import room_sequence, surface_errors
+from pointloom.io.frames.frames import READ_AHEAD
 from pointloom.meshing.volume.surface_weights import WEIGHTS
 from pointloom.rgbd.fusion.pose_check import PoseCheck
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from pointloom.cameras.camera import PinholeCameraIntrinsic
-from pointloom.files.frames.datasets import Frame
+from pointloom.io.frames.datasets import Frame
 
 
 class Wall:

@@ -11,8 +11,8 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.core.wording import json_text
-from pointloom.data.scenes.room import surface_errors
-from pointloom.files.frames.datasets import Frame
+from pointloom.datasets.scenes.room import surface_errors
+from pointloom.io.frames.datasets import Frame
 
 from .walks import Walk, blank, config, frame_at
 

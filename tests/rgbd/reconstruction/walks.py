@@ -10,7 +10,7 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.data.scenes.room import RoomFrame, room_sequence
+from pointloom.datasets.scenes.room import RoomFrame, room_sequence
 
 STEPS = 300  # frames of the whole walk through the room
 SIZES: dict[str, Any] = {"depth_max": 4.0, "tsdf_voxel_size": 0.03, "fragment_voxel_size": 0.02}

@@ -7,7 +7,7 @@ import numpy as np
 
 import pointloom as loom
 from pointloom.cameras.trajectory import Trajectory
-from pointloom.data.scenes.room import room_sequence, surface_errors
+from pointloom.datasets.scenes.room import room_sequence, surface_errors
 from pointloom.registration.rigid import invert_pose, pose_of
 from pointloom.rgbd.slam.submaps import SubmapRecorder
 

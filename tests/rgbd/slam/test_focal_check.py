@@ -6,7 +6,7 @@ import pytest
 from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory
 from pointloom.core.errors import FileError
-from pointloom.data.scenes.room import room_loop_sequence
+from pointloom.datasets.scenes.room import room_loop_sequence
 from pointloom.rgbd.slam.focal_check import TURN, check_focal, turned_pairs
 
 from ..sequences import Part

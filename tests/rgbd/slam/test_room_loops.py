@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pointloom.data.scenes.room import LOOPS, room_loop_sequence, surface_errors
-from pointloom.files.frames.rgbd_sources import RGBDSource
+from pointloom.datasets.scenes.room import LOOPS, room_loop_sequence, surface_errors
+from pointloom.io.frames.rgbd_sources import RGBDSource
 
 SMALL = {"width": 80, "height": 60}
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.data.scenes.room import surface_errors
+from pointloom.datasets.scenes.room import surface_errors
 
 from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, frame, frames, verdicts, walk
 

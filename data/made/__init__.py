@@ -1,1 +1,0 @@
-"""Synthetic frames, clouds, scans, images and meshes with ground truth for `loom.data`."""

@@ -1,0 +1,282 @@
+"""Change between two files: `change_files` by M3C2 of two clouds or cloud to mesh."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...core.units import common_unit
+from ...core.wording import format_share
+from ...visualization.change.pictures import draw, paint
+from ...visualization.render.picture_files import check_picture
+from ...io.meshes import tables
+from ...io.points.formats import columns_of
+from ...io.points.las import open_las
+from ...io.points.las_crs import crs_name
+from ...io.points.point_cloud import cloud_of, table_of
+from ...io.table import MeshTable
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import mesh_of
+from ...meshing.scene.cloud_change import cloud_to_mesh
+from ...pcd.change import m3c2
+from ...pcd.cloud import PointCloud
+from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ...pcd.search import NearestNeighborSearch
+from .job import Job, JobReport, Settings
+from .rows import COLORED, LABELLED
+
+CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
+NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
+REACH = 6.0  # maximum distance over the cylinder radius
+LAS = (".las", ".laz")
+UPWARDS = (0.0, 0.0, 1.0)
+_LEAST_KNOWN = 0.5  # fraction of core points with a distance
+_MOST_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
+
+
+@dataclass(frozen=True)
+class ChangeReport(JobReport):
+    """Report of `change_files`.
+
+    `cores`, `known` and `significant` are the numbers of core points, of those with a distance, and of those that
+    changed by more than the level of detection; the latter have the given median and 98% range [m]. `level` is the
+    median level of detection [m], `lengths` are the radii and the maximum distance [m].
+    """
+
+    later: str
+    method: str
+    device: str
+    cores: int
+    known: int
+    significant: int
+    median: float | None
+    lowest: float | None
+    highest: float | None
+    level: float | None
+    lengths: dict[str, Any]
+    registration_error: float
+
+    def fields(self) -> Fields:
+        m, share = self.m, self.significant / max(self.known, 1)
+        changed = f"{self.significant:,} of {self.known:,} points with a distance, {format_share(share)}"
+        if self.median is not None:
+            changed += f", by {self.median:.3g} {m} (median; 98 % by {self.lowest:.3g} to {self.highest:.3g})"
+        level = (
+            "none" if self.level is None else f"{self.level:.3g} {m} (median), registration {self.registration_error:g}"
+        )
+        lengths = ", ".join(f"{name.replace('_', ' ')} {_told(value)}" for name, value in self.lengths.items())
+        return [
+            ("changed", changed),
+            ("noise", level),
+            ("measured", f"{self.method} at {self.cores:,} points, {lengths or 'point by point'} {m}".rstrip()),
+            *self.closing(self.device),
+        ]
+
+
+def change_files(
+    earlier: FilePath,
+    later: FilePath,
+    *,
+    output: FilePath | None = None,
+    picture: FilePath | None = None,
+    painted: FilePath | None = None,
+    cores: float | None = None,
+    normal_radii: Sequence[float] | None = None,
+    cylinder_radius: float | None = None,
+    max_distance: float | None = None,
+    registration_error: float = 0.0,
+    orientation: tuple[float, float, float] = UPWARDS,
+    limit: float | None = None,
+    **settings: Unpack[Settings],
+) -> ChangeReport:
+    """Measure how far a surface has moved from an earlier cloud or mesh to a later cloud, with the level of detection.
+
+    Unreliable if fewer than half of the core points have a distance, or if nearly all moved in one direction (epochs
+    not registered). By default half of the points have 20 neighbors within `cylinder_radius` [m], and `normal_radii`
+    and `max_distance` follow from it; for a mesh, it is the radius of averaging.
+
+    Args:
+        output: Core points with distance and level of detection as attributes.
+        picture: A .png or .webp file: change from blue to red, gray if not significant.
+        painted: Core points in the colors of the image.
+        cores: Cell size of core points [m]; None uses all points.
+        limit: Distance of the darkest colors [m]; None fits them to the changes.
+    """
+    job = Job("change", earlier, **settings)
+    job.check(output, LABELLED, what="attributes")
+    job.check(painted, COLORED, what="colours")
+    if picture is not None:
+        check_picture(picture, overwrite=job.form["overwrite"])
+    check_systems(earlier, later)
+    with job.stage("read"):
+        first, after = _read(job, earlier, later, settings.get("columns"))
+    lengths = {"normal_radii": normal_radii, "cylinder_radius": cylinder_radius, "max_distance": max_distance}
+    if isinstance(first, PointCloud):
+        compared = _with_cloud(job, first, after, cores, lengths, registration_error, orientation)
+    else:
+        compared = _with_mesh(job, first, after, cores, lengths, registration_error)
+    _write(job, compared, output, painted, picture, limit)
+    return _report(job, later, compared, registration_error)
+
+
+class Compared(NamedTuple):
+    """Measurement: method, core points, result, columns besides the significance, and lengths."""
+
+    method: str
+    where: PointCloud
+    found: Any
+    columns: dict[str, NDArray[Any]]
+    lengths: dict[str, Any]
+
+
+def _read(
+    job: Job, earlier: FilePath, later: FilePath, columns: Sequence[str] | None
+) -> tuple[PointCloud | TriangleMesh, PointCloud]:
+    paths = earlier, later
+    tables_read = [tables.read_table(*each) for each in zip(paths, columns_of(paths, columns), strict=True)]
+    job.unit = common_unit(f"{earlier}, {later}", (table.unit for table in tables_read))
+    first, second = tables_read
+    if isinstance(second, MeshTable):
+        raise FileError(later, "is a mesh", remedy="Give the mesh first: a cloud is held against it")
+    after = _filled(cloud_of(second, later, device=job.device), later)
+    if isinstance(first, MeshTable):
+        return mesh_of(first, earlier, device=job.device), after
+    return _filled(cloud_of(first, earlier, device=job.device), earlier), after
+
+
+def _with_mesh(
+    job: Job, mesh: TriangleMesh, after: PointCloud, cores: float | None, lengths: dict[str, Any], error: float
+) -> Compared:
+    where = after if cores is None else after.thin(cores)
+    with job.stage("change", judged=True):
+        told = {"radius": lengths["cylinder_radius"], "max_distance": lengths["max_distance"]}
+        found = cloud_to_mesh(where, mesh, registration_error=error, **told)
+    columns = {"distance": found.distances, "beside": found.beside.astype(np.uint8)}
+    return Compared("cloud to mesh", where, found, columns, {name: v for name, v in told.items() if v is not None})
+
+
+def _with_cloud(
+    job: Job,
+    before: PointCloud,
+    after: PointCloud,
+    cores: float | None,
+    given: dict[str, Any],
+    error: float,
+    orientation: Any,
+) -> Compared:
+    where = before if cores is None else before.thin(cores)
+    radius = given["cylinder_radius"] or _radius_for(before, job.source)
+    radii = given["normal_radii"] or [radius * times for times in NORMAL_RADII]
+    lengths = {
+        "normal_radii": [*map(float, radii)],
+        "cylinder_radius": radius,
+        "max_distance": given["max_distance"] or REACH * radius,
+    }
+    with job.stage("change", judged=True):
+        options: dict[str, Any] = {"registration_error": error, "orientation": orientation}
+        found = m3c2(before, after, core_points=where, **lengths, **options)
+    columns = {"distance": found.distances, "points_before": found.counts[:, 0], "points_after": found.counts[:, 1]}
+    return Compared("m3c2", where, found, columns, lengths)
+
+
+def check_systems(earlier: FilePath, later: FilePath) -> None:
+    """Raise FileError if two LAS files have different coordinate systems."""
+    if Path(earlier).suffix.lower() not in LAS or Path(later).suffix.lower() not in LAS:
+        return
+    names = [crs_name(open_las(path).header) for path in (earlier, later)]
+    if None not in names and names[0] != names[1]:
+        reason = f"its coordinate system is {names[1]}, that of {os.fspath(earlier)} {names[0]}"
+        raise FileError(later, reason, remedy="Bring both to one first, nothing is converted here")
+
+
+def _filled(cloud: PointCloud, path: FilePath) -> PointCloud:
+    if not len(probe_points(cloud)):
+        raise FileError(path, "holds no finite point, so there is nothing to compare", remedy="Give another file")
+    return cloud
+
+
+def _radius_for(cloud: PointCloud, path: FilePath) -> float:
+    found = distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), CYLINDER_POINTS)
+    if not found:
+        reason = f"has fewer than {CYLINDER_POINTS} points, or all at one place: no cylinder's radius follows from it"
+        raise FileError(path, reason, remedy="Say --cylinder")
+    return rounded_up(found)
+
+
+def _write(
+    job: Job,
+    compared: Compared,
+    output: FilePath | None,
+    painted: FilePath | None,
+    picture: FilePath | None,
+    limit: float | None,
+) -> None:
+    where, found = compared.where, compared.found
+    if output is not None:
+        cloud = where.copy()
+        for name, values in compared.columns.items():
+            cloud[name] = values.astype(np.float32) if values.dtype == np.float64 else np.ascontiguousarray(values)
+        cloud["level_of_detection"] = found.level_of_detection.astype(np.float32)
+        cloud["significant"] = found.is_significant.astype(np.uint8)
+        job.write_points(table_of(cloud), output)
+    if painted is not None:
+        job.write_cloud(paint(where, found, limit=limit), painted)
+    if picture is not None:
+        with job.stage("picture"):
+            draw(where, found, picture, limit=limit, overwrite=job.form["overwrite"])
+        job.wrote(picture)
+
+
+def _report(job: Job, later: FilePath, compared: Compared, registration_error: float) -> ChangeReport:
+    found, method = compared.found, compared.method
+    known, changed = np.isfinite(found.distances), found.is_significant
+    moved = found.distances[changed]
+    ends = [float(value) for value in np.quantile(moved, (0.5, 0.01, 0.99))] if len(moved) else [None] * 3
+    levels = found.level_of_detection[np.isfinite(found.level_of_detection)]
+    return ChangeReport(
+        job.done(_warning(known, found.distances, changed, method)),
+        os.fspath(later),
+        method,
+        str(job.device),
+        len(known),
+        int(known.sum()),
+        int(changed.sum()),
+        *ends,
+        level=float(np.median(levels)) if len(levels) else None,
+        lengths=compared.lengths,
+        registration_error=registration_error,
+    )
+
+
+def _warning(
+    known: NDArray[np.bool_], distances: NDArray[np.float64], changed: NDArray[np.bool_], method: str
+) -> str | None:
+    """Warn if the epochs do not overlap, or are shifted as a whole."""
+    share = float(known.mean()) if len(known) else 0.0
+    if share < _LEAST_KNOWN:
+        what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"
+        return (
+            f"only {format_share(share)} of the points have {what}: the epochs hardly overlap, lie in other "
+            "coordinates, or the lengths are too small"
+        )
+    for side, word in ((distances > 0, "up"), (distances < 0, "down")):
+        one_way = float((changed & side).sum() / known.sum())
+        if one_way > _MOST_ONE_WAY:
+            median = float(np.median(distances[changed & side]))
+            return (
+                f"{format_share(one_way)} of the points have moved {word}, by {median:.3g} (median): more likely a "
+                "shift of the whole than change; register the epochs first, or say --registration-error"
+            )
+    return None
+
+
+def _told(value: Any) -> str:
+    return ", ".join(f"{one:.3g}" for one in value) if isinstance(value, list) else f"{value:.3g}"

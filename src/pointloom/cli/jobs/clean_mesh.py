@@ -1,0 +1,36 @@
+"""Repair the mesh of a file: `clean_mesh_file`."""
+
+from __future__ import annotations
+
+from typing import Unpack
+
+from ...core.errors import FilePath
+from ...io.meshes import tables
+from ...meshing.mesh.cleaned_mesh import clean_mesh
+from .announced_stages import AnnouncedStages
+from .job import Job, Settings
+from .result_report import ResultReport
+
+
+def clean_mesh_file(
+    source: FilePath,
+    output: FilePath,
+    *,
+    merge: float | None = None,
+    fill: float | None = None,
+    min_triangles: int = 1,
+    min_area: float = 0.0,
+    **settings: Unpack[Settings],
+) -> ResultReport:
+    """Write a repaired mesh and report the repairs and remaining defects; nothing if no triangle is left.
+
+    `merge` and `fill` are `merge_distance` and `hole_size` of `clean_mesh`.
+    """
+    job = Job("clean-mesh", source, **settings)
+    job.check(output, tables.MESHES, what="meshes")
+    mesh = job.read_mesh()
+    with AnnouncedStages(job.clock, job.tell) as told:
+        sizes = {"merge_distance": merge, "hole_size": fill, "min_area": min_area}
+        found = clean_mesh(mesh, **sizes, min_triangles=min_triangles, progress=told)
+    job.write_mesh(found.mesh, output)
+    return ResultReport(job.done(*found.warnings), found, str(mesh.device))

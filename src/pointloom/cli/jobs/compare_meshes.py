@@ -1,0 +1,102 @@
+"""Distances between the meshes of two files: `compare_mesh_files`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Unpack
+
+import numpy as np
+
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields, quality
+from ...core.wording import plain
+from ...visualization.render.error_picture import draw_errors
+from ...visualization.render.picture_files import save_picture
+from ...visualization.render.plots import check_plot
+from ...visualization.render.surface_picture import looks_inwards
+from ...meshing.mesh.finite_corners import find_wrong_corner
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
+from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
+from .job import Job, JobReport, Settings
+
+MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # formats with vertex colors
+
+_TITLE = "distances of A from B, at the vertices of A"
+
+
+@dataclass(frozen=True)
+class ErrorMaps:
+    """Outputs of the distances of the first mesh from the second: a colored mesh, and a .png image with a histogram."""
+
+    mesh: FilePath | None = None
+    picture: FilePath | None = None
+
+    def check(self, job: Job) -> None:
+        job.check(self.mesh, MAP_FORMATS, what="coloured meshes")
+        if self.picture is not None:
+            check_plot(self.picture, overwrite=job.form["overwrite"])
+
+    def write(self, job: Job, first: TriangleMesh, second: TriangleMesh) -> None:
+        if self.mesh is None and self.picture is None:
+            return
+        with job.stage("map"):
+            colored, distances = first.compute_error_map(second)
+        if self.picture is not None:
+            with job.stage("picture"):
+                image = draw_errors(first, np.asarray(distances), _TITLE, back_faces=not looks_inwards(first))
+                save_picture(self.picture, image, overwrite=job.form["overwrite"])
+        if self.mesh is not None:
+            job.write_table(mesh_table(colored), self.mesh)
+        if self.picture is not None:
+            job.wrote(self.picture)
+
+
+@dataclass(frozen=True)
+class ComparisonReport(JobReport):
+    """Report of `compare_mesh_files`; the first file is the source."""
+
+    second: str
+    found: MeshComparison
+
+    def to_dict(self) -> dict[str, Any]:
+        done = self.done
+        files = {"command": done.command, "first": done.source, "second": self.second}
+        ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
+        return plain(files | self.found.to_dict() | ends | quality(self))
+
+    def fields(self) -> Fields:
+        return [*self.found.fields(), *self.closing(self.found.device)]
+
+
+def compare_mesh_files(
+    first: FilePath,
+    second: FilePath,
+    *,
+    samples: int = 100_000,
+    thresholds: list[float] | None = None,
+    limit: float | None = None,
+    maps: ErrorMaps | None = None,
+    seed: int = 0,
+    **settings: Unpack[Settings],
+) -> ComparisonReport:
+    """Measure distances between the surfaces of two meshes; options as in `compare_meshes`."""
+    job, drawn = Job("compare-meshes", first, **settings), maps or ErrorMaps()
+    drawn.check(job)
+    where = job.device
+    with job.stage("read"):
+        meshes = [_read(path, where, job.up_of(path)) for path in (first, second)]
+    with job.stage("compare"):
+        found = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
+    drawn.write(job, *meshes)
+    return ComparisonReport(job.done(*found.warnings), os.fspath(second), found)
+
+
+def _read(path: FilePath, device: Any, up: str) -> TriangleMesh:
+    mesh = read_triangle_mesh(path, device=device, up=up)
+    if (wrong := find_wrong_corner(mesh)) is not None:
+        raise FileError(path, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
+    if not mesh.get_surface_area() > 0:
+        raise FileError(path, "holds no triangle with an area, so no distance can be taken")
+    return mesh

@@ -1,0 +1,150 @@
+"""Folders of RGB-D frames for commands, and their reports."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from ...cameras.camera import read_pinhole_camera_intrinsic
+from ...core.errors import DatasetError, FileError, FilePath, PointloomError
+from ...core.paths import path_of
+from ...core.reports import Assessed, Fields, failed, quality
+from ...core.timing import Clock, peak_bytes
+from ...core.wording import format_bytes, format_seconds
+from ...io.bags.recording import is_recording, open_recording
+from ...io.frames.datasets import RGBDDataset, open_dataset, open_frames
+from ...io.frames.frames import (
+    camera_line,
+    camera_problem,
+    describe_camera,
+    describe_folder,
+    open_folder,
+    why_incomplete,
+)
+from .job import Done, JobReport
+
+
+@dataclasses.dataclass(frozen=True)
+class FolderOptions:
+    """Selection of frames of a folder; `layout` as in `open_frames`.
+
+    Attributes:
+        intrinsic: Camera as Open3D's JSON, replacing that of the folder.
+        every: Use every k-th frame, starting with the first.
+        depth_scale: Stored depth of one meter, replacing that of the folder; not with posed frames.
+        skip_missing: Skip frames without an image or with a non-finite pose; only with posed frames.
+    """
+
+    layout: str = "auto"
+    intrinsic: FilePath | None = None
+    every: int = 1
+    depth_scale: float | None = None
+    skip_missing: bool = False
+    topic: str | None = None
+    color_topic: str | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class FrameFolder(Assessed):
+    """An opened folder, with its frames and the camera file if given."""
+
+    path: FilePath
+    dataset: RGBDDataset
+    intrinsic: FilePath | None
+
+    @classmethod
+    def open(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
+        """Open a folder of frames that need no poses; raises FileError."""
+        if is_recording(path_of(path)):
+            return cls(path, _frames_of_recording(path, options), options.intrinsic)
+        given = dataclasses.asdict(options)
+        given.pop("skip_missing")
+        for name in ("topic", "color_topic"):
+            if topic := given.pop(name):
+                option = f"--{name.replace('_', '-')}"
+                raise FileError(path, f"is no recording, and has no topic {topic!r}", remedy=f"Leave {option} out")
+        return cls(path, open_folder(path, **given), options.intrinsic)
+
+    @classmethod
+    def open_posed(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
+        """Open a folder of posed frames; raises FileError, with a hint for frames without poses."""
+        camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
+        given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
+        given["skip_missing"] = options.skip_missing
+        try:
+            return cls(path, open_dataset(path, **given), options.intrinsic)
+        except DatasetError as error:
+            if not _has_no_poses(path, given):
+                raise
+            remedy = "pointloom reconstruct takes frames without, pointloom track finds them"
+            raise FileError(path, "holds no poses", remedy=remedy) from error
+
+    @property
+    def camera_problem(self) -> str | None:
+        return camera_problem(self.dataset, describe_camera(self.dataset, self.intrinsic)["source"])
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return failed(why_incomplete(self.dataset), self.camera_problem)
+
+    def done(self, command: str, clock: Clock, files: Iterable[str], *warnings: str | None) -> Done:
+        return Done(command, os.fspath(self.path), clock.seconds, (), tuple(files), failed(*warnings))
+
+    def to_dict(self) -> dict[str, Any]:
+        return describe_folder(self.path, self.dataset, self.intrinsic)
+
+    def among(self, fields: Fields, *, before: str) -> Fields:
+        """Insert omitted frames after the frames, and the camera before a label."""
+        camera = camera_line(describe_camera(self.dataset, self.intrinsic))
+        return with_camera(fields, camera, self.dataset.left_out, before=before)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FramesReport(JobReport):
+    """Report of a command on a folder of frames; base class. `peak` is the peak memory [B]."""
+
+    folder: FrameFolder
+    peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)
+
+    def ending_to_dict(self, **more: Any) -> dict[str, Any]:
+        """Common last entries: cost, further values, files and quality."""
+        cost = {"seconds": self.done.seconds, "peak_bytes": self.peak}
+        return cost | more | {"files": list(self.done.files), **quality(self)}
+
+    def ending(self) -> Fields:
+        return [
+            ("seconds", format_seconds(self.done.seconds)),
+            ("memory", f"{format_bytes(self.peak)} at most"),
+            ("files", ", ".join(self.done.files) or "none"),
+        ]
+
+
+def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before: str) -> Fields:
+    """Insert omitted frames after the frames, and the camera before a label."""
+    told: Fields = []
+    for label, value in fields:
+        lost = left_out if label == "frames" else ()
+        told += [("camera", camera)] if label == before else []
+        told.append((label, f"{value}\n{len(lost)} left out, the first {lost[0]}" if lost else value))
+    return told
+
+
+def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
+    """RGB-D frames of a recording, with depth in millimeters or meters by its encoding."""
+    for name, value, usual in (("layout", options.layout, "auto"), ("depth_scale", options.depth_scale, None)):
+        if value != usual:
+            raise FileError(
+                path, f"is a recording, which has no {name}", remedy=f"Leave out --{name.replace('_', '-')}"
+            )
+    camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
+    recording = open_recording(path)
+    return recording.frames(options.topic, options.color_topic, intrinsic=camera, every=options.every)
+
+
+def _has_no_poses(path: FilePath, given: dict[str, Any]) -> bool:
+    try:
+        return all(frame.T_world_camera is None for frame in open_frames(path, **given).frames)
+    except PointloomError:
+        return False

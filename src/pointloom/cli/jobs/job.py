@@ -1,0 +1,244 @@
+"""Common parts of commands on point and mesh files: `Job` and `JobReport`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self, TypedDict
+
+from ...core import outputs
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Assessed, Fields, Report, failed, quality, values_of
+from ...core.timing import Clock
+from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
+from ...core.wording import plain
+from ...io.meshes import tables
+from ...io.meshes.mesh_formats import UPRIGHT, turned_up
+from ...io.points.formats import WRITTEN
+from ...io.table import MeshTable, PointTable
+
+if TYPE_CHECKING:  # kernels are loaded on use: converting a file does not need them
+    from ...meshing.mesh.mesh import TriangleMesh
+    from ...pcd.cloud import PointCloud
+
+
+class Settings(TypedDict, total=False):
+    """Common options of commands.
+
+    Attributes:
+        device: Device; "auto" is the first GPU, else the CPU.
+        as_text: Text instead of binary, for .ply and .pcd.
+        progress: Called at the start of each stage.
+        up: Up axis of the data, "y" or "z"; .glb and .gltf use y, so "z" rotates those.
+        columns: Column names of the source for .bin, .csv, .txt and .xyz; None uses those of the file.
+    """
+
+    device: Any
+    as_text: bool
+    overwrite: bool
+    progress: ReportProgress | None
+    up: str
+    columns: Sequence[str] | None
+
+
+class Form(TypedDict):
+    """Output options: `as_text` and `overwrite` of `Settings`."""
+
+    as_text: bool
+    overwrite: bool
+
+
+@dataclass(frozen=True)
+class Done:
+    """Common results of all commands on files.
+
+    `seconds` are by stage, `left_out` names data that the outputs cannot store, and `unit` applies to all lengths, if
+    known.
+    """
+
+    command: str
+    source: str
+    seconds: dict[str, float]
+    left_out: tuple[str, ...]
+    files: tuple[str, ...]
+    warnings: tuple[str, ...]
+    unit: LengthUnit | None = None
+
+    def to_dict(self) -> dict[str, Any]:
+        """All fields by name, without an unknown unit."""
+        own = {name: value for name, value in values_of(self).items() if name != "unit" or value is not None}
+        return own | quality(self)
+
+
+@dataclass(frozen=True)
+class JobReport(Report, Assessed):
+    """Report of a command on files; base class with the common results `done`, first in JSON."""
+
+    done: Done
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return self.done.warnings
+
+    def to_dict(self) -> dict[str, Any]:
+        own = {name: value for name, value in values_of(self).items() if name != "done"}
+        return plain(self.done.to_dict() | own)
+
+    @property
+    def note(self) -> str | None:
+        """Note on a length unit other than meters."""
+        unit = self.done.unit
+        if unit is None or unit.metres == 1:
+            return None
+        return f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it"
+
+    @property
+    def m(self) -> str:
+        """Unit after lengths: "m" if unknown."""
+        return symbol_of(self.done.unit)
+
+    def title(self, source: str) -> str:
+        """Title above the fields for a displayed file name."""
+        return source
+
+    def with_file(self, path: FilePath) -> Self:
+        return replace(self, done=replace(self.done, files=(*self.done.files, os.fspath(path))))
+
+    def closing(self, device: str | None = None, replaced: Iterable[str] = ()) -> Fields:
+        """Last fields of every command: replaced and omitted data, seconds and files."""
+        fields = []
+        if names := ", ".join(replaced):
+            fields.append(("replaced", f"{names} of the input"))
+        if self.done.left_out:
+            fields.append(("left out", f"{', '.join(self.done.left_out)} (the output cannot hold them)"))
+        parts = ", ".join(f"{stage} {value:.2f}" for stage, value in self.done.seconds.items())
+        where = f" on {device}" if device is not None else ""
+        return [*fields, ("seconds", parts + where), ("files", ", ".join(self.done.files) or "none")]
+
+
+class Job:
+    """Workflow of a command on files: output checks, timed stages, reading, writing, report; options as in `Settings`.
+
+    Attributes:
+        clock: Seconds of the stages.
+        left_out: Names of data that the outputs cannot store.
+        unit: Unit of the source's coordinates after reading, if known.
+        form: Options of write functions.
+    """
+
+    def __init__(
+        self,
+        command: str,
+        source: FilePath,
+        *,
+        device: Any = "auto",
+        as_text: bool = False,
+        overwrite: bool = False,
+        progress: ReportProgress | None = None,
+        up: str = "y",
+        columns: Sequence[str] | None = None,
+    ):
+        self._command, self._device, self.up, self._columns = command, device, up, columns
+        self.source, self.tell, self.clock = source, check_progress(progress), Clock()
+        self.form: Form = {"as_text": as_text, "overwrite": overwrite}
+        self.left_out: list[str] = []
+        self.files: list[str] = []
+        self.unit: LengthUnit | None = None
+        self._viewpoint: tuple[float, ...] | None = None
+
+    @cached_property
+    def device(self) -> Any:
+        """The device, resolved on first use; raises DeviceError."""
+        return resolve_device(self._device)
+
+    def check(self, output: FilePath | None, formats: tuple[str, ...] = WRITTEN, *, what: str = "clouds") -> None:
+        """Check before any work that an output can be written in one of the formats; raises FileError."""
+        if output is not None:
+            outputs.check_output(output, formats, what=what, **self.form)
+
+    @contextmanager
+    def stage(self, name: str, *, told: bool = True, judged: bool = False) -> Iterator[None]:
+        """Report a stage (unless not `told`) and time it; if `judged`, length warnings are left to the report."""
+        if told:
+            self.tell(name, 0, 0)
+        self.clock.restart()
+        with without_warnings(UnitWarning) if judged else nullcontext():
+            yield
+        self.clock.stop(name)
+
+    def up_of(self, path: FilePath) -> str:
+        """The up axis for a format that defines one; else "y" (no rotation)."""
+        return self.up if Path(path).suffix.lower() in UPRIGHT else "y"
+
+    def read_table(self) -> PointTable | MeshTable:
+        table = tables.read_table(self.source, self._columns)
+        return turned_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
+
+    def write_table(self, table: MeshTable, output: FilePath) -> None:
+        """Write a mesh without the data that the format cannot store."""
+        held = turned_up(table, back=True) if self.up_of(output) == "z" else table
+        self.wrote(output, tables.write_mesh_table(output, held, **self.form))
+
+    def read_points(self) -> PointTable:
+        """Points as stored in the source; vertices of a mesh."""
+        table = self.read_table()
+        self.unit = table.unit
+        if isinstance(table, MeshTable):
+            self.left_out.append("triangles")
+            return tables.points_of(table)
+        self._viewpoint = table.viewpoint  # written again, as the points are not moved
+        return replace(table, viewpoint=None)
+
+    def read_cloud(self) -> PointCloud:
+        """Points of the source with all attributes, on the device."""
+        from ...io.points.point_cloud import cloud_of
+
+        where = self.device
+        with self.stage("read"):
+            return cloud_of(self.read_points(), self.source, device=where)
+
+    def read_mesh(self) -> TriangleMesh:
+        from ...meshing.mesh.mesh_files import read_triangle_mesh
+
+        where = self.device
+        with self.stage("read"):
+            mesh = read_triangle_mesh(self.source, device=where, up=self.up_of(self.source))
+        self.unit = mesh.unit
+        return mesh
+
+    def write_points(self, table: PointTable, output: FilePath) -> None:
+        """Write points atomically; LAS keeps the scale of a LAS source."""
+        with self.stage("write"):
+            table = replace(table, viewpoint=table.viewpoint or self._viewpoint)
+            self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
+
+    def write_cloud(self, cloud: PointCloud, output: FilePath) -> None:
+        from ...io.points.point_cloud import table_of
+
+        with self.stage("write"):
+            table = replace(table_of(cloud), viewpoint=self._viewpoint)
+            self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))
+
+    def write_mesh(self, mesh: TriangleMesh, output: FilePath) -> None:
+        """Write a mesh atomically, unless it has no triangles."""
+        from ...meshing.mesh.mesh_files import mesh_table
+
+        if len(mesh):
+            with self.stage("write"):
+                self.write_table(mesh_table(mesh), output)
+
+    def wrote(self, output: FilePath, left_out: Iterable[str] = ()) -> None:
+        self.left_out += [name for name in left_out if name not in self.left_out]
+        self.files.append(os.fspath(output))
+
+    def done(self, *warnings: str | None) -> Done:
+        seconds, source = dict(self.clock.seconds), os.fspath(self.source)
+        files, left_out = tuple(self.files), tuple(self.left_out)
+        return Done(self._command, source, seconds, left_out, files, failed(*warnings), self.unit)

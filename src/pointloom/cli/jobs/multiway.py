@@ -1,0 +1,164 @@
+"""Registration of all clouds of a folder: `register_folder`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.pose_files import FORMATS, write_poses
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...core.units import common_unit
+from ...io.meshes import tables
+from ...io.points.point_cloud import table_of
+from ...io.points.scan_files import list_scans
+from ...pcd.cloud import PointCloud
+from ...registration.globally.level_poses import LEVEL
+from ...registration.pose_graphs.multiway import FragmentsResult, register_fragments
+from ...registration.pose_graphs.pose_graph_files import write_pose_graph
+from ...registration.voxel_size import choose_voxel_size
+from .job import Job, JobReport
+from .register import read_cloud
+
+_SHOWN = 5  # names of unplaced clouds
+
+
+@dataclass(frozen=True)
+class MultiwayReport(JobReport):
+    device: str
+    voxel_size: float
+    voxel_size_given: bool
+    clouds: tuple[str, ...]
+    points: int
+    found: FragmentsResult
+
+    def to_dict(self) -> dict[str, Any]:
+        report = super().to_dict()
+        points = report.pop("points")
+        del report["found"]
+        return report | {"points": points} | self.found.to_dict(self.clouds)
+
+    def fields(self) -> Fields:
+        (_, placed), (_, pairs), _ = self.found.fields()
+        chosen = "" if self.voxel_size_given else ", chosen from the clouds"
+        return [
+            ("clouds", f"{placed}, {self.points:,} points"),
+            ("voxels", f"{self.voxel_size:g} {self.m}{chosen}"),
+            ("pairs", pairs),
+            ("frame", f"that of {self.clouds[self.found.reference]}"),
+            *self.closing(self.device),
+        ]
+
+
+def register_folder(
+    folder: FilePath,
+    output: FilePath,
+    *,
+    voxel_size: float | None = None,
+    neighbors: int | None = None,
+    level: bool = False,
+    merged: FilePath | None = None,
+    graph: FilePath | None = None,
+    columns: Sequence[str] | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> MultiwayReport:
+    """Register the clouds of a folder, in natural order of their names, and write their poses.
+
+    Outputs are checked before the work and omit clouds that could not be placed. Nothing is written if no two clouds
+    match.
+
+    Args:
+        output: Poses T_reference_cloud: .txt or .tum (TUM), .log (Open3D), with the cloud's number from 0 as TUM time
+            and as first number in .log.
+        voxel_size: Voxel size of the downsampled clouds [m]; None chooses it.
+        level: All clouds are level.
+        merged: File for all placed clouds, with their common attributes.
+        graph: A .json file for the pose graph.
+    """
+    job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
+    check_outputs(job, output, merged, graph)
+    where, paths, clouds = job.device, list_clouds(folder), []
+    with job.stage("read", told=False):
+        for done, path in enumerate(paths):
+            job.tell("read", done, len(paths))
+            clouds.append(read_cloud(path, where, columns))
+        job.tell("read", len(paths), len(paths))
+    job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
+    with job.stage("voxels", told=False):
+        size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
+    with job.stage("register", told=False):
+        how: dict[str, Any] = {"neighbors": neighbors, "free": LEVEL if level else None}
+        found = register_fragments(clouds, voxel_size=size, progress=job.tell, **how)
+    is_written = int(found.placed.sum()) > 1
+    with job.stage("write", told=is_written):
+        if is_written:
+            _write_results(job, found, clouds, output, merged, graph)
+    names = tuple(path.name for path in paths)
+    lost = [name for name, is_placed in zip(names, found.placed, strict=True) if not is_placed]
+    done = job.done(placement_warning(lost, len(names), is_written))
+    points = sum(len(cloud) for cloud in clouds)
+    return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, found)
+
+
+def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
+    job.check(output, tuple(FORMATS), what="poses")
+    job.check(merged)
+    if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
+        reason = f"lies in {os.fspath(job.source)}, where the next run would take it for one of the clouds"
+        raise FileError(merged, reason, remedy="Choose another folder")
+    job.check(graph, (".json",), what="pose graphs")
+
+
+def list_clouds(folder: FilePath) -> list[Path]:
+    """The clouds of a folder, at least two."""
+    paths = list_scans(folder)
+    if len(paths) < 2:
+        raise FileError(folder, f"holds one cloud, {paths[0].name}; two are needed", remedy="Give another folder")
+    return paths
+
+
+def _write_results(
+    job: Job,
+    found: FragmentsResult,
+    clouds: list[PointCloud],
+    output: FilePath,
+    merged: FilePath | None,
+    graph: FilePath | None,
+) -> None:
+    """Write the outputs; data that the merged cloud cannot store or that not all clouds have is omitted."""
+    write_poses_and_graph(job, found, output, graph)
+    if merged is not None:
+        whole = found.merge(clouds)
+        named = dict.fromkeys(name for i in np.flatnonzero(found.placed) for name in _names_of(clouds[i]))
+        lost = [name for name in named if name not in _names_of(whole)]
+        job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(whole), **job.form)])
+
+
+def write_poses_and_graph(job: Job, found: FragmentsResult, output: FilePath, graph: FilePath | None) -> None:
+    write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
+    job.wrote(output)
+    if graph is not None:
+        write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])
+        job.wrote(graph)
+
+
+def _names_of(cloud: PointCloud) -> list[str]:
+    vectors = {"normals": cloud.has_normals, "colors": cloud.has_colors}
+    return [*(name for name, is_there in vectors.items() if is_there), *cloud.attributes]
+
+
+def placement_warning(lost: list[str], count: int, is_written: bool) -> str | None:
+    if not lost:
+        return None
+    if not is_written:
+        return f"no two of the {count} clouds lie on each other; nothing was written; try another --voxel"
+    names = ", ".join(lost[:_SHOWN]) + (" and more" if len(lost) > _SHOWN else "")
+    return f"{len(lost)} of {count} clouds could not be placed: {names}; try another --voxel, or more --loops"

@@ -1,0 +1,107 @@
+"""Registration of the scans of a folder by a resumable job: `place_scans`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import read_trajectory
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.wording import plain
+from ...registration.globally.level_poses import LEVEL
+from ...tiling.jobs.placed_scans import finish_registration
+from ...tiling.jobs.run_jobs import retry_job, run_job
+from ...tiling.jobs.scans import plan_registration
+from .job import Job
+from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warning, write_poses_and_graph
+
+
+@dataclass(frozen=True)
+class PlacedReport(MultiwayReport):
+    """Report of `place_scans`: a MultiwayReport with the status of every pair. `notes` are about the scans."""
+
+    notes: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """All fields flattened, with `tried`: the status of each pair."""
+        return super().to_dict() | {"notes": plain(self.notes)}
+
+    @property
+    def note(self) -> str | None:
+        return "; ".join(self.notes) or super().note
+
+
+def place_scans(
+    folder: FilePath,
+    output: FilePath,
+    job_folder: FilePath,
+    *,
+    voxel_size: float,
+    neighbors: int | None = None,
+    level: bool = False,
+    places: FilePath | None = None,
+    place_error: float = 0.0,
+    workers: int = 0,
+    graph: FilePath | None = None,
+    device: str = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> PlacedReport:
+    """Like `register_folder`, with one task per pair in a job on disk; a repeated call resumes it and retries failures.
+
+    `places` is a file of approximate poses, matched by number from 0 in .log files and where times are such numbers,
+    else in order; `place_error` is their maximum error [m]. `workers` 0 works in this process. See `plan_registration`
+    for `voxel_size` and `neighbors`, and `run_job` for `device`.
+    """
+    job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
+    check_outputs(job, output, None, graph)
+    paths = list_clouds(folder)
+    given = None if places is None else places_of(places, len(paths))
+    where = ("cuda" if resolve_device("auto").is_cuda else "cpu") if device == "auto" else device
+    how: dict[str, Any] = {
+        "free": LEVEL if level else None,
+        "neighbors": neighbors,
+        "places": given,
+        "place_error": place_error,
+    }
+    with job.stage("register", told=False):
+        plan_registration(paths, job_folder, voxel_size=voxel_size, **how)
+        retry_job(job_folder)
+        status = run_job(job_folder, workers=workers, device=where, progress=job.tell)
+        if not status.is_finished:
+            remedy = "Mend what failed, or let other runs end, and give the same command again"
+            raise FileError(job_folder, f"is not finished: {status}", remedy=remedy)
+        found = finish_registration(job_folder)
+    is_written = int(found.placed.sum()) > 1
+    with job.stage("write", told=is_written):
+        if is_written:
+            write_poses_and_graph(job, found, output, graph)
+    names = tuple(path.name for path in paths)
+    done = job.done(placement_warning([Path(path).name for path in found.not_placed], len(names), is_written))
+    return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.notes)
+
+
+def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:
+    """Poses of a file by scan; raises FileError if they are of other scans."""
+    found = read_trajectory(Path(path))
+    if found.ids is not None:
+        numbers = found.ids[:, 0]
+    elif len(found) == count or found.timestamps is None:
+        numbers = np.arange(len(found))
+    else:
+        numbers = found.timestamps
+    is_one = len(found) == count if found.ids is None and found.timestamps is None else True
+    fits = is_one and ((numbers >= 0) & (numbers < count) & (numbers == np.floor(numbers))).all()
+    if not fits or len(np.unique(numbers)) < len(numbers):
+        reason = f"holds {len(found)} poses whose numbers are not those of {count} scans, 0 to {count - 1}, each once"
+        raise FileError(path, reason, remedy="Give a pose for each scan, in their order, or number them in a .log file")
+    places: list[NDArray[np.float64] | None] = [None] * count
+    for number, pose in zip(numbers.astype(int).tolist(), found.poses, strict=True):
+        places[number] = pose
+    return places

@@ -1,0 +1,162 @@
+"""LiDAR odometry of a folder of scans: `odometry_of_folder`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...cameras.pose_files import FORMATS as POSE_FORMATS
+from ...cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields, quality, values_of
+from ...core.wording import format_seconds, plain
+from ...io.bags.recording import is_recording, open_recording
+from ...io.points.scan_files import list_scans, read_scans
+from ...pcd.cloud import PointCloud
+from ...registration.lidar.lidar_odometry import LidarOdometry
+from ...registration.lidar.lidar_steps import OdometrySummary, summarize_steps
+from ...registration.trajectories.trajectory_error import TrajectoryError
+from .evaluate import compare
+from .job import Job, JobReport
+
+FORMATS = {"kitti": (".kitti", ".txt"), "tum": (".txt", ".tum"), "log": (".log",)}  # extensions of each
+
+
+@dataclass(frozen=True)
+class OdometryReport(JobReport):
+    """Report of `odometry_of_folder`; `errors` are against the true path, if given."""
+
+    format: str
+    device: str
+    voxel_size: float
+    max_range: float
+    min_range: float
+    found: OdometrySummary
+    points: int
+    errors: TrajectoryError | None
+
+    @property
+    def scans_per_second(self) -> float:
+        return self.found.scan_count / max(self.done.seconds["register"], 1e-9)
+
+    def to_dict(self) -> dict[str, Any]:
+        path = self.found.to_dict()
+        speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
+        own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
+        ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files, **quality(self)}
+        beginning = {"command": self.done.command, "folder": self.done.source}
+        return plain(beginning | own | speed | path | ending)
+
+    def fields(self) -> Fields:
+        (_, scans), *path = self.found.fields()
+        reach = f"from {self.min_range:g} to {self.max_range:g} m"
+        return [
+            ("scans", f"{scans}, {self.points:,} points, {self.scans_per_second:.1f} scans/s"),
+            ("map", f"voxels of {self.voxel_size:g} m, points {reach}"),
+            *path,
+            *([] if self.errors is None else self.errors.fields()),
+            ("seconds", f"{format_seconds(self.done.seconds)} on {self.device}"),
+            ("files", ", ".join(self.done.files) or "none"),
+        ]
+
+
+def odometry_of_folder(
+    folder: FilePath,
+    output: FilePath,
+    *,
+    format: str | None = None,
+    voxel_size: float | None = None,
+    max_range: float = 100.0,
+    min_range: float = 5.0,
+    truth: FilePath | None = None,
+    topic: str | None = None,
+    columns: Sequence[str] | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> OdometryReport:
+    """Find the pose of each scan of a folder and write them; output and truth are checked before the work.
+
+    Nothing is written if no scan has points in range. See `LidarOdometry` for the ranges.
+
+    Args:
+        folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording, .bag, .mcap, .db3 or a folder of
+            those.
+        output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
+        format: "kitti", "tum" or "log"; None for that of the extension. TUM times are scan numbers.
+        truth: File of true poses, one per scan; errors are aligned by se3.
+        topic: Topic of a recording; None for the only one of clouds.
+    """
+    job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
+    form = _check_output(job, output, format)
+    odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
+    scans = _Scans.open(folder, topic, columns, job.device)
+    if scans.count < 2:
+        raise FileError(folder, f"holds one scan, {scans.first}; odometry needs two", remedy="Give another folder")
+    true_path = None if truth is None else read_trajectory(truth)
+    if true_path is not None and len(true_path) != scans.count:
+        reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {scans.count} scans"
+        raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
+    points = _register_scans(job, odometry, scans)
+    found, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
+    if found.has_seen:
+        with job.stage("write", told=False):
+            write_trajectory(output, path, format=form, overwrite=overwrite)
+        job.wrote(output)
+        if true_path is not None and truth is not None:
+            errors = compare(path, true_path, folder, truth, "se3")
+    done = job.done(*found.warnings, *(() if errors is None else errors.warnings))
+    sizes = odometry.voxel_size, max_range, min_range
+    return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
+
+
+@dataclass(frozen=True)
+class _Scans:
+    """Scans in order: number, name of the first, and an iterator that reads them."""
+
+    count: int
+    first: str
+    clouds: Iterator[PointCloud]
+
+    @classmethod
+    def open(cls, place: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
+        if is_recording(Path(place)):
+            if columns is not None:
+                raise FileError(place, "is a recording, which names its columns", remedy="Leave --columns out")
+            recording = open_recording(place)
+            chosen = recording.choose_topic(topic)
+            count = sum(found.count for found in recording.topics if found.name == chosen)
+            return cls(count, chosen, recording.scans(chosen, device=device))
+        if topic is not None:
+            raise FileError(place, f"is no recording, and has no topic {topic!r}", remedy="Leave --topic out")
+        files = list_scans(place)
+        return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
+
+
+def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
+    points = 0
+    job.tell("scans", 0, scans.count)
+    for number in range(1, scans.count + 1):
+        with job.stage("read", told=False):
+            scan = next(scans.clouds)
+        with job.stage("register", told=False):
+            odometry.register(scan)
+        points += len(scan)
+        job.tell("scans", number, scans.count)
+    return points
+
+
+def _check_output(job: Job, output: FilePath, format: str | None) -> str:
+    """The format of the poses after checking the output."""
+    suffix = Path(output).suffix.lower()
+    if format is None:
+        job.check(output, (*POSE_FORMATS, ".kitti"), what="poses")
+        return POSE_FORMATS.get(suffix, "kitti")
+    if format not in FORMATS:
+        raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {format!r}")
+    job.check(output, FORMATS[format], what=f"poses as {format}")
+    return format

@@ -1,0 +1,164 @@
+"""Registration of two cloud files: `register_files` writes the pose and the moved source."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ...cameras.pose_files import write_pose
+from ...cameras.pose_text import read_pose
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Fields
+from ...core.units import common_unit
+from ...visualization.render.pair_picture import draw_pair
+from ...visualization.render.picture_files import check_picture
+from ...io.meshes import tables
+from ...io.points.formats import columns_of
+from ...io.points.point_cloud import cloud_of, table_of
+from ...io.table import MeshTable
+from ...pcd.cloud import PointCloud
+from ...pcd.probes import probe_points
+from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
+from ...registration.icp.constraint import Prior
+from .announced_stages import AnnouncedStages
+from .job import Job, JobReport
+
+IDENTITY, GLOBAL = "identity", "global"
+
+_REMEDIES = {
+    "colors": "Choose another --method, such as point-to-plane",
+    "voxels": "Take a smaller --voxel, or a cloud with more points",
+}
+
+
+@dataclass(frozen=True)
+class RegisterReport(JobReport):
+    """Report of `register_files`; the `init` of `found` is as given by the user."""
+
+    target: str
+    device: str
+    found: PairRegistration
+
+    def to_dict(self) -> dict[str, Any]:
+        report = super().to_dict()
+        return report | report.pop("found")
+
+    def fields(self) -> Fields:
+        return [*self.found.fields(), *self.closing(self.device)]
+
+
+def register_files(
+    source: FilePath,
+    target: FilePath,
+    *,
+    output: FilePath | None = None,
+    init: FilePath = GLOBAL,
+    method: str = "point-to-plane",
+    voxel_size: float | None = None,
+    distance: float | None = None,
+    free: Sequence[str] | None = None,
+    prior: FilePath | None = None,
+    prior_sigma: tuple[float, float] | None = None,
+    aligned: FilePath | None = None,
+    picture: FilePath | None = None,
+    columns: Sequence[str] | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> RegisterReport:
+    """Register a source file to a target file; outputs are checked first, and not written without correspondences.
+
+    Args:
+        output: A .txt file for T_target_source, 4 rows of 4 numbers with all digits.
+        init: "global", "identity", or a file with an initial pose.
+        prior: File with a known pose.
+        prior_sigma: Standard deviations of its translation [m] and rotation [degrees].
+        aligned: File for the moved source with all attributes.
+        picture: A .png file of both clouds before (left) and after (right).
+    """
+    if method not in METHODS:
+        raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
+    job = Job("register", source, device=device, overwrite=overwrite, progress=progress)
+    job.check(output, (".txt",), what="poses")
+    job.check(aligned)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    where, start, known = job.device, _start(init), _known(prior, prior_sigma)
+    with job.stage("read"):
+        first, second = columns_of([source, target], columns)
+        clouds = read_cloud(source, where, first), read_cloud(target, where, second)
+    job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
+    try:
+        with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
+            options: dict[str, Any] = {"method": method, "voxel_size": voxel_size, "distance": distance}
+            found = register_pair(*clouds, init=start, progress=tell, free=free, prior=known, **options)
+    except UnfitCloudError as error:
+        path = source if error.role == "source" else target
+        reason = error.reason.replace(f"method={method!r}", f"--method {method}")
+        raise FileError(path, reason, remedy=_REMEDIES[error.lacks]) from error
+    with job.stage("write"):
+        if found.result.fitness > 0:
+            _write_results(job, clouds, found, output, aligned, picture, target)
+    return RegisterReport(
+        job.done(_warning(found, str(init))), os.fspath(target), str(where), replace(found, init=os.fspath(init))
+    )
+
+
+def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None) -> PointCloud:
+    """A cloud with all attributes, or the vertices of a mesh; raises FileError without finite points."""
+    table = tables.read_table(path, columns)
+    cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
+    if not len(probe_points(cloud)):
+        held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
+        raise FileError(path, f"holds {held}, so there is nothing to register", remedy="Give another cloud")
+    return cloud
+
+
+def _start(init: FilePath) -> np.ndarray | None:
+    """The initial pose; None for a search."""
+    if str(init) == GLOBAL:
+        return None
+    return np.eye(4) if str(init) == IDENTITY else read_pose(init)
+
+
+def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior | None:
+    """The prior pose and its deviations, both or neither; raises FileError or ValueError."""
+    if prior is None and sigma is None:
+        return None
+    if prior is None or sigma is None:
+        raise ValueError("prior, prior_sigma: a pose that is known, and how well, are given together")
+    return Prior(read_pose(prior), sigma_translation=sigma[0], sigma_rotation=math.radians(sigma[1]))
+
+
+def _write_results(
+    job: Job,
+    clouds: tuple[PointCloud, PointCloud],
+    found: PairRegistration,
+    output: FilePath | None,
+    aligned: FilePath | None,
+    picture: FilePath | None,
+    target: FilePath,
+) -> None:
+    T, form = found.transformation, job.form
+    if output is not None:
+        write_pose(output, T, overwrite=form["overwrite"])
+        job.wrote(output)
+    if aligned is not None:
+        table = table_of(clouds[0].transform(T))
+        job.wrote(aligned, tables.write_cloud_table(aligned, table, source=target, system_only=True, **form))
+    if picture is not None:
+        draw_pair(picture, *clouds, T, overwrite=form["overwrite"])
+        job.wrote(picture)
+
+
+def _warning(found: PairRegistration, init: str) -> str | None:
+    if found.reliable:
+        return None
+    written = "" if found.result.fitness > 0 else "; nothing was written"
+    return f"{'; '.join(found.warnings)}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"

@@ -1,0 +1,228 @@
+"""Registration of the scans of one or several E57 files: `register_scans`.
+
+Tables are text with commas, semicolons, tabs or spaces; lines with # and a header are skipped. Targets: station (scan
+name or number from 0), name, x, y, z and optionally a standard deviation [m]. Control: name, x, y, z and optionally one
+or three standard deviations.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Unpack
+
+import numpy as np
+
+from ...core.atomic import atomic_write
+from ...core.errors import FileError, FilePath
+from ...core.reports import Fields
+from ...core.wording import few_of
+from ...visualization.render.picture_files import save_picture
+from ...visualization.render.plots import station_plan
+from ...io.foreign import import_for
+from ...io.points.e57_stations import Stations, read_stations, write_stations
+from ...registration.stations.observations import ControlPoint, TargetObservation
+from ...registration.stations.result import StationsResult
+from ...registration.stations.stations import register_stations
+from .job import Job, JobReport, Settings
+
+REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}
+E57, WITH_SCANS = (".e57",), (".e57", ".ptx")
+
+
+@dataclass(frozen=True)
+class StationsReport(JobReport):
+    """Report of `register_scans`; `began` is "poses of the file" or "no poses"."""
+
+    device: str
+    points: int
+    began: str
+    found: StationsResult
+
+    def to_dict(self) -> dict[str, Any]:
+        report = super().to_dict()
+        del report["found"]
+        return self.found.to_dict() | report
+
+    def fields(self) -> Fields:
+        return [*self.found.fields(), ("began", f"{self.began}; {self.points:,} points"), *self.closing(self.device)]
+
+
+def register_scans(
+    source: FilePath,
+    output: FilePath,
+    *,
+    targets: FilePath | None = None,
+    control: FilePath | None = None,
+    report: FilePath | None = None,
+    free: Sequence[str] | None = None,
+    use_poses: bool = True,
+    rough: float | None = None,
+    voxel_size: float | None = None,
+    overlap: float | None = None,
+    **settings: Unpack[Settings],
+) -> StationsReport:
+    """Register the scans of an E57 file and write them with their poses.
+
+    `targets` and `control` are tables, `report` a folder for report.txt, report.json and plan.png. `free` are the
+    degrees of freedom of stations: "x", "y", "z" and "yaw" (default), or all six. See `register_stations` for the other
+    options.
+    """
+    job = Job("stations", source, **settings)
+    job.check(output, E57, what="stations")
+    places = _check_report(report, overwrite=job.form["overwrite"])
+    if Path(source).suffix.lower() not in WITH_SCANS:
+        remedy = "Convert the scans, or call loom.registration.register_stations"
+        raise FileError(source, "is no .e57 or .ptx file", remedy=remedy)
+    with job.stage("read"):
+        scans = _filled(read_stations(source, device=job.device), source)
+    seen = None if targets is None else read_targets(targets, scans.names)
+    known = None if control is None else read_control(control)
+    job.unit = scans.clouds[0].unit
+    given: dict[str, Any] = {
+        name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
+    }
+    posed = use_poses and _tell_apart(scans.poses)
+    with job.stage("register", told=False):
+        found = register_stations(
+            scans.clouds,
+            poses=scans.poses if posed else None,
+            level=free is None or len(free) < 6,
+            targets=seen,
+            control=known,
+            names=scans.names,
+            voxel_size=voxel_size,
+            progress=job.tell,
+            **given,
+        )
+    with job.stage("write"):
+        write_stations(output, scans.clouds, found.poses, names=scans.names, overwrite=job.form["overwrite"])
+    job.wrote(output)
+    if places:
+        _write_report(job, places, found)
+    points, began = sum(len(cloud) for cloud in scans.clouds), "poses of the file" if posed else "no poses"
+    return StationsReport(job.done(*found.warnings), str(job.device), points, began, found)
+
+
+def _filled(scans: Stations, source: FilePath) -> Stations:
+    empty = [name for name, cloud in zip(scans.names, scans.clouds, strict=True) if not len(cloud)]
+    if empty:
+        raise FileError(source, f"scan {empty[0]!r} holds no point", remedy="Leave it out")
+    return scans
+
+
+def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path]:
+    if folder is None:
+        return {}
+    place = Path(folder)
+    import_for(place / REPORT["plan"], "matplotlib.figure", "plot")
+    if place.exists() and not place.is_dir():
+        raise FileError(place, "is no folder", remedy="Name a folder for the report")
+    places = {kind: place / name for kind, name in REPORT.items()}
+    there = [path for path in places.values() if path.exists()]
+    if there and not overwrite:
+        raise FileError(there[0], "exists", remedy="Pass overwrite=True to replace it")
+    if not place.exists() and not place.absolute().parent.is_dir():
+        raise FileError(place, "its folder does not exist")
+    return places
+
+
+def _tell_apart(poses: Any) -> bool:
+    """True if poses are meaningful: a file without them has the identity everywhere."""
+    return bool(np.abs(poses - poses[0]).max() > 0)
+
+
+def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> None:
+    places["text"].parent.mkdir(exist_ok=True)
+    overwrite = job.form["overwrite"]
+    with job.stage("report"):
+        texts = {"text": found.report(), "json": json.dumps(found.to_dict(), indent=1, allow_nan=False) + "\n"}
+        for kind, text in texts.items():
+            with atomic_write(places[kind], overwrite=overwrite) as file:
+                file.write(text.encode())
+        save_picture(places["plan"], station_plan(found), overwrite=overwrite)
+    for path in places.values():
+        job.wrote(path)
+
+
+_APART = re.compile(r"[;,\t]")
+MOST_BYTES = 1 << 26  # a table of 500,000 points
+
+
+def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
+    """Read observed targets; raises FileError with the line."""
+    found = []
+    numbers = {name: i for i, name in enumerate(stations)}
+    numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
+    for line, fields in _rows(path, words=2, numbers=(3, 4)):
+        if fields[0] not in numbers:
+            known = few_of(stations, 5)
+            raise FileError(path, f"there is no station {fields[0]!r}; there are {known}", where=f"line {line}")
+        x, y, z, *sigma = _numbers(path, line, fields[2:])
+        options = {"sigma": sigma[0]} if sigma else {}
+        try:
+            found.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error), where=f"line {line}") from None
+    return found
+
+
+def read_control(path: FilePath) -> list[ControlPoint]:
+    """Read control points; raises FileError with the line."""
+    found = []
+    for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
+        x, y, z, *sigma = _numbers(path, line, fields[1:])
+        options = {"sigma": sigma if len(sigma) == 3 else sigma[0]} if sigma else {}
+        try:
+            found.append(ControlPoint(fields[0], [x, y, z], **options))
+        except (TypeError, ValueError) as error:
+            raise FileError(path, str(error), where=f"line {line}") from None
+    return found
+
+
+def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
+    """Line numbers and words of the rows of a table, without a header."""
+    try:
+        if Path(path).stat().st_size > MOST_BYTES:
+            raise FileError(path, f"is larger than {MOST_BYTES >> 20} MiB, which no table of targets is")
+        text = Path(path).read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise FileError(path, error.strerror or "cannot be read") from None
+    except UnicodeDecodeError:
+        raise FileError(path, "is no text in UTF-8", remedy="Save the table as text") from None
+    is_first, empty = True, True
+    for line, row in enumerate(text.splitlines(), start=1):
+        if not row.strip() or row.lstrip().startswith("#"):
+            continue
+        fields = [field.strip() for field in (_APART.split(row) if _APART.search(row) else row.split())]
+        while fields and not fields[-1]:
+            fields.pop()
+        if len(fields) - words not in numbers:
+            expected = " or ".join(str(words + n) for n in numbers)
+            raise FileError(path, f"expected {expected} fields, got {len(fields)}", where=f"line {line}")
+        if is_first and not any(_is_number(field) for field in fields[words:]):
+            is_first = False
+            continue
+        is_first, empty = False, False
+        yield line, fields
+    if empty:
+        raise FileError(path, f"{os.fspath(path)} has no row", remedy="Give one row for each")
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _numbers(path: FilePath, line: int, fields: Sequence[str]) -> list[float]:
+    for field in fields:
+        if not _is_number(field):
+            raise FileError(path, f"expected a number, got {field!r}", where=f"line {line}")
+    return [float(field) for field in fields]

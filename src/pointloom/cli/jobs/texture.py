@@ -1,0 +1,150 @@
+"""Color a mesh from posed frames: `texture_folder`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import read_pinhole_camera_intrinsic
+from ...core.checks import check_count, check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.outputs import check_output
+from ...core.progress import ReportProgress
+from ...core.reports import Assessed, Fields, Report, quality
+from ...core.timing import Clock, peak_bytes
+from ...core.wording import format_bytes, format_seconds, plain
+from ...visualization.render.picture_files import check_picture
+from ...visualization.render.scene_view import draw_scene
+from ...io.frames.datasets import RGBDDataset, open_dataset
+from ...io.meshes.mesh_formats import UPRIGHT
+from ...meshing.color_map.results import NothingSeenError
+from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
+from ...meshing.color_map.texturing import DEPTH_MAX, texture_mesh
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from .announced_stages import AnnouncedStages
+
+WITH_ATLAS = (".obj", ".glb", ".gltf")
+WRITTEN = (".ply", *WITH_ATLAS)
+SIZE = 2048  # texels per side: 3 mm each on the walls of a room
+
+_NOTHING = "no frame shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
+
+
+def texture_folder(
+    mesh: FilePath,
+    folder: FilePath,
+    output: FilePath,
+    *,
+    method: str = "rigid",
+    size: int = SIZE,
+    depth_max: float = DEPTH_MAX,
+    intrinsic: FilePath | None = None,
+    device: Any = "auto",
+    up: str = "y",
+    picture: FilePath | None = None,
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+    **layout: Any,
+) -> TextureReport:
+    """Write a mesh with the colors of posed frames; outputs are checked before the work.
+
+    Args:
+        folder: See `open_dataset`, with `layout` and `every`.
+        output: A .ply for vertex colors, an .obj, .glb or .gltf for a texture of `size` texels per side.
+        intrinsic: Camera as Open3D's JSON, replacing that of the folder.
+        up: Up axis in the frame of the poses, "y" or "z", for .glb or .gltf.
+        picture: A .png file of the mesh with vertex colors.
+    """
+    check_count("size", size)
+    tell = check_progress(progress)
+    check_output(output, WRITTEN, what="coloured meshes", overwrite=overwrite)
+    if picture is not None:
+        check_picture(picture, overwrite=overwrite)
+    where, clock, with_atlas = resolve_device(device), Clock(), Path(output).suffix.lower() in WITH_ATLAS
+    camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
+    shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
+    if with_atlas and not len(shape):
+        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colours at vertices")
+    dataset = _open_colored(folder, intrinsic=camera, **layout)
+    clock.stop("read")
+    task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
+    how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
+    try:
+        with AnnouncedStages(clock, tell, first="read", part_of={"frames": "read"}) as told:
+            found = texture_mesh(shape, dataset, **how, progress=told)
+    except NothingSeenError:
+        return TextureReport(task, None, clock.seconds, [])
+    files = _write(found, output, picture, up=_up_of(output, up), overwrite=overwrite)
+    clock.stop("write")
+    return TextureReport(task, found, clock.seconds, files)
+
+
+@dataclass(frozen=True)
+class Task:
+    """Input of the coloring; pixels beyond `depth_max` [m] are ignored."""
+
+    mesh: str
+    dataset: str
+    layout: str
+    shape: TriangleMesh
+    method: str
+    frame_count: int
+    depth_max: float
+
+    def to_dict(self) -> dict[str, Any]:
+        files = {"command": "texture", "mesh": self.mesh, "dataset": self.dataset, "layout": self.layout}
+        how = {"device": str(self.shape.device), "method": self.method, "frames": self.frame_count}
+        sizes = {"vertices": self.shape.array("vertices").size, "triangles": len(self.shape)}
+        return files | how | {"depth_max": self.depth_max} | sizes
+
+
+@dataclass(frozen=True)
+class TextureReport(Report, Assessed):
+    """Report of `texture_folder`; `found` is None if no frame shows the mesh."""
+
+    task: Task
+    found: TexturedMesh | None
+    seconds: dict[str, float]
+    files: list[str]
+    peak_bytes: int = field(default_factory=peak_bytes)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return (_NOTHING,) if self.found is None else self.found.warnings
+
+    def to_dict(self) -> dict[str, Any]:
+        found = {} if self.found is None else self.found.to_dict()
+        cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        return plain(self.task.to_dict() | found | cost | {"files": self.files, **quality(self)})
+
+    def fields(self) -> Fields:
+        task = self.task
+        return [
+            *(self.found.fields() if self.found else task_fields(task.shape, task.frame_count, task.depth_max)),
+            ("seconds", format_seconds(self.seconds)),
+            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
+            ("files", ", ".join(self.files) or "none"),
+        ]
+
+
+def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
+    dataset = open_dataset(folder, **options)
+    if any(files.color is None for files in dataset.frames):
+        raise FileError(dataset.folder, "its frames have no colour, which is what a mesh would take from them")
+    return dataset
+
+
+def _up_of(path: FilePath, up: str) -> str:
+    return up if Path(path).suffix.lower() in UPRIGHT else "y"
+
+
+def _write(found: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:
+    write_triangle_mesh(output, found.mesh, up=up, overwrite=overwrite)
+    if picture is None:
+        return [os.fspath(output)]
+    draw_scene(picture, found.colors.mesh, found.colors.trajectory.poses, overwrite=overwrite)
+    return [os.fspath(output), os.fspath(picture)]

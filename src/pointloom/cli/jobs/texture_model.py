@@ -1,0 +1,122 @@
+"""Texture a mesh from the images of a structure-from-motion model: `texture_model`."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.outputs import check_output
+from ...core.progress import ReportProgress
+from ...core.reports import Assessed, Fields, Report, quality
+from ...core.timing import Clock, peak_bytes
+from ...core.wording import format_bytes, format_seconds, plain
+from ...io.meshes.mesh_formats import UPRIGHT
+from ...io.models.colmap import is_colmap_model, read_colmap_model
+from ...meshing.color_map.picture_texturing import texture_from_pictures
+from ...meshing.color_map.pictured_mesh import PicturedMesh
+from ...meshing.color_map.results import NothingSeenError
+from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+
+WRITTEN = (".obj", ".glb", ".gltf")
+PLACED = Path("mesh")  # of a video's work folder: the model in the units of its mesh
+STRAIGHT = Path("undistorted") / "images"  # and its images
+IMAGES = "images"  # as in COLMAP projects
+
+_NOTHING = "no picture shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
+
+
+def holds_model(folder: FilePath) -> bool:
+    """True for a COLMAP project, or the work folder of a video."""
+    place = Path(folder)
+    return place.is_dir() and (is_colmap_model(place) or is_colmap_model(place / PLACED / "sparse"))
+
+
+def texture_model(
+    mesh: FilePath,
+    folder: FilePath,
+    output: FilePath,
+    *,
+    size: int | None = None,
+    depth_max: float = float("inf"),
+    device: Any = "auto",
+    up: str = "y",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> ModelTextureReport:
+    """Write a mesh with a texture from the images of a model; the output is checked before the work.
+
+    `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
+    .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
+    `texture_from_pictures` for `size` and `depth_max`.
+    """
+    tell = check_progress(progress)
+    check_output(output, WRITTEN, what="textures out of pictures", overwrite=overwrite)
+    clock, where = Clock(), resolve_device(device)
+    shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
+    if not len(shape):
+        raise FileError(
+            mesh, "has no triangles, which a texture needs", remedy="Give a mesh, such as of pointloom video"
+        )
+    model, pictures = _open(Path(folder))
+    clock.stop("read")
+    try:
+        found = texture_from_pictures(shape, pictures, model, size=size, depth_max=depth_max, progress=tell)
+    except NothingSeenError:
+        found = None
+    clock.stop("texture")
+    files = []
+    if found is not None:
+        write_triangle_mesh(output, found.mesh, up=_up_of(output, up), overwrite=overwrite)
+        files.append(os.fspath(output))
+        clock.stop("write")
+    return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), found, clock.seconds, files)
+
+
+@dataclass(frozen=True)
+class ModelTextureReport(Report, Assessed):
+    """Report of `texture_model`; `found` is None if no image shows the mesh."""
+
+    mesh: str
+    folder: str
+    picture_count: int
+    found: PicturedMesh | None
+    seconds: dict[str, float]
+    files: list[str]
+    peak_bytes: int = field(default_factory=peak_bytes)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return (_NOTHING,) if self.found is None else self.found.warnings
+
+    def to_dict(self) -> dict[str, Any]:
+        given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
+        found = {"pictures": self.picture_count} if self.found is None else self.found.to_dict()
+        cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        return plain(given | found | cost | {"files": self.files, **quality(self)})
+
+    def fields(self) -> Fields:
+        return [
+            *(self.found.fields() if self.found else [("pictures", str(self.picture_count))]),
+            ("seconds", format_seconds(self.seconds)),
+            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
+            ("files", ", ".join(self.files) or "none"),
+        ]
+
+
+def _open(folder: Path) -> tuple[Any, Path]:
+    if is_colmap_model(folder / PLACED / "sparse"):
+        return read_colmap_model(folder / PLACED / "sparse"), folder / STRAIGHT
+    places = [place / IMAGES for place in (folder, folder.parent, folder.parent.parent)]
+    pictures = next((place for place in places if place.is_dir()), None)
+    if pictures is None:
+        raise FileError(folder, "holds a model, but no folder of its pictures", remedy=f"Put them into {places[0]}")
+    return read_colmap_model(folder), pictures
+
+
+def _up_of(path: FilePath, up: str) -> str:
+    return up if Path(path).suffix.lower() in UPRIGHT else "y"

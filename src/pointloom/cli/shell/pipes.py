@@ -1,0 +1,146 @@
+"""`-` as a file name: standard input is spooled to a temporary file, an output is copied to standard output.
+
+Readers need seeking and writers check paths first, so both use temporary files, whose names are hidden. If the output
+takes stdout, the report goes to stderr.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import click
+
+from ...core.reports import values_of
+from ...core.standard_streams import is_terminal
+from .console import OutputLostError
+from .options import Decorator, refuse
+
+INPUT, OUTPUT = "standard input", "standard output"
+
+_PIPE = Path("-")
+
+# Extensions of src/pointloom/io/bags/recording.py, src/pointloom/io/points/formats.py and src/pointloom/io/meshes/tables.py, which are too expensive
+# to import for --help; a test compares them.
+RECORDINGS = (".bag", ".mcap", ".db3")
+_MESHES = ["obj", "stl", "off", "glb", "gltf"]
+READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
+READ += _MESHES
+WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e57", *_MESHES]
+
+
+def from_option() -> Decorator:
+    text = "What comes through standard input, where - stands for a file."
+    return click.option("--from", "read_as", type=click.Choice(READ), metavar="EXT", help=text)
+
+
+def to_option() -> Decorator:
+    text = "What to write to standard output, where - stands for OUT."
+    return click.option("--to", "write_as", type=click.Choice(WRITTEN), metavar="EXT", help=text)
+
+
+class Ends(NamedTuple):
+    """Files in place of pipes; `names` has the displayed names of temporary ones."""
+
+    sources: list[Path]
+    output: Path | None
+    names: dict[str, str]
+
+    @property
+    def writes_pipe(self) -> bool:
+        return OUTPUT in self.names.values()
+
+    @contextlib.contextmanager
+    def errors_renamed(self) -> Iterator[None]:
+        """Context that renames temporary files in errors."""
+        from ...core.errors import FileError
+
+        try:
+            yield
+        except FileError as error:
+            if error.path not in self.names:
+                raise
+            renamed = type(error)(self.names[error.path], error.reason, where=error.where, remedy=error.remedy)
+            raise renamed from error
+
+    def rename(self, value: Any) -> Any:
+        if not self.names:
+            return value
+        if isinstance(value, dict):
+            return {key: self.rename(item) for key, item in value.items()}
+        if isinstance(value, list):
+            return [self.rename(item) for item in value]
+        if type(value) is tuple:
+            return tuple(self.rename(item) for item in value)
+        if dataclasses.is_dataclass(value) and not isinstance(value, type):
+            return dataclasses.replace(value, **self.rename(values_of(value)))
+        return self.names.get(value, value) if isinstance(value, str) else value
+
+
+@contextlib.contextmanager
+def open_pipes(
+    sources: Sequence[Path],
+    output: Path | None = None,
+    *,
+    read_as: str | None,
+    write_as: str | None = None,
+    as_json: bool = False,
+) -> Iterator[Ends]:
+    """Context that replaces `-` by temporary files; at its end the output is copied to standard output.
+
+    `read_as` and `write_as` are the extensions of `-`. Raises click.UsageError for an extension without `-` or the
+    reverse, or a terminal in place of a pipe.
+    """
+    reads, writes = list(sources).count(_PIPE), output == _PIPE
+    _check("from", "IN", reads > 0, read_as)
+    _check("to", "OUT", writes, write_as)
+    if reads > 1:
+        refuse("- stands twice for a file to read; there is one standard input")
+    if writes and as_json:
+        refuse("--json and - both take standard output; give a file in place of -")
+    if not reads and not writes:
+        yield Ends(list(sources), output, {})
+        return
+    if (reads and sys.stdin is None) or (writes and sys.stdout is None):
+        refuse("- needs a standard stream, and this process has none; give a name in place of -")
+    stdin: Any = getattr(sys.stdin, "buffer", None)
+    stdout: Any = getattr(sys.stdout, "buffer", None)
+    if reads and is_terminal(stdin):
+        refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
+    if writes and is_terminal(stdout):
+        refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
+    with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
+        spool, result = Path(folder) / f"in.{read_as}", Path(folder) / f"out.{write_as}"
+        if reads:
+            with spool.open("wb") as file:
+                shutil.copyfileobj(stdin, file)
+        names = ({str(spool): INPUT} if reads else {}) | ({str(result): OUTPUT} if writes else {})
+        ends = Ends([spool if path == _PIPE else path for path in sources], result if writes else output, names)
+        with ends.errors_renamed():
+            yield ends
+        if writes and any(path not in (spool, result) for path in Path(folder).iterdir()):
+            refuse(f"files lie beside such a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
+        if writes and result.exists():
+            _send(result, stdout)
+
+
+def _send(path: Path, stdout: Any) -> None:
+    with path.open("rb") as file:
+        try:
+            shutil.copyfileobj(file, stdout)
+            stdout.flush()
+        except OSError as error:
+            raise OutputLostError(error.errno, error.strerror, OUTPUT) from error
+
+
+def _check(option: str, place: str, is_pipe: bool, extension: str | None) -> None:
+    if is_pipe and extension is None:
+        refuse(f"- has no extension; say what it is, such as --{option} ply")
+    if extension is not None and not is_pipe:
+        refuse(f"--{option} goes with - in place of {place}")

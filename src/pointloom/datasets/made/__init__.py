@@ -1,0 +1,1 @@
+"""Synthetic frames, clouds, scans, images and meshes with ground truth for `loom.datasets`."""

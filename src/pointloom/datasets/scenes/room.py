@@ -1,0 +1,471 @@
+"""A synthetic scan of the furnished room of furniture.py: RGB-D frames, true poses, distances to the true surface.
+
+All values are functions of frame number and seed. `film_pose` is for sequences without depth.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+import os
+import shutil
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
+from ...core.atomic import part_name
+from ...core.checks import check_count, check_list, check_name, check_number, check_rigid, check_rows, check_share
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...io.frames.datasets import Frame
+from ...io.pictures.image_files import write_png
+from ...kernels.lang import current_cpu_compiler, uint8, vec3d
+from ...kernels.memory import download, upload
+from ...kernels.scenes.color_noise import measure_colors
+from ...kernels.scenes.depth_noise import measure_depth
+from ...kernels.scenes.primitives import distance_to_solids
+from ...kernels.scenes.room import CHECKER, STRIPES, Room
+from ...kernels.scenes.value_noise import grain_pixels
+from .furniture import SIZE, build_room, furnished_room
+
+ROUNDS = 4
+
+
+def room_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] at a fraction 0 to 1 of the walk, 2 to 3 m from most visible surfaces."""
+    angle = 2 * math.pi * ROUNDS * share + 0.35
+    behind = _blend(share, (0.0, 0.22, 0.34, 0.50, 0.58, 1.0), (-0.45, -0.25, 0.55, 0.65, 1.35, 1.45))
+    pitch = math.radians(_blend(share, (0.0, 0.22, 0.30, 0.50, 0.57, 1.0), (-20.0, -19.0, 27.0, 27.0, -28.0, -30.0)))
+    height = _blend(share, (0.0, 0.50, 0.58, 1.0), (1.5, 1.4, 1.65, 1.75))
+    x, y = SIZE[0] / 2 - behind * math.cos(angle), SIZE[1] / 2 - 0.75 * behind * math.sin(angle)
+    eye = np.array([x, y, height + 0.05 * math.sin(5 * angle)])
+    yaw = angle - math.radians(_blend(share, (0.0, 0.74, 0.82, 1.0), (0.0, 0.0, 55.0, 55.0)))
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+
+
+def look_along(
+    eye: NDArray[np.float64], direction: tuple[float, float, float], up: tuple[float, float, float] = (0, 0, 1)
+) -> NDArray[np.float64]:
+    """Camera to world for a camera at `eye` [m] that looks along a direction, with an upright image."""
+    forward = np.asarray(direction, np.float64)
+    forward = forward / np.linalg.norm(forward)
+    right = np.cross(forward, up)
+    right /= np.linalg.norm(right)
+    T = np.eye(4)
+    T[:3, 0], T[:3, 1], T[:3, 2], T[:3, 3] = right, np.cross(forward, right), forward, eye
+    return T
+
+
+def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -> float:
+    """Interpolate values with curves that have zero slope at the given fractions."""
+    for a, b, low, high in zip(places, places[1:], values, values[1:], strict=False):
+        if share <= b:
+            t = (share - a) / (b - a)
+            return low + (high - low) * t * t * (3 - 2 * t)
+    return values[-1]
+
+
+def round_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a circle around the center, looking across it; up and down three times."""
+    a = 2 * math.pi * share
+    yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
+    behind = 0.75 + 0.25 * math.sin(2 * a + 1)
+    place = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def eight_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a figure of eight along the room; up and down four times."""
+    a = -2 * math.pi * share
+    yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
+    pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
+    place = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def film_pose(share: float) -> NDArray[np.float64]:
+    """Camera to world [m] on a wide circle along the walls, with wide baselines, for color alone."""
+    yaw = 2 * math.pi * share + 0.35
+    pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
+    place = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
+    return _hand_held(share, place, yaw, pitch)
+
+
+def _hand_held(share: float, place: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
+    """A pose from the floor center with hand tremor of 3 mm and 0.2 degrees at about 1 Hz, periodic over the loop."""
+    a = 2 * math.pi * share
+    tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
+    yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
+    pitch += math.radians(0.2) * math.sin(18 * a + 0.1)
+    eye = np.array([SIZE[0] / 2, SIZE[1] / 2, 0.0]) + place + tremble
+    return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
+
+
+LOOPS = {"round": round_pose, "eight": eight_pose}
+
+
+DEPTH_SCALE = 1000.0  # noisy depth is stored in integer millimeters
+RATE = 30.0  # [Hz] frame rate of the loops
+COLOR_NOISE = 2.0  # [of 255] standard deviation of color noise with texture, as of a phone camera indoors
+
+
+@dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
+class RoomFrame(Frame):
+    """A frame of the room, with `intrinsic`; depth is uint16 [mm] with noise and float32 [m] without."""
+
+    T_world_camera: NDArray[np.float64]
+    intrinsic: PinholeCameraIntrinsic
+
+
+class RoomSequence:
+    """Frames of the room, rendered when read, with `intrinsic` and `depth_scale` (1000 with noise, else 1)."""
+
+    def __init__(
+        self,
+        frame_count: int,
+        intrinsic: PinholeCameraIntrinsic,
+        seed: int,
+        noise: bool,
+        device: Any,
+        path: Callable[[float], NDArray[np.float64]] = room_pose,
+        effects: RoomEffects | None = None,
+        texture: float = 0.0,
+        color_noise: float = 0.0,
+    ):
+        self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
+        self._texture, self._color_noise = texture, color_noise
+        self.depth_scale = DEPTH_SCALE if noise else 1.0
+        self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
+
+    def __len__(self) -> int:
+        return self.frame_count
+
+    def __iter__(self) -> Iterator[RoomFrame]:
+        return (self.read(i) for i in range(self.frame_count))
+
+    @property
+    def poses(self) -> NDArray[np.float64]:
+        """The true poses of all frames, camera to world, shape (n, 4, 4) [m], without rendering."""
+        return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
+
+    def read(self, index: int) -> RoomFrame:
+        """Render a frame; the same index always gives the same frame."""
+        if not 0 <= index < self.frame_count:
+            raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
+        camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
+        width, height = camera.width, camera.height
+        T = self._path(share)
+        room = self._room if effects is None or not effects.person else person_in(self._room, T, share)
+        depth, incidence, colors = self._look(room, T)
+        if self.noise:
+            depth = measure_depth(depth, incidence, width, height, seed=self.seed, frame=index)
+        values = np.array(download(depth), np.float32).reshape(height, width)  # sync
+        measured = np.rint(values * DEPTH_SCALE).astype(np.uint16) if self.noise else values
+        color, time = np.array(download(colors), np.uint8).reshape(height, width, 3), None
+        if effects is not None:
+            shutter = [self._path((index + offset) / self.frame_count) for offset in effects.shutter_offsets()]
+            others = (np.array(download(self._look(room, other)[2])).reshape(color.shape) for other in shutter)
+            measured, color = effects.spoil(index, measured, color, others)
+            time = index / RATE
+        if self._color_noise and color is not None:
+            color = self._with_noise(index, color)
+        return RoomFrame(
+            depth=measured, color=color, T_world_camera=T, intrinsic=camera, name=f"frame-{index:06d}", timestamp=time
+        )
+
+    def _look(self, room: Room, T_world_camera: NDArray[np.float64]) -> tuple[Any, Any, Any]:
+        """Depth, incidence and colors of a view, as `Room.render`, with surface texture if requested."""
+        depth, incidence, colors = room.render(self.intrinsic, T_world_camera)
+        if self._texture:
+            plain, colors = colors, grain_pixels(self.intrinsic, T_world_camera, depth, colors)
+            if self._texture < 1:
+                mixed = self._texture * np.array(download(colors), np.float32)  # sync
+                mixed += (1 - self._texture) * np.array(download(plain), np.float32)
+                colors = upload(np.rint(mixed).astype(np.uint8), uint8, self._room.device)
+        return depth, incidence, colors
+
+    def _with_noise(self, index: int, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Add sensor noise, after all other effects."""
+        light = upload(np.ascontiguousarray(color).reshape(-1), uint8, self._room.device)
+        noisy = measure_colors(light, sigma=self._color_noise, seed=self.seed, frame=index)
+        return np.array(download(noisy), np.uint8).reshape(color.shape)  # sync
+
+
+@functools.lru_cache(maxsize=2)
+def _kept_room(device: str, compiler: str) -> Room:
+    """The cached room of a device; its lighting takes seconds to compute."""
+    return build_room(resolve_device(device))
+
+
+def room_sequence(
+    frame_count: int = 120,
+    *,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    noise: bool = True,
+    texture: bool | float = False,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room along a smooth walk.
+
+    Args:
+        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and about 15 cm apart.
+        width: Columns [px].
+        height: Rows [px]; the focal length is 525 px at 640 columns, as of PrimeSense cameras.
+        seed: Seed of the noise.
+        noise: Depth noise of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3
+            m; holes at grazing angles and edges, whole millimeters). Without noise, depth is exact.
+        texture: Add texture of 12 cm to 15 mm for feature matching; a number in 0..1 scales its contrast.
+        color_noise: Standard deviation of the color noise [of 255]. None: 2 with texture, else 0.
+        device: Device that renders.
+
+    Returns:
+        A lazy sequence of `RoomFrame`, bitwise reproducible on one device.
+    """
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, **grain)
+
+
+def room_loop_sequence(
+    frame_count: int = 600,
+    path: str = "round",
+    *,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    noise: bool = True,
+    color: bool = True,
+    blur: float = 0.0,
+    exposure: float = 0.0,
+    covered: tuple[int, int] | None = None,
+    person: bool = False,
+    texture: bool | float = False,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room from a camera on a closed loop at 30 Hz.
+
+    Args:
+        frame_count: Frames of the loop. 600 are 5 to 15 mm and up to 1.5 degrees apart, as of a hand-held camera.
+        path: "round" or "eight"; each sees 95 % of the room.
+        width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
+        color: Render color.
+        blur: Exposure time of the color camera as a fraction of the frame time (mean of 5 renderings). Depth has no
+            blur.
+        exposure: Amplitude of slow brightness changes along the rows (rolling shutter): 0.5 is 1.5 times brighter or
+            darker.
+        covered: Range of frames with blank depth and black color.
+        person: A person walks in front of the camera.
+
+    Returns:
+        A lazy sequence of `RoomFrame` with timestamps, bitwise reproducible on one device.
+    """
+    frame_count, seed = check_count("frame_count", frame_count), check_count("seed", seed, minimum=0)
+    if check_name("path", path) not in LOOPS:
+        raise ValueError(f"path: expected one of {tuple(LOOPS)}, got {path!r}")
+    effects = RoomEffects.checked(frame_count, seed, color, blur, exposure, covered, person)
+    camera, where = _prime_sense(width, height), resolve_device(device)
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
+    return RoomSequence(frame_count, camera, seed, bool(noise), where, LOOPS[path], effects, **grain)
+
+
+def room_views(
+    poses: Any,
+    intrinsic: PinholeCameraIntrinsic,
+    *,
+    seed: int = 0,
+    noise: bool = False,
+    texture: bool | float = True,
+    color_noise: float | None = None,
+    device: Any = "cpu",
+) -> RoomSequence:
+    """RGB-D frames of the furnished room (5 x 4 x 2.6 m, corner at the origin) from given poses.
+
+    Args:
+        poses: Camera to world, shape (n, 4, 4) [m], n >= 1.
+        intrinsic: The camera of all frames.
+        seed, noise, texture, color_noise, device: As `room_sequence`.
+    """
+    places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    if not places:
+        raise ValueError("poses: expected at least one, got none")
+    frame_count = len(places)
+    seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
+    grain: dict[str, Any] = {
+        "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
+        "color_noise": _checked_noise(color_noise, texture),
+    }
+
+    def path(share: float) -> NDArray[np.float64]:
+        return places[min(round(share * frame_count), frame_count - 1)]
+
+    return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
+
+
+def _grain(texture: Any, color_noise: Any) -> dict[str, float]:
+    share = float(texture) if isinstance(texture, bool | np.bool_) else check_share("texture", texture)
+    return {"texture": share, "color_noise": _checked_noise(color_noise, texture)}
+
+
+def _checked_noise(color_noise: Any, texture: Any) -> float:
+    if color_noise is None:
+        return COLOR_NOISE if texture else 0.0
+    value = check_number("color_noise", color_noise)
+    if not 0 <= value <= 255:
+        raise ValueError(f"color_noise: expected 0 to 255, got {value}")
+    return value
+
+
+def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
+    width, height = check_count("width", width), check_count("height", height)
+    focal = 525.0 * width / 640
+    return PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
+
+
+def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
+    """Distance of points from the room's true surface, shape (n,) float64 [m]; NaN for non-finite points.
+
+    Exact in the air; inside solids deeper than their thickness, a lower bound.
+
+    Example:
+        >>> surface_errors([[2.5, 3.0, 1.9], [1.0, 3.5, 2.59]]).round(3).tolist()
+        [0.7, 0.01]
+    """
+    values = check_rows("points", points, 3, dtype=np.float64)
+    solids = furnished_room().solids(resolve_device(device))
+    distances = distance_to_solids(upload(values, vec3d, solids.device), solids)
+    return np.abs(download(distances))  # sync
+
+
+def write_room_sequence(
+    folder: str | os.PathLike[str],
+    *,
+    frame_count: int = 120,
+    width: int = 640,
+    height: int = 480,
+    seed: int = 0,
+    device: Any = "cpu",
+) -> None:
+    """Write the noisy frames of the room atomically as a folder in the 7-Scenes layout with camera-intrinsics.json."""
+    folder = Path(folder)
+    if folder.exists():
+        raise FileError(folder, "exists already", remedy="Give the name of a new folder")
+    if not folder.absolute().parent.is_dir():
+        raise FileError(folder, f"the folder {folder.absolute().parent} does not exist", remedy="Make it first")
+    sequence = room_sequence(frame_count, width=width, height=height, seed=seed, device=device)
+    try:
+        part = part_name(folder)
+        part.mkdir()
+    except OSError as error:
+        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+    try:
+        write_pinhole_camera_intrinsic(part / "camera-intrinsics.json", sequence.intrinsic)
+        for frame in sequence:
+            depth = np.asarray(frame.depth, np.uint16)
+            write_png(part / f"{frame.name}.depth.png", depth)
+            assert frame.color is not None
+            write_png(part / f"{frame.name}.color.png", frame.color)
+            pose = check_rigid("T_world_camera", frame.T_world_camera)
+            rows = ("\t".join(f"{value:.17g}" for value in row) for row in pose)
+            (part / f"{frame.name}.pose.txt").write_text("\n".join(rows) + "\n")
+        part.rename(folder)
+    except OSError as error:
+        raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+
+
+EXPOSURES = 5  # renderings averaged for blur; odd, so that one is at the pose
+
+WAVES = (2.3, 0.7)  # [s] periods of the exposure
+
+FRAME_TIME = 1 / 30  # [s]
+
+PERSON_AWAY = 1.9  # [m] from the camera
+PERSON_SWING = math.radians(45)  # to both sides; a view of 63 degrees ends at 31
+PERSON_PASSES = 3  # back and forth on a loop
+
+
+@dataclasses.dataclass(frozen=True)
+class RoomEffects:
+    seed: int
+    color: bool = True
+    blur: float = 0.0
+    exposure: float = 0.0
+    covered: tuple[int, int] = (0, 0)
+    person: bool = False
+
+    @classmethod
+    def checked(
+        cls, frame_count: int, seed: int, color: Any, blur: Any, exposure: Any, covered: Any, person: Any
+    ) -> RoomEffects:
+        blur, exposure = check_number("blur", blur), check_number("exposure", exposure)
+        for name, value in (("blur", blur), ("exposure", exposure)):
+            if not 0 <= value <= 10:
+                raise ValueError(f"{name}: expected 0 to 10, got {value}")
+        if covered is None:
+            return cls(seed, bool(color), blur, exposure, (0, 0), bool(person))
+        if not isinstance(covered, (tuple, list)) or len(covered) != 2:
+            raise TypeError(f"covered: expected the first frame and the one after the last, got {covered!r}")
+        first, end = (check_count("covered", value, minimum=0) for value in covered)
+        if not first < end <= frame_count:
+            raise ValueError(f"covered: expected two frames in order up to {frame_count}, got {first} and {end}")
+        return cls(seed, bool(color), blur, exposure, (first, end), bool(person))
+
+    def shutter_offsets(self) -> list[float]:
+        """Offsets [frames] of the additional renderings of a blurred image."""
+        if not self.blur or not self.color:
+            return []
+        places = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
+        return [place for place in places if place]
+
+    def spoil(
+        self, index: int, depth: NDArray[Any], color: NDArray[np.uint8], others: Iterable[NDArray[np.uint8]]
+    ) -> tuple[NDArray[Any], NDArray[np.uint8] | None]:
+        """Apply the effects to a frame; `others` are the renderings at the other shutter times."""
+        if self.covered[0] <= index < self.covered[1]:
+            return np.zeros_like(depth), np.zeros_like(color) if self.color else None
+        if not self.color:
+            return depth, None
+        if not self.blur and not self.exposure:
+            return depth, color
+        light = np.mean([color, *others], axis=0)
+        if self.exposure:
+            light *= self._gains(index, len(color))[:, None, None]
+        return depth, np.rint(np.clip(light, 0, 255)).astype(np.uint8)
+
+    def _gains(self, index: int, rows: int) -> NDArray[np.float64]:
+        """Brightness of each row under a rolling shutter."""
+        time = (index + np.arange(rows) / rows) * FRAME_TIME
+        phases = 2 * math.pi * np.random.default_rng([self.seed, 1]).random(len(WAVES))
+        waves = [np.sin(2 * math.pi * time / period + phase) for period, phase in zip(WAVES, phases, strict=True)]
+        return (1 + self.exposure) ** np.mean(waves, axis=0)
+
+
+def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> Room:
+    """The room with a person in front of the camera; the lighting does not change."""
+    parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
+    angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
+    x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)
+    y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), SIZE[1] - 0.35)
+    parts.place(x, y, turn=math.degrees(angle))
+    shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES, 0.05)}
+    parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
+    parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)
+    parts.sphere((0, 0, 1.6), 0.12, (0.85, 0.66, 0.52), second=(0.30, 0.20, 0.15), pattern=(CHECKER, 0.12))
+    return Room(parts.solids(room.device), np.array(parts.paints), np.array(parts.patterns), light=room.light)

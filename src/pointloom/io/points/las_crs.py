@@ -1,0 +1,87 @@
+"""The coordinate system of LAS records (WKT or GeoTIFF keys): name, and whether it is geographic.
+
+OGC 01-009 and 18-010 (WKT); GeoTIFF 1.0, section 2.7 (keys).
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+import warnings
+from typing import Any
+
+from ...core.escaped_text import escaped
+from .las_header import PROJECTION, LasHeader
+
+WKT, _KEYS, _ASCII = 2112, 34735, 34737
+NO_NAME = "unknown"  # name of a system that only defines a unit
+_MODEL_TYPE, _GEOGRAPHIC = 1024, 2
+
+# Names of geographic systems in both versions of WKT; a projected system contains such a name nested inside
+# its own.
+_PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
+_GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)
+
+# Keys that name the system, best first: citations are text, types are EPSG codes.
+_CITATIONS = (3073, 1026, 2049)
+_TYPES = (3072, 2048)
+_USER_DEFINED = 32767
+
+
+def crs_name(header: LasHeader) -> str | None:
+    """Name of the coordinate system, such as "NAD83 / UTM zone 10N" or "EPSG:26910", or None."""
+    text = header.find(PROJECTION, WKT)
+    if text:
+        found = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
+        if found and found[1] not in ("", NO_NAME):
+            return found[1]
+    keys = find_keys(header)
+    letters = (header.find(PROJECTION, _ASCII) or b"").decode("ascii", "replace")
+    for key in _CITATIONS:
+        place, length, begin = keys.get(key, (0, 0, 0))
+        name = letters[begin : begin + length].split("\0")[0].split("|")[0].strip() if place == _ASCII else ""
+        if name:
+            return name
+    for key in _TYPES:
+        place, _, code = keys.get(key, (0, 0, 0))
+        if key in keys and place == 0 and 0 < code < _USER_DEFINED:
+            return f"EPSG:{code}"
+    return None
+
+
+class GeographicWarning(UserWarning):
+    """The coordinates are degrees of longitude and latitude, but operations expect lengths.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> from pointloom.io.points.las_crs import GeographicWarning
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", GeographicWarning)  # refuse such files
+    """
+
+
+def is_geographic(header: LasHeader) -> bool:
+    text = find_text(header)
+    if text:
+        return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
+    place, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
+    return place == 0 and value == _GEOGRAPHIC
+
+
+def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
+    if is_lonlat:
+        message = (
+            f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives metres"
+        )
+        warnings.warn(escaped(message), GeographicWarning, stacklevel=stacklevel)
+
+
+def find_text(header: LasHeader) -> str:
+    return (header.find(PROJECTION, WKT) or b"").decode("utf-8", "replace").strip("\0 \n")
+
+
+def find_keys(header: LasHeader) -> dict[int, tuple[int, ...]]:
+    """GeoTIFF keys: location of each value, count, and the value or its offset."""
+    directory = header.find(PROJECTION, _KEYS) or b""
+    numbers = struct.unpack(f"<{len(directory) // 2}H", directory[: len(directory) // 2 * 2])
+    return {numbers[k]: numbers[k + 1 : k + 4] for k in range(4, len(numbers) - 3, 4)}

@@ -1,0 +1,100 @@
+"""Convert GeoTIFF keys to WKT, as required by LAS 1.4 point formats 6 and up, with pyproj.
+
+Only EPSG systems with matching units are converted, not user-defined ones. ASPRS, LAS Specification 1.4-R15, section
+2.4; GeoTIFF 1.0, section 2.7.
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import replace
+from typing import Any
+
+from ...core.errors import FileError
+from ...core.escaped_text import escaped
+from ...core.units import LengthUnit
+from ..foreign import import_for
+from .las_crs import WKT, crs_name, find_keys, find_text
+from .las_header import PROJECTION, LasHeader, LasRecord
+from .las_units import units_of
+
+_PROJECTED, _GEOGRAPHIC, _VERTICAL = 3072, 2048, 4096
+_USER_DEFINED, _WKT_BIT = 32767, 16
+SAME = 1e-9  # of a unit's length
+
+
+class LostSystemWarning(UserWarning):
+    """A coordinate system could not be converted to the new file's format.
+
+    Example:
+        >>> import warnings, pointloom as loom
+        >>> from pointloom.io.points.las_wkt import LostSystemWarning
+        >>> with warnings.catch_warnings():
+        ...     warnings.simplefilter("error", LostSystemWarning)  # refuse that
+    """
+
+
+def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
+    """The keys as WKT version 1, which LAS readers support; None, with a warning, if there is no equivalent."""
+    keys = find_keys(header)
+    if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit set, keys are ignored
+        return None
+    codes = [_code(keys, key) for key in (_PROJECTED, _GEOGRAPHIC)]
+    code = next((code for code in codes if code), 0)
+    if not code or _is_user_defined(keys, _PROJECTED):
+        return _lost(header, "its keys describe a system that the EPSG register does not name")
+    try:
+        pyproj: Any = import_for(path, "pyproj", "geo")
+    except FileError as error:
+        return _lost(header, str(error))
+    try:
+        system = _registered(pyproj, code)
+        height = _code(keys, _VERTICAL)
+        heights: Any = _registered(pyproj, height) if height else None
+    except ValueError as error:
+        return _lost(header, str(error))
+    told, is_2d = units_of(header), heights is None
+    if _is_user_defined(keys, _VERTICAL):
+        return _lost(header, "its keys describe heights that the EPSG register does not name")
+    if system.is_projected and not _counts_in(system, told.plane):
+        return _lost(header, f"its keys say {told.plane}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
+    if not (is_2d or _counts_in(heights, told.height)):
+        return _lost(header, f"its keys say heights in {told.height}, EPSG:{height} {heights.axis_info[0].unit_name}")
+    if is_2d and told.height not in (None, told.plane):
+        return _lost(header, f"its keys say heights in {told.height} and name no system of theirs")
+    if not is_2d:
+        system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
+    return system.to_wkt("WKT1_GDAL").encode("utf-8") + b"\0"
+
+
+def _registered(pyproj: Any, code: int) -> Any:
+    try:
+        return pyproj.CRS.from_epsg(code)
+    except pyproj.exceptions.CRSError as error:
+        raise ValueError(f"pyproj does not know EPSG:{code}: {error}") from error
+
+
+def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
+    factor = system.axis_info[0].unit_conversion_factor
+    return unit is None or not unit.metres or abs(unit.metres / factor - 1) <= SAME
+
+
+def with_system(header: LasHeader, text: str) -> LasHeader:
+    kept = tuple(record for record in header.records if record.user_id != PROJECTION)
+    record = LasRecord(PROJECTION, WKT, text.encode("utf-8") + b"\0")
+    return replace(header, records=(*kept, record), encoding=header.encoding | _WKT_BIT)
+
+
+def _code(keys: dict[int, tuple[int, ...]], key: int) -> int:
+    place, _, code = keys.get(key, (1, 0, 0))
+    return code if place == 0 and 0 < code < _USER_DEFINED else 0
+
+
+def _is_user_defined(keys: dict[int, tuple[int, ...]], key: int) -> bool:
+    return keys.get(key, (1, 0, 0))[::2] == (0, _USER_DEFINED)
+
+
+def _lost(header: LasHeader, reason: str) -> None:
+    name = crs_name(header) or "of its keys"
+    message = f"the coordinate system {name} is written as GeoTIFF keys alone, which many readers pass over in point "
+    warnings.warn(escaped(f"{message}formats of LAS 1.4: {reason}"), LostSystemWarning, stacklevel=2)

@@ -1,0 +1,45 @@
+"""Files of images."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import PIL.Image
+
+from ...core.atomic import atomic_write
+from ...io.pictures import image_files
+from ..geometry.image import Image, pixels_of
+
+FilePath = str | os.PathLike[str]
+ALPHA = {2: (0, 3), 4: (0, 1, 2, 3)}  # channels of RGBA by number of channels
+
+
+def read_image(filename: FilePath) -> Image:
+    """Read a PNG or JPEG as stored: 8 or 16 bits, gray or color, with alpha."""
+    header = image_files.read_picture_header(filename)
+    if header.channels == 1 and header.bits == 16:
+        return Image(image_files.read_depth(filename))
+    if header.channels in ALPHA and header.bits == 8:
+        pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
+        return Image(pixels[..., ALPHA[header.channels]])
+    pixels = image_files.read_color(filename)
+    return Image(pixels[..., 0] if header.channels == 1 and _is_grey(filename) else pixels)
+
+
+def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
+    """Write a PNG (8 or 16 bits), or a JPEG of quality 0 to 100, by default 90."""
+    pixels = pixels_of(image)
+    if Path(filename).suffix.lower() in (".jpg", ".jpeg"):
+        with atomic_write(filename) as file:
+            PIL.Image.fromarray(pixels).save(file, "JPEG", quality=90 if quality < 0 else quality)
+    else:
+        image_files.write_png(filename, pixels)
+    return True
+
+
+def _is_grey(filename: FilePath) -> bool:
+    """True if pixels are gray and not palette indices."""
+    with PIL.Image.open(filename) as picture:
+        return picture.mode in ("L", "1")

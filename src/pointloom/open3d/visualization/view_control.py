@@ -1,0 +1,159 @@
+"""ViewControl: camera of a window by Open3D's parameters."""
+
+from __future__ import annotations
+
+import logging
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...core.checks import check_direction, check_number, check_shape
+from ...core.known_names import ToldNames
+from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, LEAST_ZOOM, MOST_ZOOM, ZOOM
+from ...visualization.render.view import View
+from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
+from ..held import ours
+
+TURN = 0.003  # [rad] per pixel, as in Open3D
+ZOOM_STEP = 0.02  # per wheel click
+ANGLE_STEP, LEAST_ANGLE, MOST_ANGLE = 5.0, 5.0, 90.0  # [degrees]
+NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
+log = logging.getLogger("pointloom.viewer")
+
+
+def _nobody() -> View | None:
+    return None
+
+
+class ViewControl(ToldNames):
+    """Camera of a window.
+
+    Mouse motion in the page affects captures and `convert_to_pinhole_camera_parameters`; `rotate` and the other methods
+    continue from the view last set by the program.
+    """
+
+    def __init__(self):
+        self._size, self._seen = (1920, 1080), _nobody
+        self._reset(NOWHERE)
+
+    def _reset(self, bounds: tuple[Any, Any]) -> None:
+        """Show a box along -z, Open3D's initial view."""
+        self._bounds, self._angle, self._zoom = bounds, FIELD_OF_VIEW, ZOOM
+        self._lookat = (np.asarray(bounds[0]) + np.asarray(bounds[1])) / 2
+        self._front, self._up, self._given = np.array([0.0, 0.0, 1.0]), np.array([0.0, 1.0, 0.0]), None
+        self._moved = True  # since the window was last updated
+
+    def _view(self) -> View:
+        return self._seen() or self._told()
+
+    def _told(self) -> View:
+        if self._given is not None:
+            return self._given
+        options: dict[str, Any] = {"zoom": self._zoom, "front": self._front, "lookat": self._lookat, "up": self._up}
+        width, height = self._size
+        return View.from_open3d(self._bounds, **options, field_of_view=self._angle, width=width, height=height)
+
+    def _changed(self) -> None:
+        self._moved, self._given = True, None
+
+    def _axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Right, up and front, orthonormal."""
+        front = check_direction("front", self._front)
+        right = check_direction("up", np.cross(check_direction("up", self._up), front))
+        return right, np.cross(front, right), front
+
+    def rotate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
+        """Rotate about `lookat` like a mouse drag [px]."""
+        right, up, front = self._axes()
+        a, b = TURN * x, TURN * y
+        front = check_direction("front", front * math.cos(a) - right * math.sin(a))
+        right = check_direction("up", np.cross(up, front))
+        self._front = check_direction("front", front * math.cos(b) + up * math.sin(b))
+        self._up = np.cross(self._front, right)
+        self._changed()
+
+    def translate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
+        """Translate like a mouse drag [px]."""
+        right, up, _ = self._axes()
+        reach = 2 * self._zoom * (float(np.max(self._bounds[1] - self._bounds[0])) or 1.0)
+        self._lookat = self._lookat + reach * (up * y - right * x) / self._size[1]
+        self._changed()
+
+    def scale(self, scale: float) -> None:
+        """Zoom out by wheel clicks; negative zooms in."""
+        self.set_zoom(min(max(self._zoom + check_number("scale", scale) * ZOOM_STEP, LEAST_ZOOM), MOST_ZOOM))
+
+    def change_field_of_view(self, step: float = 0.45) -> None:
+        """Widen by steps of 5 degrees, within 5 to 90 degrees."""
+        angle = self._angle + check_number("step", step) * ANGLE_STEP
+        self._angle = min(max(angle, LEAST_ANGLE), MOST_ANGLE)
+        self._changed()
+
+    def get_field_of_view(self) -> float:
+        """Vertical field of view [degrees]."""
+        return self._angle
+
+    def set_zoom(self, zoom: float) -> None:
+        """Set half of the visible height at `lookat` over the longest side of the scene."""
+        self._zoom = check_number("zoom", zoom)
+        self._changed()
+
+    def set_front(self, front: ArrayLike) -> None:
+        """Set the direction from `lookat` to the camera."""
+        self._front = check_direction("front", check_shape("front", front, (3,)).tolist())
+        self._changed()
+
+    def set_up(self, up: ArrayLike) -> None:
+        self._up = check_direction("up", check_shape("up", up, (3,)).tolist())
+        self._changed()
+
+    def set_lookat(self, lookat: ArrayLike) -> None:
+        """Set the point in the center."""
+        self._lookat = check_shape("lookat", lookat, (3,)).copy()
+        self._changed()
+
+    def set_constant_z_near(self, z_near: float) -> None:
+        """No effect: there is no near clipping."""
+
+    def set_constant_z_far(self, z_far: float) -> None:
+        """No effect: there is no far clipping."""
+
+    unset_constant_z_near = unset_constant_z_far = lambda self: None
+
+    def convert_to_pinhole_camera_parameters(self) -> PinholeCameraParameters:
+        """Camera and extrinsic (world to camera)."""
+        view, found = self._view(), PinholeCameraParameters()
+        found.intrinsic = PinholeCameraIntrinsic._of(view.intrinsic)
+        found.extrinsic = np.linalg.inv(view.T_world_camera)
+        return found
+
+    def convert_from_pinhole_camera_parameters(self, parameter: Any, allow_arbitrary: bool = False) -> bool:
+        """Set the camera. False if unsupported: other size, pixels not square, principal point not centered.
+
+        `allow_arbitrary` accepts all cameras.
+        """
+        view = View(ours(parameter.intrinsic), np.linalg.inv(parameter.extrinsic))
+        if not allow_arbitrary and (view.intrinsic.width, view.intrinsic.height) != self._size:
+            have = f"{view.intrinsic.width} x {view.intrinsic.height}"
+            log.warning("parameter: a camera of %s pixels, but the window has %d x %d", have, *self._size)
+            return False
+        try:
+            self._look_from(view)
+        except ValueError as error:
+            if not allow_arbitrary:
+                log.warning("parameter: %s", error)
+                return False
+            self._moved, self._given = True, view
+        return True
+
+    def _look_from(self, view: View) -> None:
+        """Set a view; raises ValueError unless pixels are square and the principal point is centered."""
+        found = view.to_open3d(self._bounds)
+        self._zoom, self._angle = found["zoom"], found["field_of_view"]
+        self._front, self._lookat, self._up = (np.array(found[name]) for name in ("front", "lookat", "up"))
+        self._changed()
+
+    def __repr__(self) -> str:
+        return "ViewControl"

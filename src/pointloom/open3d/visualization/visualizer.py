@@ -1,0 +1,413 @@
+"""Visualizer: Open3D's window as a browser page, or as images only."""
+
+from __future__ import annotations
+
+import enum
+import json
+import os
+import queue
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...core.atomic import atomic_write
+from ...core.checks import check_callback, check_color, check_count, check_positive
+from ...core.errors import FileError
+from ...core.json_files import read_json_object
+from ...core.known_names import KnownNames
+from ...visualization.render.open3d_views import read_view, write_view
+from ...visualization.render.render import render
+from ...visualization.viewer.draw import announce, open_page, unattended
+from ...visualization.viewer.viewer import Viewer
+from ...meshing.mesh.mesh import TriangleMesh
+from ..geometry import Image, PointCloud
+from ..io import write_image, write_point_cloud
+from .shown import bounds_of, drawn
+from .view_control import NOWHERE, ViewControl
+
+FilePath = str | os.PathLike[str]
+Callback = Callable[["Visualizer"], Any]
+
+FRAMES = 60  # one second of a screen: lifetime of an unattended window
+TURN = 1 / 30  # [s] between two animation callbacks
+FRAME = "coordinate frame"
+KEYS = {
+    32: "space", 256: "escape", 257: "enter", 258: "tab", 259: "backspace", 260: "insert", 261: "delete",
+    262: "arrowright", 263: "arrowleft", 264: "arrowdown", 265: "arrowup", 266: "pageup", 267: "pagedown",
+    268: "home", 269: "end", **{code: chr(code) for code in (*range(48, 58), *range(65, 91))},
+}  # fmt: skip  # GLFW's numbers of keys, and what they are called in the page
+
+
+class Visualizer(KnownNames):
+    """A window: `create_window`, `add_geometry`, then `run`, or `poll_events` and `update_renderer` in a loop.
+
+    It is a browser page (`loom.Viewer`) whose address is printed on stderr. With `visible=False`, or if the environment
+    variable POINTLOOM_DRAW is "picture", no page is opened: captures are rendered, and `run` and `poll_events` end
+    after 60 frames.
+    """
+
+    def __init__(self):
+        self._name, self._frames, self._closed = "Open3D", 0, False
+        self._geometries: dict[str, Any] = {}
+        self._option, self._control = RenderOption(), ViewControl()
+        self._viewer: Viewer | None = None
+        self._animation: Callback | None = None
+        self._callbacks: dict[str, Callback] = {}
+        self._pressed: queue.SimpleQueue[str] = queue.SimpleQueue()
+        self._option_shown: Any = None
+
+    def create_window(
+        self,
+        window_name: str = "Open3D",
+        width: int = 1920,
+        height: int = 1080,
+        left: int = 50,
+        top: int = 50,
+        visible: bool = True,
+    ) -> bool:
+        """Open the window; `width` and `height` apply to images only."""
+        self.destroy_window()
+        self._name, self._frames, self._closed = str(window_name), 0, False
+        self._control._size = check_count("width", width), check_count("height", height)
+        if visible and not unattended():
+            self._viewer = Viewer(title=self._name, size=self._control._size)
+            self._control._seen = lambda: self._viewer.get_view() if self._viewer and self._viewer.sessions else None
+            for key in self._callbacks:
+                self._listen(key)
+            announce(self._viewer)
+            open_page(self._viewer)
+        return True
+
+    def destroy_window(self) -> None:
+        """Close the window and remove its geometries."""
+        self._closed = True
+        self._geometries.clear()
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
+
+    def close(self) -> None:
+        self._closed = True
+
+    def get_window_name(self) -> str:
+        return self._name
+
+    def is_full_screen(self) -> bool:
+        return False
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__} with name {self._name}"
+
+    def add_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
+        """Show a geometry; the view is reset unless `reset_bounding_box` is False."""
+        shape, name = drawn(geometry), self._name_of(geometry)
+        if name is not None:
+            return self.update_geometry(geometry)
+        name = f"{type(geometry).__name__} {len(self._geometries) + 1}"
+        while name in self._geometries:
+            name += "'"
+        self._geometries[name] = geometry
+        if reset_bounding_box:
+            self.reset_view_point(True)
+        if self._viewer is not None:
+            self._viewer.add(name, shape, **self._style(shape))
+            self._show_options()
+        return True
+
+    def update_geometry(self, geometry: Any = None) -> bool:
+        """Show the current state of a geometry, or of all. False for an unknown geometry."""
+        if geometry is None:
+            return all([self.update_geometry(one) for one in list(self._geometries.values())])
+        name = self._name_of(geometry)
+        if name is not None and self._viewer is not None:
+            self._viewer.update(name, drawn(geometry))
+        return name is not None
+
+    def remove_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
+        """Remove a geometry. False if unknown."""
+        name = self._name_of(geometry)
+        if name is None:
+            return False
+        del self._geometries[name]
+        if self._viewer is not None:
+            self._viewer.remove(name)
+        if reset_bounding_box:
+            self.reset_view_point(True)
+        return True
+
+    def clear_geometries(self) -> bool:
+        for geometry in list(self._geometries.values()):
+            self.remove_geometry(geometry)
+        return True
+
+    def _name_of(self, geometry: Any) -> str | None:
+        return next((name for name, shown in self._geometries.items() if shown is geometry), None)
+
+    def get_render_option(self) -> RenderOption:
+        """Render options, assignable fields."""
+        return self._option
+
+    def get_view_control(self) -> ViewControl:
+        return self._control
+
+    def reset_view_point(self, reset_bounding_box: bool = False) -> None:
+        """Show everything, or the bounds of the last reset."""
+        bounds = self._control._bounds
+        if reset_bounding_box:
+            bounds = bounds_of(list(self._geometries.values())) or NOWHERE
+        self._control._reset(bounds)
+
+    def get_view_status(self) -> str:
+        """The view as JSON, as copied by Ctrl+C in Open3D."""
+        with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
+            write_view(Path(folder) / "view.json", self._control._view(), self._control._bounds)
+            return (Path(folder) / "view.json").read_text()
+
+    def set_view_status(self, view_status_str: str) -> None:
+        """Set the view from `get_view_status`."""
+        width, height = self._control._size
+        with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
+            (Path(folder) / "view.json").write_text(view_status_str)
+            view = read_view(Path(folder) / "view.json", width=width, height=height)
+        self._control._look_from(view)
+
+    def _style(self, shape: Any) -> dict[str, Any]:
+        option, style = self._option, {"line_width": self._option.line_width}
+        if isinstance(shape, TriangleMesh):
+            return style | {"back_faces": option.mesh_show_back_face, "shaded": bool(option.light_on)}
+        by = COLOR_BY.get(option.point_color_option)
+        known = (
+            hasattr(shape, "has_normals")
+            and (by != "rgb" or shape.has_colors)
+            and (by != "normal" or shape.has_normals)
+        )
+        return style | ({"color_by": by} if by and known else {})
+
+    def _entries(self) -> list[dict[str, Any]]:
+        shapes = {name: drawn(geometry) for name, geometry in self._geometries.items()}
+        if self._option.show_coordinate_frame:
+            shapes[FRAME] = self._coordinate_frame()
+        return [{"geometry": shape, "name": name, **self._style(shape)} for name, shape in shapes.items()]
+
+    def _coordinate_frame(self) -> TriangleMesh:
+        low, high = self._control._bounds
+        return TriangleMesh.create_coordinate_frame(0.2 * (float(np.max(high - low)) or 1.0), low)
+
+    def poll_events(self) -> bool:
+        """Run key callbacks. False once the window is closed."""
+        if self._viewer is None:
+            self._frames += 1
+            return not self._closed and self._frames < FRAMES
+        self._call_keys()
+        self.update_renderer()
+        return not self._closed and not self._viewer.wait(0)
+
+    def update_renderer(self) -> None:
+        """Apply the current view and options."""
+        if self._viewer is None:
+            return
+        self._show_options()
+        if self._control._moved:
+            self._control._moved = False
+            self._viewer.set_view(self._control._told())
+
+    def run(self) -> None:
+        """Wait until the window is closed, running animation and key callbacks."""
+        while not self._closed and (self._viewer is not None or self._animation is not None):
+            if self._animation is not None and self._animation(self):
+                self.update_geometry()
+            if not self.poll_events() or (self._viewer is not None and self._viewer.wait(TURN)):
+                return
+
+    def register_animation_callback(self, callback_func: Callback | None) -> None:
+        """Let `run` call a function of the window repeatedly; if it returns True, everything is updated."""
+        self._animation = check_callback("callback_func", callback_func)
+
+    def _call_keys(self) -> None:
+        while not self._pressed.empty():
+            callback = self._callbacks.get(self._pressed.get())
+            if callback is not None and callback(self):
+                self.update_geometry()
+
+    def _listen(self, key: str) -> None:
+        if self._viewer is not None:
+            self._viewer.on_key(key, lambda client: self._pressed.put(key))
+
+    def _show_options(self) -> None:
+        state, viewer = self._option._state(), self._viewer
+        if viewer is None or state == self._option_shown:
+            return
+        first, self._option_shown = self._option_shown is None, state
+        viewer.background, viewer.point_size = self._option.background_color, self._option.point_size
+        viewer.show_normals(self._option.point_show_normal)
+        viewer.show_wireframe(self._option.mesh_show_wireframe)
+        if not first or self._option.show_coordinate_frame:
+            if FRAME in viewer.items:
+                viewer.remove(FRAME)
+            for entry in self._entries():
+                viewer.add(entry.pop("name"), entry.pop("geometry"), **entry)
+
+    def capture_screen_image(self, filename: FilePath, do_render: bool = False) -> None:
+        """Render the window by `loom.render` to a .png or .jpg file."""
+        write_image(filename, Image(self._drawn()))
+
+    def capture_screen_float_buffer(self, do_render: bool = False) -> Image:
+        """Render the window to an image with values from 0 to 1."""
+        return Image(self._drawn().astype(np.float32) / np.float32(255))
+
+    def capture_depth_float_buffer(self, do_render: bool = False) -> Image:
+        """Depth image, 0 for the background."""
+        depth = np.asarray(self._drawn(depth=True)[1], np.float32)
+        return Image(np.where(np.isfinite(depth), depth, np.float32(0)))
+
+    def capture_depth_image(self, filename: FilePath, do_render: bool = False, depth_scale: float = 1000.0) -> None:
+        """Write the depth image as a 16-bit .png."""
+        depth = np.asarray(self.capture_depth_float_buffer()) * check_positive("depth_scale", depth_scale)
+        write_image(filename, Image(np.clip(np.round(depth), 0, 65535).astype(np.uint16)))
+
+    def capture_depth_point_cloud(
+        self, filename: FilePath, do_render: bool = False, convert_to_world_coordinate: bool = False
+    ) -> None:
+        """Write the points of the depth image in the camera or world frame."""
+        camera = self._control.convert_to_pinhole_camera_parameters()
+        extrinsic = camera.extrinsic if convert_to_world_coordinate else np.eye(4)
+        depth = self.capture_depth_float_buffer()
+        cloud = PointCloud.create_from_depth_image(depth, camera.intrinsic, extrinsic, 1.0, 1e9)
+        write_point_cloud(filename, cloud)
+
+    def _drawn(self, *, depth: bool = False) -> Any:
+        option = self._option
+        smooth = "smooth" if option.mesh_shade_option is MeshShadeOption.Color else None
+        return render(
+            self._entries(),
+            self._control._view(),
+            point_size=option.point_size,
+            point_show_normal=bool(option.point_show_normal),
+            mesh_show_wireframe=bool(option.mesh_show_wireframe),
+            background=tuple(option.background_color.tolist()),
+            shading=smooth,
+            depth=depth,
+        )
+
+
+class VisualizerWithKeyCallback(Visualizer):
+    """A window with key callbacks, called during `run` or `poll_events`."""
+
+    def register_key_callback(self, key: int, callback_func: Callback) -> None:
+        """Register a key callback; if it returns True, everything is updated. None removes it.
+
+        `key` is GLFW's number: ord("K"), 32 for space, 256 for escape, 262 to 265 for arrows, ... Raises ValueError for
+        keys that pages do not report.
+        """
+        if key not in KEYS:
+            raise ValueError(
+                f"key: pages tell of letters, digits and {', '.join(list(KEYS.values())[:15])}; got {key!r}"
+            )
+        self._callbacks[KEYS[key]] = check_callback("callback_func", callback_func)
+        self._listen(KEYS[key])
+
+    def register_key_action_callback(self, key: int, callback_func: Callable[[Any, int, int], Any]) -> None:
+        """Like `register_key_callback`, called with (window, 1, 0): pages report key presses only."""
+        check_callback("callback_func", callback_func)
+        self.register_key_callback(key, lambda window: callback_func(window, 1, 0))
+
+
+class PointColorOption(enum.Enum):
+    Default = 0
+    Color = 1
+    XCoordinate = 2
+    YCoordinate = 3
+    ZCoordinate = 4
+    Normal = 9
+
+
+class MeshColorOption(enum.Enum):
+    """Coloring of meshes; coordinates and normals are not supported and show the original colors."""
+
+    Default = 0
+    Color = 1
+    XCoordinate = 2
+    YCoordinate = 3
+    ZCoordinate = 4
+    Normal = 9
+
+
+class MeshShadeOption(enum.Enum):
+    """Face lighting (Default) or vertex lighting (Color)."""
+
+    Default = 0
+    Color = 1
+
+
+COLOR_BY = {  # corresponding values of `color_by`
+    PointColorOption.Color: "rgb",
+    PointColorOption.XCoordinate: "x",
+    PointColorOption.YCoordinate: "y",
+    PointColorOption.ZCoordinate: "height",
+    PointColorOption.Normal: "normal",
+}
+ENUMS = {
+    "point_color_option": PointColorOption,
+    "mesh_color_option": MeshColorOption,
+    "mesh_shade_option": MeshShadeOption,
+}
+POWERS = {"diffuse_power": 0.66, "specular_power": 0.2, "specular_shininess": 100.0}
+OTHERS = {  # other keys of Open3D with defaults: it reads a file up to the first missing key
+    **{f"light{i}_color": [1.0, 1.0, 1.0] for i in range(4)},
+    **{f"light{i}_position": [0.0, 0.0, 2.0 if i < 2 else -2.0] for i in range(4)},
+    **{f"light{i}_{name}": value for i in range(4) for name, value in POWERS.items()},
+    **{"light_ambient_color": [0.0, 0.0, 0.0], "default_mesh_color": [0.7, 0.7, 0.7]},
+    **{"image_max_depth": 3000, "image_stretch_option": 1, "interpolation_option": 0},
+}
+VERSION = {"class_name": "RenderOption", "version_major": 1, "version_minor": 0}
+
+
+@dataclass(eq=False, repr=False)
+class RenderOption(KnownNames):
+    background_color: Any = field(default_factory=lambda: np.ones(3))
+    point_size: float = 5.0
+    line_width: float = 1.0
+    light_on: bool = True
+    point_show_normal: bool = False
+    mesh_show_wireframe: bool = False
+    mesh_show_back_face: bool = False
+    show_coordinate_frame: bool = False
+    point_color_option: PointColorOption = PointColorOption.Default
+    mesh_color_option: MeshColorOption = MeshColorOption.Color
+    mesh_shade_option: MeshShadeOption = MeshShadeOption.Default
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "background_color":
+            value = check_color(name, value).copy()
+        elif name in ENUMS and not isinstance(value, ENUMS[name]):
+            raise TypeError(f"{name}: expected a {ENUMS[name].__name__}, got {type(value).__name__}")
+        super().__setattr__(name, value)
+
+    def load_from_json(self, filename: str | os.PathLike[str]) -> None:
+        """Read a file of `save_to_json` or Open3D; lights are ignored. Raises FileError."""
+        content = read_json_object(filename)
+        if content.get("class_name") != VERSION["class_name"]:
+            raise FileError(filename, f"expected 'RenderOption', got {str(content.get('class_name'))[:40]!r}")
+        for name in (one.name for one in fields(self) if one.name in content):
+            try:
+                value = ENUMS[name](content[name]) if name in ENUMS else content[name]
+                setattr(self, name, value if isinstance(value, list) else type(getattr(self, name))(value))
+            except (TypeError, ValueError) as error:
+                raise FileError(filename, str(error), where=f"key {name}") from error
+
+    def save_to_json(self, filename: str | os.PathLike[str]) -> None:
+        content: dict[str, Any] = {one.name: getattr(self, one.name) for one in fields(self)}
+        content |= {name: content[name].value for name in ENUMS}
+        content |= {"background_color": content["background_color"].tolist(), **OTHERS, **VERSION}
+        with atomic_write(filename) as file:
+            file.write(json.dumps(content, indent="\t", sort_keys=True).encode() + b"\n")
+
+    def __repr__(self) -> str:
+        return "RenderOption"
+
+    def _state(self) -> tuple[Any, ...]:
+        return tuple(map(str, (getattr(self, one.name) for one in fields(self))))

@@ -1,0 +1,471 @@
+"""Monocular depth estimation with an ONNX network, and the point cloud of the result."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...cameras.images import RGBDImage, check_intrinsic
+from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.paths import path_of
+from ...core.progress import ReportProgress
+from ...core.wording import few_of
+from ...io.models.colmap import read_colmap_model
+from ...io.models.sfm_model import SfmModel
+from ...io.pictures.image_files import read_depth
+from ...kernels.images.flying_pixels import drop_flying
+from ...pcd.cloud import PointCloud
+from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
+from .inputs import Map
+from .network import DepthModel
+from .photos import Photo, camera_of, take_photo
+from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .readings import OwnCamera, Reading
+from .tiles import MOST_TILES, refine_by_tiles
+
+SPARSE = "the sparse model"
+AXIS = 1e-3  # [rad] about the axis, where distortion is negligible
+NO_DEPTH = 65535  # invalid integer depth besides 0, as in 7-Scenes
+FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and metres; or the path of one"
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class References:
+    """Known `depths` [n] at `pixels` (column, row), [n, 2]; `are_few`: measured by hand, two suffice."""
+
+    pixels: NDArray[np.float64]
+    depths: NDArray[np.float64]
+    are_few: bool = False
+    unit: str = "m"
+    camera: PinholeCameraIntrinsic | None = None
+    source: str = ""
+
+
+def find_references(align: Any, name: str | None, size: tuple[int, int], depth_scale: float) -> References:
+    scale = check_positive("depth_scale", depth_scale)
+    if isinstance(align, str | os.PathLike):
+        align = _read(Path(align))
+    if isinstance(align, tuple) and len(align) == 2 and isinstance(align[0], SfmModel):
+        align, name = align[0], check_name("align", align[1])
+    if isinstance(align, SfmModel):
+        return _of_model(align, name, size)
+    array = check_numeric("align", align)
+    if array.ndim != 2 or 0 in array.shape:
+        raise ValueError(f"align: expected {FORMS}, got {shown(align)} of shape {list(array.shape)}")
+    return _of_distances(array, size) if array.shape[1] == 3 else _of_sensor(array, size, scale)
+
+
+def _read(path: Path) -> Any:
+    if path.is_dir():
+        return read_colmap_model(path)
+    suffix = path.suffix.lower()
+    if suffix in (".png", ".npy"):
+        return read_depth(path)
+    if suffix in (".txt", ".csv"):
+        return read_distances(path)
+    remedy = "Use .png or .npy (a depth map), .txt or .csv (u v metres), or the folder of a COLMAP model"
+    raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
+
+
+def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """Read lines of column, row and meters, separated by spaces or commas; skips a header line and # comments."""
+    try:
+        lines = path_of(path).read_text("utf-8").splitlines()
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except UnicodeDecodeError as error:
+        raise FileError(path, "no text", where=f"byte {error.start}") from error
+    rows: list[list[float]] = []
+    for number, line in enumerate(lines, 1):
+        words = line.split("#", 1)[0].replace(",", " ").split()
+        if not words or (not rows and [word.lower() for word in words] in _HEADS):
+            continue
+        try:
+            rows.append([float(word) for word in words])
+        except ValueError:
+            rows.append([])
+        if len(rows[-1]) != 3:
+            raise FileError(path, f"expected u v metres, got {line[:60]!r}", where=f"line {number}")
+    if not rows:
+        raise FileError(path, "holds no distances", remedy="Write a line of u v metres for each")
+    return np.array(rows)
+
+
+_HEADS = (["u", "v", "metres"], ["u", "v", "meters"], ["u", "v", "m"], ["x", "y", "metres"], ["u", "v", "depth"])
+
+
+def _of_distances(array: NDArray[Any], size: tuple[int, int]) -> References:
+    rows = array.astype(np.float64)
+    if not (np.isfinite(rows).all() and (rows[:, 2] > 0).all() and (rows[:, 2] < 1e30).all()):
+        raise ValueError("align: expected finite pixels and distances above 0, one row of u, v and metres each")
+    outside = ~_inside(rows[:, :2], size)
+    if outside.any():
+        u, v, _ = rows[outside][0]
+        raise ValueError(f"align: pixel ({u:g}, {v:g}) lies outside the picture of {size[1]} x {size[0]}")
+    return References(rows[:, :2], rows[:, 2], are_few=True)
+
+
+def _of_sensor(array: NDArray[Any], size: tuple[int, int], depth_scale: float) -> References:
+    _check_shape("the depth map", array.shape[1], array.shape[0], size)
+    depth = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else depth_scale)
+    if array.dtype.kind != "f":
+        depth[array == NO_DEPTH] = 0
+    with np.errstate(invalid="ignore"):
+        rows, columns = np.nonzero(np.isfinite(depth) & (depth > 1e-30) & (depth < 1e30))
+    pixels = _scaled(np.stack([columns, rows], 1).astype(np.float64), array.shape[1], array.shape[0], size)
+    return References(pixels, depth[rows, columns])
+
+
+def _of_model(model: SfmModel, name: str | None, size: tuple[int, int]) -> References:
+    if name is None:
+        raise ValueError("align: a sparse model knows pictures by name; give the picture's path, or (model, name)")
+    number = _number_of(model, name)
+    camera, T = model.cameras[number], model.T_camera_world[number]
+    _check_shape("the model's picture", camera.width, camera.height, size)
+    seen = np.unique(model.observations[model.observations[:, 0] == number, 1])
+    points = model.points[seen] @ T[:3, :3].T + T[:3, 3]
+    pixels = _scaled(camera.project(points), camera.width, camera.height, size)
+    kept = np.isfinite(pixels).all(1) & _inside(pixels, size)
+    source = SPARSE if camera.is_pinhole else f"{SPARSE}, its distortion left out"
+    return References(
+        pixels[kept], points[kept, 2], unit=f"{SPARSE}'s", camera=_pinhole_of(camera, size), source=source
+    )
+
+
+def _number_of(model: SfmModel, name: str) -> int:
+    if name in model.names:
+        return model.index_of(name)
+    matches = [number for number, other in enumerate(model.names) if Path(other).name == name]
+    if len(matches) != 1:
+        raise ValueError(
+            f"align: the model has {len(matches) or 'no'} pictures {name!r}; it has {few_of(model.names, 3) or 'none'}"
+        )
+    return matches[0]
+
+
+def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntrinsic:
+    ahead, right, left, below, above = camera.project(
+        [[0, 0, 1], [AXIS, 0, 1], [-AXIS, 0, 1], [0, AXIS, 1], [0, -AXIS, 1]]
+    )
+    focal = np.array([right[0] - left[0], below[1] - above[1]]) / (2 * AXIS)
+    if camera.is_pinhole:
+        exact = camera.intrinsic
+        focal = np.array([exact.fx, exact.fy])
+    fx, fy = focal * (size[1] / camera.width, size[0] / camera.height)
+    cx, cy = _scaled(ahead[None], camera.width, camera.height, size)[0]
+    return PinholeCameraIntrinsic(size[1], size[0], fx, fy, cx, cy)
+
+
+def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> None:
+    if abs(width * size[0] - height * size[1]) > max(width, height, *size):
+        is_turned = (width - height) * (size[1] - size[0]) < 0
+        turned = "; if EXIF turned the picture upright, turn this too" if is_turned else ""
+        raise ValueError(
+            f"align: {what} is {width} x {height}, of another shape than the picture, {size[1]} x {size[0]}{turned}"
+        )
+
+
+def _scaled(pixels: NDArray[np.float64], width: int, height: int, size: tuple[int, int]) -> NDArray[np.float64]:
+    return (pixels + 0.5) * (size[1] / width, size[0] / height) - 0.5
+
+
+def _inside(pixels: NDArray[np.float64], size: tuple[int, int]) -> NDArray[np.bool_]:
+    return (pixels >= -0.5).all(1) & (pixels[:, 0] <= size[1] - 0.5) & (pixels[:, 1] <= size[0] - 0.5)
+
+
+def sample(values: Map, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Sample a map bilinearly; values are clamped beyond the border."""
+    height, width = values.shape
+    u, v = np.clip(pixels[:, 0], 0, width - 1), np.clip(pixels[:, 1], 0, height - 1)
+    left, top = np.minimum(u.astype(np.int64), max(width - 2, 0)), np.minimum(v.astype(np.int64), max(height - 2, 0))
+    right, bottom = np.minimum(left + 1, width - 1), np.minimum(top + 1, height - 1)
+    a, b = u - left, v - top
+    upper = values[top, left] * (1 - a) + values[top, right] * a
+    return upper * (1 - b) + (values[bottom, left] * (1 - a) + values[bottom, right] * a) * b
+
+
+ARBITRARY = "arbitrary"
+DEEPEST = (
+    10.0  # maximum depth of unaligned maps (the nearest is 1), and of aligned ones relative to the farthest reference
+)
+FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
+BLUR = 3  # network pixels of the transition between two surfaces
+MOST_REACH = 32  # [px] 512 loads per pixel
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class DepthEstimate:
+    """Estimated depth of an image.
+
+    Args:
+        depth: Depth along the optical axis, float32 [h, w], in `unit`; 0 where unknown.
+        is_metric: True if depth is in meters.
+        scale, shift: 1 / depth = scale * d + shift, with d the network output or its inverse if it outputs depth.
+        inlier_share: Fraction of references that agree; None if there are too few to check.
+        provider: onnxruntime provider: "CUDAExecutionProvider" or "CPUExecutionProvider".
+        unit: "m", "the sparse model's", or "arbitrary".
+        color: The upright image, uint8 [h, w, 3].
+        intrinsic: The camera of the point cloud.
+        intrinsic_source: "given", "the sparse model", "EXIF", "the network", or "assumed 60 degrees".
+        input_size: Rows and columns of the network input for the complete image.
+        enlargement: Image pixels per pixel of the network's map.
+        references: Number of references.
+        tiles: Number of tiles that agreed with the complete image, and of all tiles; None without tiles.
+    """
+
+    depth: NDArray[np.float32]
+    is_metric: bool
+    scale: float
+    shift: float
+    inlier_share: float | None
+    provider: str
+    unit: str
+    color: NDArray[np.uint8]
+    intrinsic: PinholeCameraIntrinsic
+    intrinsic_source: str
+    input_size: tuple[int, int]
+    enlargement: float
+    references: int = 0
+    tiles: tuple[int, int] | None = None
+
+    def __repr__(self) -> str:
+        height, width = self.depth.shape
+        return f"DepthEstimate({width} x {height}, unit {self.unit}, {self.provider})"
+
+    def to_point_cloud(self, *, keep_edges: bool = False, stride: int = 1, device: Any = None) -> PointCloud:
+        """Unproject the image to a colored point cloud in the camera frame.
+
+        Args:
+            keep_edges: Keep flying pixels at depth edges. If False, pixels are removed that deviate from the planes on
+                both sides by more than 3% in inverse depth; slanted planes are kept.
+            stride: Use every stride-th row and column.
+            device: Device of the cloud.
+
+        Raises:
+            ValueError: The stride is below 1.
+            DeviceError: No such device.
+
+        Example:
+            >>> import numpy as np, pointloom as loom
+            >>> from pointloom.photogrammetry.depth.estimation import DepthEstimate
+            >>> color, camera = np.zeros((2, 3, 3), np.uint8), loom.PinholeCameraIntrinsic(3, 2, 2.0, 2.0, 1.0, 0.5)
+            >>> wall = np.full((2, 3), 4.0, np.float32)
+            >>> given = (wall, True, 1.0, 0.0, None, "CPUExecutionProvider", "m", color, camera, "given", (2, 3), 1.0)
+            >>> DepthEstimate(*given).to_point_cloud().points[0].tolist()
+            [-2.0, -1.0, 4.0]
+        """
+        step = check_count("stride", stride)
+        image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
+        if not keep_edges:
+            reach = min(max(round(BLUR * self.enlargement), BLUR), MOST_REACH)
+            kept = drop_flying(image.depth_array, image.width, image.height, reach, FLYING_JUMP)
+            image = RGBDImage._from_device_arrays(image.color_array, kept, image.height, image.width)
+        return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
+
+
+def estimate_depth(
+    picture: Any,
+    model: str | os.PathLike[str] | DepthModel,
+    *,
+    preset: str | None = None,
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    align: Any = None,
+    depth_scale: float = 1000.0,
+    tiles: int = 1,
+    seed: int = 0,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> DepthEstimate:
+    """Estimate the depth of an image with an ONNX network that you provide; nothing is downloaded.
+
+    Args:
+        picture: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
+        model: Path of an .onnx file, or a `DepthModel` for many images.
+        preset: Type of network, see docs/depth.md; None: "depth-anything-v2", or that of the `DepthModel`.
+        intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
+            of view of 60 degrees across the longer side.
+        align: Known depths for scale and shift: a sparse model (from `read_colmap_model`, its folder, or (model, name))
+            that contains the image; a depth map [h, w] of any size, 0 where unknown (.png, .npy); or distances [n, 3]
+            of column, row and meters (.txt, .csv), of which two suffice without a check.
+        depth_scale: Units per meter of integer depth maps.
+        tiles: Number of tiles along the longer side; above 1, tiles refine the depth of a large image.
+        seed: Seed of the alignment.
+        device: "cpu" or None, "cuda", "cuda:N", or "auto"; see `DepthModel`. Not with a `DepthModel`.
+        progress: Called with ("tiles", done, all).
+
+    Returns:
+        Depth at the image size: in meters for metric networks (with a known focal length if they need one) or after
+        alignment to meters, in the unit of the sparse model after alignment to one, else in an arbitrary unit with the
+        nearest pixel at 1 (and the farthest at 10 for networks with inverse depth).
+
+    Raises:
+        FileError: An unreadable file, or a model that does not match the preset or outputs no map.
+        ValueError: An option out of range, or references that do not fit the image or no scale and shift (fewer than 20
+            within 10%; of up to 50 distances not more than half).
+        DeviceError: A device that is missing or not usable by onnxruntime; there is no silent fallback.
+
+    Notes:
+        1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2; only the scale for
+        networks that output depth. Depth beyond 10 times the farthest inlier is removed. About 40 B per pixel besides
+        the network. Bitwise reproducible on one machine.
+
+    Example:
+        >>> import numpy as np, onnx, pointloom as loom
+        >>> from onnx import TensorProto, helper  # a network that takes what is bright for near
+        >>> x = helper.make_tensor_value_info("x", TensorProto.FLOAT, [1, 3, "h", "w"])
+        >>> d = helper.make_tensor_value_info("d", TensorProto.FLOAT, [1, 1, "h", "w"])
+        >>> node = helper.make_node("ReduceMean", ["x"], ["d"], axes=[1], keepdims=1)
+        >>> graph = helper.make_graph([node], "brightness", [x], [d])
+        >>> onnx.save(helper.make_model(graph, opset_imports=[helper.make_opsetid("", 17)], ir_version=8), "b.onnx")
+        >>> picture = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+        >>> estimate = loom.estimate_depth(picture, "b.onnx", align=[(10, 20, 4.0), (50, 20, 2.0)])
+        >>> estimate.is_metric, estimate.depth[20, [10, 50]].round(3).tolist()
+        (True, [4.0, 2.0])
+        >>> len(estimate.to_point_cloud())
+        3072
+    """
+    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
+    count = check_count("tiles", tiles, maximum=MOST_TILES, because="a tile shows too little")
+    seed, say = check_seed(seed), check_progress(progress)
+    photo = take_photo(picture)
+    references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
+    camera, source = _camera(photo, intrinsic, references)
+    network = _network(model, preset, device)
+    kind = PRESETS[network.preset]
+    reading = network._read(photo.color, camera, is_known=_is_known(source))
+    if reading.camera is not None and not _is_known(source):
+        camera, source = _own_camera(reading.camera, photo), "the network"
+    inverse, tiled = _inverse_depth(reading, network, camera), None
+    if count > 1:
+        inverse, *tiled = refine_by_tiles(
+            photo.color, inverse, count, _of_parts(network, camera, source),
+            seed=seed, say=lambda done, total: say("tiles", done, total),
+        )  # fmt: skip
+    found = None if references is None else _align(inverse, references, kind, seed)
+    scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
+    unit = _unit(kind, references, source, reading.is_metric)
+    return DepthEstimate(
+        depth=_depth(inverse, scale, shift, farthest),
+        is_metric=unit == "m",
+        scale=scale,
+        shift=shift,
+        inlier_share=None if found is None else found.inlier_share,
+        provider=network.provider,
+        unit=unit,
+        color=photo.color,
+        intrinsic=camera,
+        intrinsic_source=source,
+        input_size=(reading.placement.rows, reading.placement.columns),
+        enlargement=max(1 / factor for factor in reading.placement.scale),
+        references=0 if found is None else found.references,
+        tiles=None if tiled is None else (tiled[0], tiled[1]),
+    )
+
+
+def _unit(kind: Preset, references: References | None, camera_source: str, is_metric: bool | None) -> str:
+    if references is not None:
+        return references.unit
+    if is_metric is None:
+        is_metric = kind.focal is None or _is_known(camera_source)
+    return "m" if kind.output == "metric" and is_metric else ARBITRARY
+
+
+def _is_known(camera_source: str) -> bool:
+    return not camera_source.startswith("assumed")
+
+
+def _own_camera(found: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
+    height, width = photo.color.shape[:2]
+    return PinholeCameraIntrinsic(width, height, found.fx, found.fy, found.cx, found.cy)
+
+
+def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
+    if not isinstance(model, DepthModel):
+        if not isinstance(model, str | os.PathLike):
+            raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")
+        return DepthModel(model, DEFAULT if preset is None else preset, device=device)
+    if preset is not None and find_preset(preset).name != model.preset:
+        raise ValueError(f"preset: {preset!r}, but the model was opened as {model.preset!r}")
+    if device is not None:
+        raise ValueError(f"device: {shown(device)}, but the model is open on {model.provider}; say it there")
+    return model
+
+
+def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tuple[PinholeCameraIntrinsic, str]:
+    height, width = photo.color.shape[:2]
+    if intrinsic is None and references is not None and references.camera is not None:
+        return references.camera, references.source
+    if intrinsic is None:
+        return camera_of(photo)
+    if photo.is_turned and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
+        raise ValueError(
+            f"intrinsic: made for {intrinsic.width} x {intrinsic.height} pixels, but EXIF turns the picture upright to "
+            f"{width} x {height}; turn the camera too"
+        )
+    return check_intrinsic(intrinsic, width, height), "given"
+
+
+def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
+    """The network output as inverse depth, up to scale and shift ([1/m] for metric networks); NaN where unknown."""
+    kind, values = PRESETS[network.preset], reading.values
+    if not kind.gives_scale:
+        return values
+    if kind.focal is not None and not reading.is_metric:
+        across, down = reading.placement.scale
+        focal = camera.fx * across if kind.reading == "canonical" else (camera.fx * across + camera.fy * down) / 2
+        values = values * np.float32(focal / kind.focal)
+    with np.errstate(divide="ignore", over="ignore"):
+        inverse = np.float32(1) / values
+    inverse = np.where((values > 0) & np.isfinite(inverse), inverse, np.float32(np.nan)).astype(np.float32)
+    if not np.isfinite(inverse).any():
+        reason = "gave no depth above 0, for no pixel"
+        raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
+    return inverse
+
+
+def _of_parts(network: DepthModel, camera: PinholeCameraIntrinsic, source: str) -> Callable[[NDArray[np.uint8]], Map]:
+    return lambda part: _inverse_depth(network._read(part, camera, is_known=_is_known(source)), network, camera)
+
+
+def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Alignment:
+    d, y = sample(inverse, references.pixels), 1 / references.depths
+    seen = np.isfinite(d) & ((d > 0) | (not kind.gives_scale))
+    d, y = d[seen], y[seen]
+    if references.are_few and len(d) <= MOST_DISTANCES:
+        return align_to_distances(d, y, with_shift=not kind.gives_scale)
+    return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
+
+
+def _units_of(found: Alignment) -> tuple[float, float, float]:
+    return found.scale, found.shift, DEEPEST * found.farthest
+
+
+def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
+    """Scale and shift without references, and the maximum depth."""
+    if kind.output == "metric":
+        return 1.0, 0.0, np.inf
+    low, high = float(np.nanmin(inverse)), float(np.nanmax(inverse))
+    if kind.gives_scale:
+        return 1.0 / high, 0.0, np.inf
+    scale = (1 - 1 / DEEPEST) / max(high - low, 1e-30)
+    return scale, 1 - scale * high, np.inf
+
+
+def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray[np.float32]:
+    """Depth in float32; 0 if unknown, behind the camera, or beyond the maximum."""
+    w = inverse * np.float32(scale) + np.float32(shift)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0
+        z = np.float32(1) / w
+    return np.where(seen & np.isfinite(z), z, np.float32(0))

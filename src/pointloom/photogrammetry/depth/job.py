@@ -1,0 +1,237 @@
+"""Monocular depth of one image or a folder to point clouds: `depth_of_pictures`."""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.atomic import atomic_write, check_writable
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.outputs import check_output
+from ...core.progress import ReportProgress
+from ...core.timing import Clock, peak_bytes
+from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.render import render
+from ...visualization.render.view import View
+from ...io.models.colmap import read_colmap_model
+from ...io.points.formats import WRITTEN
+from ...io.points.ply import write_ply
+from ...io.points.point_cloud import table_of, write_point_cloud
+from ...pcd.cloud import PointCloud
+from ..sfm.picture_folder import check_place
+from .alignment import AlignmentError
+from .estimation import ARBITRARY, DepthEstimate, estimate_depth
+from .network import DepthModel
+from .photos import SUFFIXES
+from .presets import PRESETS
+from .report import DepthFailure, DepthReport, PictureDepth
+from .settings import DepthSettings
+
+REFERENCES = (".npy", ".png", ".txt", ".csv")  # with the image's name
+SHOWN_SIDE = 1280  # [px] longer side of the rendered cloud
+ASIDE = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
+
+
+def depth_of_pictures(
+    source: FilePath,
+    model: FilePath,
+    output: FilePath,
+    settings: DepthSettings | None = None,
+    *,
+    depth_map: FilePath | None = None,
+    picture: FilePath | None = None,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> DepthReport:
+    """Estimate the depth of an image, or of all in a folder, and write clouds, as `pointloom depth` does.
+
+    Args:
+        source: A PNG or JPEG file, or a folder of such.
+        model: The .onnx file.
+        output: Cloud file; for a folder, a folder for clouds NAME.ply.
+        settings: Network preset, camera, known depth; None: defaults.
+        depth_map: .npy file for the depth, float32 [h, w]; not for a folder.
+        picture: .png file with an image of the cloud; not for a folder.
+        device: As of `estimate_depth`; also for the clouds.
+        overwrite: Replace existing outputs.
+        progress: Called with (stage, steps done, steps in all).
+
+    Returns:
+        A report with `warnings`. Nothing is written for images whose references do not fit the map.
+
+    Raises:
+        TypeError, ValueError: An argument out of range; as `estimate_depth`.
+        FileError: An unreadable input or model, or an output that cannot be written; for a folder, if all fail.
+        DeviceError: As `estimate_depth`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.photogrammetry.depth.job import depth_of_pictures
+        >>> depth_of_pictures("photo.jpg", "net.onnx", "cloud.mp3")
+        Traceback (most recent call last):
+        pointloom.core.errors.FileError: cloud.mp3: clouds are not written to .mp3. Give a name that ends in one of ...
+    """
+    settings = _checked(settings)
+    say, clock = check_progress(progress), Clock()
+    place = check_place("source", source)
+    folder = place if place.is_dir() else None
+    jobs = _jobs(place, check_place("output", output), folder, overwrite)
+    extras = _Extras(folder, depth_map, picture, overwrite)
+    where = resolve_device(device)
+    options = settings.of_each_picture()
+    network = DepthModel(check_place("model", model), settings.preset, device=device)
+    clock.stop("open")
+    references = _AlignTo(settings.align, jobs, is_folder=folder is not None)
+    pictures, failures = [], []
+    first: Exception | None = None
+    for done, (path, target) in enumerate(jobs):
+        if folder is not None:
+            say("pictures", done, len(jobs))
+        try:
+            found = estimate_depth(path, network, align=references(path), progress=say, **options)
+            clock.stop("depth")
+            cloud = found.to_point_cloud(keep_edges=settings.keep_edges, device=where)
+            clock.stop("cloud")
+            files = extras.write(found, cloud, target, clock)
+            pictures.append(PictureDepth.of(found, os.fspath(path), len(cloud), files))
+        except AlignmentError as error:
+            clock.stop("depth")
+            failures.append(DepthFailure(os.fspath(path), str(error), refused=True))
+        except (FileError, ValueError) as error:
+            if folder is None:
+                raise
+            failures.append(DepthFailure(os.fspath(path), str(error), refused=False))
+            first = first or error
+    if first is not None and len(pictures) == 0 and not any(failure.refused for failure in failures):
+        raise first
+    if folder is not None:
+        say("pictures", len(jobs), len(jobs))
+    licence, provider = PRESETS[network.preset].licence, network.provider
+    run = network.path, network.preset, licence, provider, str(where), tuple(pictures), tuple(failures)
+    return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.note)
+
+
+def _checked(settings: Any) -> DepthSettings:
+    settings = DepthSettings() if settings is None else settings
+    if not isinstance(settings, DepthSettings):
+        raise TypeError(f"settings: expected DepthSettings, got {type(settings).__name__}")
+    return settings
+
+
+def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> list[tuple[Path, Path]]:
+    if folder is None:
+        check_output(output, WRITTEN, what="clouds", overwrite=overwrite)
+        return [(source, output)]
+    pictures = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file())
+    if not pictures:
+        raise FileError(folder, f"holds no pictures ({' '.join(SUFFIXES)})", remedy="Give another folder")
+    if output.suffix.lower() in WRITTEN:
+        raise FileError(output, "is one cloud, for a folder of pictures", remedy="Give the name of a folder")
+    jobs = [(path, output / f"{path.stem}.ply") for path in pictures]
+    names = [target.name for _, target in jobs]
+    for (path, target), name in zip(jobs, names, strict=True):
+        if names.count(name) > 1:
+            raise FileError(path, f"another picture would become {target.name} too", remedy="Rename one of them")
+    try:
+        output.mkdir(exist_ok=True)
+    except OSError as error:
+        raise FileError(output, f"cannot be made: {error.strerror or error}", remedy="Make its parent first") from error
+    for _, target in jobs:
+        check_writable(target, overwrite=overwrite)
+    return jobs
+
+
+class _AlignTo:
+    """References of each image: the given ones, or for a folder files by image name, or a COLMAP model, read once."""
+
+    def __init__(self, align: FilePath | None, jobs: list[tuple[Path, Path]], *, is_folder: bool):
+        self._same: Any = align
+        self._folder = Path(align) if align is not None and is_folder and Path(align).is_dir() else None
+        if self._folder is not None and not any(self._own(picture) for picture, _ in jobs):
+            self._same, self._folder = read_colmap_model(self._folder), None
+
+    def __call__(self, picture: Path) -> Any:
+        if self._folder is None:
+            return self._same
+        if own := self._own(picture):
+            return own
+        names = " or ".join(picture.stem + suffix for suffix in REFERENCES)
+        raise FileError(self._folder, f"holds no {names}", remedy="Each picture wants its own")
+
+    def _own(self, picture: Path) -> Path | None:
+        assert self._folder is not None
+        paths = (self._folder / f"{picture.stem}{suffix}" for suffix in REFERENCES)
+        return next((path for path in paths if path.exists()), None)
+
+
+class _Extras:
+    """Writes the cloud, and for a single image its depth and an image of the cloud."""
+
+    def __init__(self, folder: Path | None, depth_map: FilePath | None, picture: FilePath | None, overwrite: bool):
+        for name, path in (("depth_map", depth_map), ("picture", picture)):
+            if path is not None:
+                check_place(name, path)
+        for name, path in (("--depth-map", depth_map), ("--picture", picture)):
+            if folder is not None and path is not None:
+                raise FileError(path, f"{name} is for one picture", remedy="Give one picture in place of the folder")
+        if picture is not None:
+            check_picture(picture, overwrite=overwrite)
+        if depth_map is not None:
+            if Path(depth_map).suffix.lower() != ".npy":
+                raise FileError(depth_map, "depth maps are written as .npy", remedy="Give a name that ends in .npy")
+            check_writable(depth_map, overwrite=overwrite)
+        self._depth_map, self._picture, self._overwrite = depth_map, picture, overwrite
+
+    def write(self, found: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
+        files = []
+        if len(cloud):
+            if target.suffix.lower() == ".ply":
+                write_ply(target, table_of(cloud), overwrite=self._overwrite, comments=[_unit_comment(found)])
+            else:
+                write_point_cloud(target, cloud, overwrite=self._overwrite)
+            files.append(os.fspath(target))
+        if (path := self._depth_map) is not None:
+            with atomic_write(path, overwrite=self._overwrite) as file:
+                np.save(file, found.depth)
+            files.append(os.fspath(path))
+        clock.stop("write")
+        if (path := self._picture) is not None and len(cloud):
+            image = render(cloud, view_aside(found.intrinsic, float(np.median(found.depth[found.depth > 0]))))
+            save_picture(path, image, overwrite=self._overwrite)
+            files.append(os.fspath(path))
+            clock.stop("picture")
+        return tuple(files)
+
+
+def _unit_comment(found: DepthEstimate) -> str:
+    if found.unit == ARBITRARY:
+        return "pointloom depth: units arbitrary, the nearest point at depth 1; align to get metres"
+    if found.unit == "m":
+        return "pointloom depth: metres"
+    return "pointloom depth: in the unit of the sparse model"
+
+
+def view_aside(intrinsic: PinholeCameraIntrinsic, distance: float) -> View:
+    """The camera's view from slightly right and above, rotated about a point at this distance."""
+    camera = intrinsic.scaled(min(1.0, SHOWN_SIDE / max(intrinsic.width, intrinsic.height)))
+    yaw, pitch = ASIDE
+    back = _turn(1, -yaw) @ _turn(0, -pitch)
+    T_world_camera = np.eye(4)
+    T_world_camera[:3, :3] = back
+    T_world_camera[:3, 3] = np.array([0, 0, distance]) - back @ np.array([0, 0, 1.1 * distance])
+    return View(camera, T_world_camera)
+
+
+def _turn(axis: int, angle: float) -> NDArray[np.float64]:
+    """Rotation about x (0) or y (1)."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([[1, 0, 0], [0, c, -s], [0, s, c]] if axis == 0 else [[c, 0, s], [0, 1, 0], [-s, 0, c]])

@@ -1,0 +1,392 @@
+"""Depth networks from ONNX files: session, checks against the preset, and inference.
+
+A model whose names, sizes or last operations belong to another network is rejected with the preset to use. A graph that
+cannot be classified (heads.py) is accepted with a note, since quantized exports end in arbitrary operations.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import sys
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_count, shown
+from ...core.devices import resolve_device
+from ...core.errors import DeviceError, FileError
+from ...core.interrupts import signal_exception
+from ...core.paths import path_of
+from ...io.foreign import import_for
+from ...io.source import content_errors, open_source
+from .graph import NO_MODEL, WEIGHTS_REMEDY, Graph, load_graph
+from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
+from .inputs import Map, Placement, place, prepare
+from .photos import Photo, camera_of, take_photo
+from .presets import DEFAULT, PRESETS, Preset, find_preset
+from .readings import Reading, ReadingError, read_outputs
+
+TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
+WHOLE = ("tensor(int64)",)
+NOT_THE_MODEL = "Check that the file is the model that the preset names"
+
+# Names of inputs and outputs that one network's exports alone have.
+_TELLING = {
+    "num_tokens": "moge-2", "metric_scale": "moge-2",
+    "focallength_px": "depth-pro", "field_of_view": "depth-pro", "fov_deg": "depth-pro",
+    "canonical_inverse_depth": "depth-pro",
+    "pts_3d": "unidepth-v2", "out_K": "unidepth-v2", "depth_ssi": "unidepth-v2",
+    "normal_confidence": "metric3d-v2", "predicted_normal": "metric3d-v2",
+    "domain_logits": "zoedepth",
+}  # fmt: skip
+
+_HEADS = {
+    INVERSE: ("a ReLU, as networks of relative inverse depth do", ("depth-anything-v2", "dpt", "midas-v2.1")),
+    SIGMOID: ("a sigmoid times {factor:g}, as networks of depth up to {factor:g} m do", ("depth-anything-v2-metric",)),
+    BINS: ("a sum over bins of depth, as networks of metric depth do", ("zoedepth", "metric3d-convnext")),
+    RECIPROCAL: ("one over an inverse depth, so it gives depth", ("depth-pro",)),
+    EXP: ("an exponential, as networks of depth do", ("depth-anything-3", "depth-anything-3-metric")),
+    CLAMPED: ("depth that is clamped to a range", ("metric3d-v2", "metric3d-convnext")),
+}
+
+_MEANINGS = {
+    "inverse": "more where something is nearer",
+    "depth": "more where something is farther",
+    "metric": "metres, more where something is farther",
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Signature:
+    """Names, types and shapes of a model's inputs and outputs; `fixed` rows and columns are None if dynamic."""
+
+    input: str
+    type: str
+    has_views: bool
+    fixed: tuple[int | None, int | None]
+    numbers: tuple[tuple[str, int, tuple[int, ...]], ...]
+    outputs: dict[str, str]
+
+
+def check_signature(path: str, session: Any, preset: Preset) -> Signature:
+    _check_names(path, session, preset)
+    the_input, views, fixed, numbers = _check_input(path, session, preset)
+    return Signature(the_input.name, the_input.type, views, fixed, numbers, _check_outputs(path, session, preset))
+
+
+def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) -> Head:
+    """Classify the end of the model's graph; FileError if it is another network's."""
+    head = find_head(graph, signature.outputs["depth"])
+    if head.kind == BROKEN:
+        reason = (
+            f"ends in a ReLU times {head.factor:g}: a metric network that was exported with the last function of the "
+            "relative one, so its depth is 0 or far too large"
+        )
+        raise FileError(path, reason, remedy="Take an export made since October 2024, which ends in a sigmoid")
+    if head.kind is None:
+        _check_canvas(path, signature, preset)
+        return _by_outputs(path, signature) if preset.reading == "canonical" else head
+    if preset.heads and head.kind not in preset.heads:
+        words, presets = _HEADS[head.kind]
+        is_contrary = (preset.output == "inverse") != (head.kind == INVERSE)
+        own = f"gives {_MEANINGS[preset.output]}" if is_contrary else "does not"
+        reason = f"ends in {words.format(factor=head.factor)}; {preset.name} {own}"
+        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+    if preset.reading == "canonical" and head.kind == INVERSE and not _is_canonical(signature, preset):
+        words, presets = _HEADS[INVERSE]
+        reason = f"ends in {words}, and neither its size nor its outputs are those of {preset.name}"
+        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+    return head
+
+
+def _is_canonical(signature: Signature, preset: Preset) -> bool:
+    """True if inverse depth is Depth Pro's canonical one, not relative: its encoder has one size."""
+    names = signature.outputs
+    return (
+        signature.fixed in preset.fixed
+        or names["depth"] == "canonical_inverse_depth"
+        or not {"focal", "view"}.isdisjoint(names)
+    )
+
+
+def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
+    """Reject a model of Metric3D's input size for another network, which has the same inputs and outputs."""
+    canvas = next((each for each in PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None)
+    if canvas is not None and preset.levels == 1:
+        rows, columns = signature.fixed
+        reason = f"takes {rows} x {columns} pixels, as {canvas.name} does, and says nothing of {preset.name}"
+        raise FileError(path, reason, remedy=f"Take the preset {canvas.name}")
+
+
+def _by_outputs(path: str, signature: Signature) -> Head:
+    """The head of a Depth Pro by its outputs: exports with a focal length output meters."""
+    if "focal" in signature.outputs:
+        return Head(RECIPROCAL)
+    if "view" in signature.outputs or signature.outputs["depth"] == "canonical_inverse_depth":
+        return Head(INVERSE)
+    reason = "does not say whether it gives metres or canonical inverse depth"
+    raise FileError(path, reason, remedy="Export it with its focal length or its field of view")
+
+
+def note_on(head: Head, preset: Preset) -> str | None:
+    if head.kind is None and preset.heads:
+        return (
+            f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near "
+            "is near, or align, which refuses the contrary"
+        )
+    if preset.output == "metric" and preset.reading == "map":
+        twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
+        if (twin := next(twins, None)) is not None:
+            return f"the file does not say that its depth is in metres, {preset.name} does: {twin.name} ends as it does"
+    return None
+
+
+def _check_names(path: str, session: Any, preset: Preset) -> None:
+    names = [each.name for each in (*session.get_inputs(), *session.get_outputs())]
+    told = {_TELLING[name]: name for name in names if name in _TELLING}
+    family = "metric3d-v2" if preset.name == "metric3d-convnext" else preset.name
+    if told and family not in told:
+        other, name = next(iter(told.items()))
+        reason = f"has {name!r}, as {other} does and {preset.name} does not"
+        raise FileError(path, reason, remedy=f"Take the preset {other}")
+
+
+def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tuple[int | None, int | None], Any]:
+    numbers = [each for each in session.get_inputs() if each.name in preset.numbers]
+    inputs = [each for each in session.get_inputs() if each.name not in preset.numbers]
+    for each in numbers:
+        if each.type not in WHOLE or any(side != 1 for side in each.shape or []):
+            reason = f"is {each.type} {each.shape}; {preset.name} takes one whole number"
+            raise FileError(path, reason, where=f"input {each.name!r}", remedy=NOT_THE_MODEL)
+    if len(inputs) != 1:
+        names = ", ".join(each.name for each in inputs) or "none"
+        reason = f"has the inputs {names}; {preset.name} has one, the picture"
+        raise FileError(path, reason, remedy="Export it without the others, or give another preset")
+    wanted = "[1, 3, h, w]" + (" or [1, 1, 3, h, w]" if preset.takes_views else "")
+    the_input = inputs[0]
+    shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
+    views = len(shape) == 5 and preset.takes_views
+    heads = [1, 1, 3] if views else [1, 3]
+    is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # otherwise the colors are last
+    if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
+        reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
+        raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
+    if the_input.type not in TYPES:
+        raise FileError(path, f"is {the_input.type}; {preset.name} takes floats", where=where, remedy=NOT_THE_MODEL)
+    rows, columns = (side if isinstance(side, int) and side > 0 else None for side in shape[-2:])
+    _check_fixed(path, where, preset, rows, columns)
+    given = tuple((each.name, preset.numbers[each.name], tuple(each.shape or ())) for each in numbers)
+    return the_input, views, (rows, columns), given
+
+
+def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, columns: int | None) -> None:
+    if preset.fixed and not any(rows in (None, size[0]) and columns in (None, size[1]) for size in preset.fixed):
+        sizes = " or ".join(f"{height} x {width}" for height, width in preset.fixed)
+        reason = f"has {rows or 'any'} rows and {columns or 'any'} columns; {preset.name} has {sizes}"
+        other = next((each.name for each in PRESETS.values() if (rows, columns) in each.fixed), None)
+        remedy = NOT_THE_MODEL if other is None else f"{NOT_THE_MODEL}; {other} has this size"
+        raise FileError(path, reason, where=where, remedy=remedy)
+    for side in (rows, columns):
+        if side is not None and side % preset.multiple:
+            reason = f"has a side of {side}, which is no multiple of {preset.multiple} as {preset.name} needs"
+            remedy = f"Export it with sides of a multiple of {preset.multiple}; its map would lack rows or columns"
+            remedy += f" ({preset.name} is the default; another network: --preset)" if preset.name == DEFAULT else ""
+            raise FileError(path, reason, where=where, remedy=remedy)
+
+
+def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
+    outputs = session.get_outputs()
+    names = [each.name for each in outputs]
+    is_alone = len(names) == 1 and not preset.needed
+    name = next((name for name in preset.outputs if name in names), names[0] if is_alone else None)
+    if name is None:
+        reason = f"has the outputs {', '.join(names)}; {preset.name} has {' or '.join(preset.outputs)}"
+        raise FileError(path, reason, remedy=NOT_THE_MODEL)
+    output = outputs[names.index(name)]
+    shape = output.shape
+    if output.type not in TYPES or (shape and not 3 <= len(shape) <= 5):
+        reason = f"is {output.type} {shape}; {preset.name} gives a map, [1, h, w] or [1, 1, h, w] of floats"
+        raise FileError(path, reason, where=f"output {name!r}", remedy=NOT_THE_MODEL)
+    found = {"depth": name}
+    for held, known in preset.others.items():
+        for each in names:
+            if each in known and each != name:
+                found[held] = each
+    for held in preset.needed:
+        if held not in found:
+            reason = f"has the outputs {', '.join(names)}, and no {preset.others[held][0]}, as {preset.name} has"
+            raise FileError(path, reason, remedy=NOT_THE_MODEL)
+    return found
+
+
+CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
+MOST_THREADS = 1024
+SILENT = 4  # minimum severity of onnxruntime's stderr log; errors are raised as exceptions too
+
+_REMEDIES = (
+    ("External data", WEIGHTS_REMEDY),
+    ("IR version", "Update onnxruntime, or export the model with an older version of ONNX"),
+    ("opset", "Update onnxruntime, or export the model with an older opset"),
+    ("No Op registered", "The model uses operations that this onnxruntime lacks; update it"),
+)
+
+
+class DepthModel:
+    """A depth network from an ONNX file, for many images.
+
+    Args:
+        path: The .onnx file; external weights must be in its folder.
+        preset: Type of network, see docs/depth.md.
+        device: "cpu" or None; "cuda", "cuda:N": requires onnxruntime with CUDA; "auto": a GPU if usable, see
+            `provider`.
+        threads: CPU threads; None: all cores.
+
+    Raises:
+        FileError: Not an ONNX model of the preset, weights outside its folder, or onnx or onnxruntime is missing.
+        DeviceError: The device is missing or not usable by onnxruntime.
+        ValueError: An unknown preset, or threads out of range.
+
+    Notes:
+        Memory: weights, and about 1 GB for attention. Uses deterministic algorithms, see docs/depth.md.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.DepthModel("missing.onnx")
+        Traceback (most recent call last):
+        ...
+        pointloom.core.errors.FileError: missing.onnx: does not exist
+    """
+
+    def __init__(
+        self, path: str | os.PathLike[str], preset: str = DEFAULT, *, device: Any = None, threads: int | None = None
+    ):
+        self._preset = find_preset(preset)
+        self.path = str(path_of(path))
+        count = 0 if threads is None else check_count("threads", threads, maximum=MOST_THREADS, because="of one CPU")
+        open_source(self.path)
+        with content_errors(self.path):
+            graph = load_graph(self.path)
+        self._session = _open_session(self.path, device, count)
+        self.provider: str = self._session.get_providers()[0]
+        with content_errors(self.path):  # onnxruntime returns names that may not be UTF-8
+            self._signature = check_signature(self.path, self._session, self._preset)
+            self._head = check_head(self.path, graph, self._signature, self._preset)
+
+    @property
+    def preset(self) -> str:
+        """Name of the preset."""
+        return self._preset.name
+
+    @property
+    def note(self) -> str | None:
+        """What could not be verified in the file; or None."""
+        return note_on(self._head, self._preset)
+
+    def __repr__(self) -> str:
+        return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
+
+    def run(self, picture: Any) -> Map:
+        """Run the network on an image; returns its map, float32 [h, w], at the image size in the network's unit.
+
+        Args:
+            picture: As of `estimate_depth`.
+
+        Raises:
+            FileError: The network fails, or outputs a wrong size, NaN, infinity or a constant.
+            TypeError, ValueError: Not an image, or one that is too narrow for the network.
+        """
+        return self._run_placed(take_photo(picture).color)[0]
+
+    def _placement(self, height: int, width: int) -> Placement:
+        return place(self._preset, height, width, self._signature.fixed)
+
+    def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
+        camera, _ = camera_of(Photo(picture))
+        reading = self._read(picture, camera, is_known=False)
+        return reading.values, reading.placement
+
+    def _read(self, picture: NDArray[np.uint8], camera: PinholeCameraIntrinsic, *, is_known: bool) -> Reading:
+        placement = self._placement(*picture.shape[:2])
+        values = prepare(self._preset, picture, placement)
+        signature = self._signature
+        batch = values[(None,) * (2 if signature.has_views else 1)].astype(TYPES[signature.type])
+        numbers = {name: np.array(number, np.int64).reshape(shape) for name, number, shape in signature.numbers}
+        roles, names = zip(*signature.outputs.items(), strict=True)
+        handled = sys.exception()
+        try:
+            given = self._session.run(list(names), {signature.input: batch, **numbers})
+        except Exception as error:  # onnxruntime has its own exception classes
+            if (stopped := signal_exception(error, handled)) is not None:
+                raise stopped from None
+            reason = f"fails on an input of {list(batch.shape)}: {_first_line(error)}"
+            raise FileError(self.path, reason, remedy=NOT_THE_MODEL) from error
+        outputs = dict(zip(roles, given, strict=True))
+        focal = camera.fx, camera.fy
+        try:
+            return read_outputs(self._preset, self._head.kind, outputs, placement, focal, is_known=is_known)
+        except ReadingError as error:
+            where = f"output {signature.outputs['depth']!r}"
+            raise FileError(self.path, str(error), where=where, remedy=error.remedy or NOT_THE_MODEL) from error
+
+
+def _open_session(path: str, device: Any, threads: int) -> Any:
+    ort = import_for(path, "onnxruntime", "depth")
+    providers = _providers(ort, device)
+    options = ort.SessionOptions()
+    options.add_session_config_entry("session.load_model_format", "ONNX")  # as load_graph, for any file extension
+    options.use_deterministic_compute = True
+    options.log_severity_level = SILENT
+    options.intra_op_num_threads = threads
+    handled = sys.exception()
+    try:
+        session = _start(ort, path, options, providers)
+    except MemoryError:
+        raise
+    except Exception as error:
+        if (stopped := signal_exception(error, handled)) is not None:
+            raise stopped from None
+        text = str(error)
+        remedy = next((remedy for part, remedy in _REMEDIES if part in text), "Fetch or export the file again")
+        raise FileError(path, f"{NO_MODEL}: {_first_line(error)}", remedy=remedy) from error
+    if wants_cuda(device) and session.get_providers()[0] != CUDA:
+        raise DeviceError(
+            f"device: {shown(str(device))} was asked for, but onnxruntime could not start CUDA and fell back to the "
+            'CPU; install the CUDA libraries that onnxruntime-gpu names, or take "cpu"'
+        )
+    return session
+
+
+def _start(ort: Any, path: str, options: Any, providers: list[Any]) -> Any:
+    """Open a session with fallback to the CPU as in onnxruntime, without its banner on stdout."""
+    try:
+        return ort.InferenceSession(path, options, providers=providers, enable_fallback=0)
+    except (ValueError, RuntimeError, Warning):  # a warning if the program turns them into errors
+        if providers == [CPU]:
+            raise
+        return ort.InferenceSession(path, options, providers=[CPU], enable_fallback=0)
+
+
+def wants_cuda(device: Any) -> bool:
+    return device is not None and str(device).startswith("cuda")
+
+
+def _providers(ort: Any, device: Any) -> list[Any]:
+    has_cuda = CUDA in ort.get_available_providers()
+    if wants_cuda(device) and not has_cuda:
+        raise DeviceError(
+            f"device: {shown(str(device))} was asked for, but this onnxruntime has no CUDA: install onnxruntime-gpu in "
+            'its place, or take "cpu"'
+        )
+    where = resolve_device(device)
+    if where.is_cuda and has_cuda:
+        return [(CUDA, {"device_id": str(where.ordinal)}), CPU]
+    return [CPU]
+
+
+def _first_line(error: Exception) -> str:
+    """onnxruntime's message without error code, source location and path."""
+    line = (str(error).split("\n")[0] or type(error).__name__).split("failed:", 1)[-1]
+    return line.replace("[ONNXRuntimeError] : ", "").strip()[:200].rstrip(".")

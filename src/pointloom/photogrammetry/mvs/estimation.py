@@ -1,0 +1,246 @@
+"""Multi-view stereo: input checks and the pipeline of `loom.mvs.estimate_depth_maps`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_list, check_numeric, check_progress, check_seed
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ...core.progress import ReportProgress
+from ...io.pictures.image_files import read_color, read_picture_header
+from .depth_maps import DepthMap, DepthMaps, made_folder
+from .picture_slots import Picture, other_size
+from .plane_search import Setting, find_depth, motion_of
+from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sources, check_sparse
+from .sources import choose_sources, depth_in_view
+
+Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
+KEPT = 128  # brightness threshold of masks
+
+
+def check_picture_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path | NDArray[np.bool_] | None]:
+    given = check_list("masks", masks, "masks")
+    if len(given) != len(cameras):
+        raise ValueError(f"masks: expected one, or None, for each of the {len(cameras)} pictures, got {len(given)}")
+    out: list[Path | NDArray[np.bool_] | None] = []
+    for i, (each, camera) in enumerate(zip(given, cameras, strict=True)):
+        lens = camera.intrinsic
+        if isinstance(each, str | os.PathLike):
+            header = read_picture_header(each)
+            if (header.width, header.height) != (lens.width, lens.height):
+                reason = f"is {header.width} x {header.height}, its picture {lens.width} x {lens.height} pixels"
+                raise FileError(each, reason, remedy="Make masks of the size of their pictures")
+            out.append(Path(each))
+        else:
+            out.append(None if each is None else _checked(f"masks[{i}]", each, (lens.height, lens.width)))
+    return out
+
+
+def _checked(name: str, mask: Any, size: tuple[int, int]) -> NDArray[np.bool_]:
+    if not isinstance(mask, np.ndarray) or mask.dtype not in (np.bool_, np.uint8):
+        kind = mask.dtype if isinstance(mask, np.ndarray) else type(mask).__name__
+        raise TypeError(f"{name}: expected a path, or an array of bool or uint8, got {kind}")
+    if mask.shape != size:
+        raise ValueError(f"{name}: expected shape {list(size)} as of its picture, got {list(mask.shape)}")
+    return mask.copy() if mask.dtype == np.bool_ else mask >= KEPT
+
+
+def emptied(
+    maps: Iterator[DepthMap], masks: Sequence[Path | NDArray[np.bool_] | None], cameras: Sequence[PosedCamera]
+) -> Iterator[DepthMap]:
+    for each, mask, camera in zip(maps, masks, cameras, strict=True):
+        if mask is None:
+            yield each
+            continue
+        kept = read_color(mask).max(axis=2) >= KEPT if isinstance(mask, Path) else mask
+        if kept.shape != (camera.intrinsic.height, camera.intrinsic.width):
+            raise FileError(str(mask), "was changed while depth was sought", remedy="Begin again")
+        wide = np.where(kept[..., None], each.normals, np.float32(0))
+        yield DepthMap(np.where(kept, each.depth, np.float32(0)), wide, np.where(kept, each.confidence, np.float32(0)))
+
+
+LEAST_PICTURE = 8  # [px] minimum side
+MOST_SOURCES = 8  # device code counts sources in vectors of eight
+LEAST_POINTS = 3  # minimum points per image for a depth range
+LOW, HIGH = 0.02, 0.98  # quantiles of the point depths: some are wrong
+NEARER, FARTHER = 0.7, 1.5  # margin of the depth range
+LEAST_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
+DEVICE_BYTES = 2**30
+NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
+REMEDY = "move the camera between pictures, do not only turn it"
+
+
+def estimate_depth_maps(
+    pictures: Iterable[Picture],
+    cameras: Iterable[PosedCamera],
+    sparse: Any = None,
+    *,
+    sources: Iterable[Iterable[int]] | None = None,
+    masks: Iterable[Mask] | None = None,
+    seed: int = 0,
+    device: Any = None,
+    folder: FilePath | None = None,
+    going: FilePath | None = None,
+    device_bytes: int = DEVICE_BYTES,
+    progress: ReportProgress | None = None,
+) -> DepthMaps:
+    """Estimate depth maps of images with known cameras by multi-view stereo.
+
+    PatchMatch over planes from a quarter to full resolution; the last passes enforce consistency with the sources.
+    Textureless regions take a plane fitted to reliable depth around them. Then use `filter_depth_maps`.
+
+    Args:
+        pictures: Undistorted images: paths of PNG or JPEG files, or uint8 arrays [h, w] or [h, w, 3] of any sizes.
+        cameras: A PosedCamera for each.
+        sparse: SparsePoints, or a model with `points` and `observations`, for depth ranges and source selection. None
+            or empty: estimated from frustum intersections, slightly less complete; `sfm.triangulate` computes points.
+        sources: Numbers of up to 8 source images for each image; None: `choose_sources`.
+        masks: For each image a gray PNG of its size (path, black where excluded), an array [h, w], bool or uint8, or
+            None. Excluded pixels get no depth, and none from sources in `filter_depth_maps`.
+        seed: Seed of the plane hypotheses.
+        device: "cpu", "cuda:0", "auto"; None: the CPU.
+        folder: Folder for the maps, one file per image; None: in memory.
+        going: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical. Delete it
+            afterwards; do not use it with other arguments.
+        device_bytes: Device memory limit for images and maps, exceeded if one image with its sources needs more.
+        progress: Called with ("depth", steps done, steps in all).
+
+    Returns:
+        Maps at the image sizes. An image without sources from other positions has no depth and no `sources`; one with
+        fewer than three points is searched within frustum intersections.
+
+    Raises:
+        TypeError: Arguments of other types, or images that are not uint8.
+        ValueError: Fewer than two images, a wrong number of cameras, a wrong image size, or only rotations.
+        FileError: An image or the folder cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each image held, up to 96 B
+        more for the current one; host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015; Xu and
+        Tao, "Multi-scale geometric consistency guided multi-view stereo", CVPR 2019, and "Planar prior assisted
+        PatchMatch multi-view stereo", AAAI 2020.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+        >>> wall = np.random.default_rng(0).integers(0, 255, (40, 60), dtype=np.uint8).repeat(2, 0).repeat(2, 1)
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> right = np.eye(4)
+        >>> right[0, 3] = -0.2  # 6 pixels at 2 m
+        >>> cameras = [loom.mvs.PosedCamera(camera, np.eye(4)), loom.mvs.PosedCamera(camera, right)]
+        >>> points = [[x, y, 2.0] for x in (-0.5, 0.0, 0.5) for y in (-0.4, 0.4)]
+        >>> sparse = SparsePoints(points, [[i, k] for i in (0, 1) for k in range(6)])
+        >>> pictures = [wall[:48, 10:74], wall[:48, 16:80]]
+        >>> maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, sources=[[1], [0]])
+        >>> round(float(np.median(maps[0].depth)), 1)
+        2.0
+    """
+    posed = check_cameras("cameras", cameras)
+    given = _checked_pictures(pictures, posed)
+    points = check_sparse("sparse", NO_POINTS if sparse is None else sparse)
+    ranges = [_depth_range(points, i, posed) for i in range(len(posed))]
+    if sources is None:
+        wanted = choose_sources(posed, points)
+    else:
+        wanted = check_sources("sources", sources, len(posed))
+        for i, each in enumerate(wanted):
+            if len(each) > MOST_SOURCES:
+                raise ValueError(f"sources[{i}]: expected up to {MOST_SOURCES} pictures, got {len(each)}")
+    check_seed(seed)
+    say = check_progress(progress)
+    check_count("device_bytes", device_bytes, minimum=0, maximum=2**40, because="no device has more")
+    target = resolve_device(device)
+    kept = _telling(wanted, posed, ranges)
+    if not any(kept):
+        raise ValueError(f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}")
+    place = None if folder is None else made_folder(folder)
+    known = [each or (1.0, 2.0) for each in ranges]
+    hidden = [None] * len(posed) if masks is None else check_picture_masks(masks, posed)
+    setting = Setting(given, posed, kept, known, seed, target, device_bytes)
+    so_far = None if going is None else _folder_for(going)
+    maps = emptied(find_depth(setting, place, say, so_far), hidden, posed)
+    return DepthMaps(posed, kept, maps, folder=place)
+
+
+def _folder_for(going: Any) -> Path:
+    folder = path_of(going)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(folder, f"no folder can be made here: {error.strerror or error}") from error
+    return folder
+
+
+def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:
+    given = check_list("pictures", pictures, "pictures")
+    if len(given) < 2:
+        raise ValueError(f"pictures: expected at least 2, got {len(given)}; one picture alone has no depth to compare")
+    if len(given) != len(cameras):
+        raise ValueError(f"cameras: expected one for each of the {len(given)} pictures, got {len(cameras)}")
+    out: list[Picture] = []
+    for i, (picture, camera) in enumerate(zip(given, cameras, strict=True)):
+        size = (camera.intrinsic.height, camera.intrinsic.width)
+        if min(size) < LEAST_PICTURE:
+            raise ValueError(
+                f"cameras[{i}]: expected at least {LEAST_PICTURE} pixels a side, got {size[1]} x {size[0]}"
+            )
+        if isinstance(picture, str | os.PathLike):
+            _check_file(Path(picture), size)
+            out.append(Path(picture))
+        else:
+            out.append(_check_array(f"pictures[{i}]", picture, size))
+    return out
+
+
+def _check_file(path: Path, size: tuple[int, int]) -> None:
+    from ...io.pictures.image_files import check_color_header, read_picture_header
+
+    header = read_picture_header(path)
+    check_color_header(path, header)
+    if (header.height, header.width) != size:
+        reason = other_size("", (header.height, header.width), size)
+        raise FileError(path, reason, remedy="Give the camera of this very picture")
+
+
+def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.uint8]:
+    array = check_numeric(name, picture)
+    if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
+        raise ValueError(f"{name}: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
+    if array.dtype != np.uint8:
+        remedy = "; divide 16-bit pictures by 256 first" if array.dtype == np.uint16 else ""
+        raise TypeError(f"{name}: expected uint8, got {array.dtype}{remedy}")
+    if array.shape[:2] != size:
+        raise ValueError(other_size(f"{name}: ", array.shape, size))
+    return np.ascontiguousarray(array)
+
+
+def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, ...]) -> tuple[float, float] | None:
+    """Depth range of an image by its points or frustum intersections; None if there are none."""
+    seen, T = sparse.points[sparse.seen_by(index)], cameras[index].T_camera_world
+    z = seen @ T[2, :3] + T[2, 3]
+    z = z[z > 0]
+    if len(z) < LEAST_POINTS:
+        span = depth_in_view(index, cameras, LOW, HIGH)
+    else:
+        span = tuple(float(each) for each in np.quantile(z, [LOW, HIGH]))
+    return None if span is None else (span[0] * NEARER, span[1] * FARTHER)
+
+
+def _telling(
+    sources: Sequence[Sequence[int]], cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, float] | None]
+) -> tuple[tuple[int, ...], ...]:
+    """The sources with parallax; none for images without a depth range."""
+    out = []
+    for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
+        reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]
+        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= LEAST_MOTION))
+    return tuple(out)

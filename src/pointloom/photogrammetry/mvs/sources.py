@@ -1,0 +1,184 @@
+"""Selection of source images for multi-view stereo.
+
+The best angle between two views is 2 to 15 degrees. Greedy selection: each source adds points not yet well seen
+(Goesele et al., "Multi-view stereo for community photo collections", ICCV 2007, section 4).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count
+from ..frusta import places_before
+from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
+
+COUNT = 8
+MOST_SOURCES = 256  # limit for a reasonable run time
+ENOUGH = 3.0  # good views of a point: more add nothing
+NARROW, WIDE, FALLOFF = 3.0, 10.0, 10.0  # [degrees] full weight within, then decay by e per FALLOFF
+WITHOUT_POINTS = 3.0  # baselines equal to one typical camera step
+
+
+def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tuple[int, ...], ...]:
+    """Select the source images of each image for multi-view stereo, the most useful first.
+
+    Each next source adds most to the image's sparse points; a point counts until three good views see it. View weight
+    by angle: full from 3 to 10 degrees, less below, decaying by e per 10 degrees above. Images without shared points
+    use sample points in intersecting frusta, else cameras with the same direction a few baselines aside (median
+    distance of neighboring cameras).
+
+    Args:
+        cameras: A PosedCamera for each image.
+        sparse: SparsePoints, or an object with `points` [m, 3] and `observations` [k, 2]; None: none.
+        count: Maximum number of sources, 1 to 256.
+
+    Returns:
+        The source numbers of each image, possibly fewer than `count` or none.
+
+    Raises:
+        TypeError, ValueError: Wrong types, a count out of range, or an observation by a missing image.
+
+    Notes:
+        Deterministic; ties go to the lower number. 150 images with 50,000 points seen by 10 each take a second.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+        >>> from pointloom.photogrammetry.mvs.sources import choose_sources
+        >>> intrinsic = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> poses = np.tile(np.eye(4), (4, 1, 1))
+        >>> poses[:, 0, 3] = [0.0, -0.1, -0.2, -2.0]
+        >>> cameras = [loom.mvs.PosedCamera(intrinsic, pose) for pose in poses]
+        >>> sparse = SparsePoints([[0.0, 0.0, 1.0]], [[0, 0], [1, 0], [2, 0], [3, 0]])
+        >>> choose_sources(cameras, sparse, count=2)
+        ((1, 2), (0, 2), (1, 0), (2, 1))
+    """
+    posed = check_cameras("cameras", cameras)
+    most = check_count("count", count, maximum=MOST_SOURCES, because="each takes its share of the time")
+    points = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
+    if sparse is not None:
+        points = check_sparse("sparse", sparse)
+    seen = points.observations
+    if seen.size and seen[:, 0].max() >= len(posed):
+        raise ValueError(f"sparse: pictures up to {seen[:, 0].max()} see points, but there are {len(posed)} cameras")
+    centers = np.array([camera.center for camera in posed]).reshape(-1, 3)
+    tracks = _Tracks(seen, len(points.points))
+    step, out = _step(centers), []
+    for i in range(len(posed)):
+        chosen = _by_cover(i, points, tracks, centers, most)
+        out.append(chosen or _by_frusta(i, posed, most) or _by_camera(i, posed, centers, step, most))
+    return tuple(out)
+
+
+class _Tracks:
+    """The images that see each point, concatenated by point."""
+
+    def __init__(self, observations: NDArray[np.int64], count: int):
+        order = np.argsort(observations[:, 1], kind="stable")
+        self.pictures = observations[order, 0]
+        self.starts = np.searchsorted(observations[order, 1], np.arange(count + 1))
+
+    def of(self, points: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        first, lengths = self.starts[points], np.diff(self.starts)[points]
+        places = np.repeat(np.arange(len(points)), lengths)
+        inside = np.arange(len(places)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
+        return places, self.pictures[np.repeat(first, lengths) + inside]
+
+
+def _by_cover(
+    i: int, sparse: SparsePoints, tracks: _Tracks, centers: NDArray[np.float64], most: int
+) -> tuple[int, ...]:
+    """Sources by points shared with image i; none without such points."""
+    mine = sparse.seen_by(i)
+    places, pictures = tracks.of(mine)
+    others = pictures != i
+    places, pictures = places[others], pictures[others]
+    at = sparse.points[mine[places]]
+    weights = _worth(at - centers[i], at - centers[pictures])
+    wanted, chosen = np.full(len(mine), ENOUGH), []
+    for _ in range(most):
+        gain = np.bincount(pictures, np.minimum(weights, wanted[places]), minlength=len(centers))
+        gain[chosen] = 0.0
+        best = int(gain.argmax())
+        if not gain[best] > 0:
+            break
+        chosen.append(best)
+        its = pictures == best
+        wanted[places[its]] = np.maximum(wanted[places[its]] - weights[its], 0.0)
+    return tuple(chosen)
+
+
+def _worth(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weight of a second view direction b by its angle with a."""
+    cross = np.linalg.norm(np.cross(a, b), axis=1)
+    return _worth_of(np.degrees(np.arctan2(cross, (a * b).sum(axis=1))))  # accurate for small angles, unlike arccos
+
+
+def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.clip(angle / NARROW, 0, 1) * np.exp(-np.maximum(angle - WIDE, 0) / FALLOFF)
+
+
+def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int, ...]:
+    """Sources by common sample points; none if no camera sees them from aside."""
+    poses = np.array([camera.T_camera_world for camera in cameras])
+    places, seen, angles = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    weights = _worth_of(angles) * seen
+    often = seen.sum(axis=1) / max(1, len(cameras) - 1)
+    wanted, chosen = np.full(len(places), ENOUGH), []
+    for _ in range(most):
+        gain = often @ np.minimum(weights, wanted[:, None])
+        gain[chosen] = 0.0
+        best = int(gain.argmax())
+        if not gain[best] > 0:
+            break
+        chosen.append(best)
+        wanted = np.maximum(wanted - weights[:, best], 0.0)
+    return tuple(chosen)
+
+
+def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: float) -> tuple[float, float] | None:
+    """Depth range of image i that others may see, by quantiles `low`, `high` of sample points; None if empty."""
+    poses = np.array([camera.T_camera_world for camera in cameras])
+    places, seen, _ = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    weights = seen.sum(axis=1)
+    if not weights.any():
+        return None
+    z = places @ poses[i, 2, :3] + poses[i, 2, 3]
+    order = np.argsort(z, kind="stable")
+    below = np.cumsum(weights[order]) / weights.sum()
+    nearest, farthest = (float(z[order[int(np.searchsorted(below, share))]]) for share in (low, high - 1e-9))
+    return nearest, farthest
+
+
+def _by_camera(
+    i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], step: float, most: int
+) -> tuple[int, ...]:
+    if len(cameras) < 2:
+        return ()
+    axes = np.array([camera.T_camera_world[2, :3] for camera in cameras])
+    alike = np.maximum(axes @ axes[i], 0.0) ** 4  # a quarter at 45 degrees
+    steps = np.linalg.norm(centers - centers[i], axis=1) / max(step, np.finfo(float).tiny)
+    worth = alike * np.minimum(steps, 1.0) * np.exp(-np.maximum(steps / WITHOUT_POINTS - 1.0, 0.0))
+    worth[i] = 0.0
+    order = np.argsort(-worth, kind="stable")[:most]
+    return tuple(int(j) for j in order if worth[j] > 0)
+
+
+def _step(centers: NDArray[np.float64]) -> float:
+    distinct = np.unique(centers, axis=0)
+    if len(distinct) < 2:
+        return 0.0
+    longest = np.ptp(distinct, axis=0).argmax()
+    row = distinct[np.argsort(distinct[:, longest])]
+    nearest = np.full(len(row), np.inf)  # squared
+    for k in range(1, len(row)):
+        apart = row[k:] - row[:-k]
+        if (apart[:, longest] ** 2 >= np.maximum(nearest[k:], nearest[:-k])).all():
+            break  # later ones in the order are no nearer
+        squares = (apart * apart).sum(axis=1)
+        nearest[k:] = np.minimum(nearest[k:], squares)
+        nearest[:-k] = np.minimum(nearest[:-k], squares)
+    return float(np.median(np.sqrt(nearest)))

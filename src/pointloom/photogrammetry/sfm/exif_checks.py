@@ -1,0 +1,89 @@
+"""Consistency of EXIF: focal lengths and orientations that contradict other tags are rejected."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from ...core.errors import FilePath
+from ...io.foreign import ignored_errors
+from ...io.pictures.photo_files import plain_number, read_exif
+from .picture_folder import ORIENTATION, read_header
+from .picture_writing import counted, some_of
+
+# Plausible focal lengths over the longer side: a hemispherical fisheye has 0.3, mapping accepts up to 10 (360 mm on 35
+# mm film).
+SHORTEST, LONGEST = 0.2, 10.0
+SMALLEST_SENSOR, LARGEST_SENSOR = 2.0, 60.0  # [mm] across
+MOST_APART = 1.6  # maximum factor between two tags: crops and 35 mm conventions differ by less
+FILM_DIAGONAL = math.hypot(36.0, 24.0)  # [mm]
+
+_EXIF, _FOCAL, _FILM, _ZOOM = 0x8769, 0x920A, 0xA405, 0xA404
+_ACROSS, _UNIT, _WIDTH, _HEIGHT = 0xA20E, 0xA210, 0xA002, 0xA003
+_MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # resolution units: inch, cm, mm, um
+_TURNED = range(5, 9)  # orientations that swap width and height
+
+
+def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
+    """Why EXIF's focal length is rejected for an image of this size [px]; None if accepted or missing."""
+    inner = _inner(path)
+    focal, film, zoom = (_number(inner, tag) for tag in (_FOCAL, _FILM, _ZOOM))
+    longer, diagonal = max(size), math.hypot(*size)
+    by_film = None if film is None else film / FILM_DIAGONAL * diagonal
+    sensor = _sensor_of(inner)
+    if by_film is not None and not SHORTEST <= by_film / longer <= LONGEST:
+        return f"{film:g} mm on 35 mm film are {by_film:.0f} px, which no lens has"
+    if focal is None or sensor is None:
+        return None
+    is_sensor = SMALLEST_SENSOR <= sensor <= LARGEST_SENSOR
+    if not is_sensor:  # the 35 mm equivalent suffices
+        return None if by_film is not None else f"the sensor would be {sensor:.3g} mm wide"
+    by_sensor = focal / sensor * longer
+    if by_film is None:
+        return None if SHORTEST <= by_sensor / longer <= LONGEST else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
+    apart = by_film / (by_sensor * max(zoom or 1.0, 1.0))
+    if not 1 / MOST_APART <= apart <= MOST_APART:
+        return f"that on film says {by_film:.0f} px, that of the sensor {by_sensor:.0f} px"
+    return None
+
+
+def _sensor_of(inner: dict[int, Any]) -> float | None:
+    across, width, unit = _number(inner, _ACROSS), _number(inner, _WIDTH), _number(inner, _UNIT)
+    step = _MILLIMETRES.get(int(unit)) if unit is not None else 25.4
+    return None if across is None or width is None or step is None else width / across * step
+
+
+def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
+    unknown, swapped = [], []
+    for path in paths:
+        exif = read_exif(path)
+        value: Any = exif.get(ORIENTATION, 1)
+        if not isinstance(value, int) or not 0 <= value <= 8:
+            unknown.append(path.name)
+        elif value in _TURNED:
+            with ignored_errors():
+                inner, header = _inner(path), read_header(path)
+                told = _number(inner, _WIDTH), _number(inner, _HEIGHT)
+                if told == (header.height, header.width) and header.width != header.height:
+                    swapped.append(path.name)
+    notes = []
+    if unknown:
+        said = f"EXIF of {counted(len(unknown), 'picture')} tells no way to lie that there is"
+        notes.append(f"{said}, taken as stored: {some_of(unknown)}")
+    if swapped:
+        said = "turned as EXIF says, though by the size that it tells they were turned before"
+        notes.append(f"{counted(len(swapped), 'picture')} {said}: {some_of(swapped)}")
+    return notes
+
+
+def _inner(path: FilePath) -> dict[int, Any]:
+    with ignored_errors():
+        return dict(read_exif(path).get_ifd(_EXIF))
+    return {}
+
+
+def _number(inner: dict[int, Any], tag: int) -> float | None:
+    text = plain_number(inner.get(tag))
+    return float(text) if text else None

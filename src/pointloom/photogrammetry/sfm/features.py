@@ -1,0 +1,275 @@
+"""SIFT feature extraction with COLMAP into its database."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...core.atomic import check_writable
+from ...core.checks import check_count, check_name, check_progress, check_seed, shown
+from ...core.errors import DatasetError, FileError, FilePath
+from ...core.escaped_text import escaped
+from ...core.progress import ReportProgress
+from ...core.timing import Clock
+from ...io.pictures.image_files import read_picture_header
+from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
+from .exif_checks import doubt_of_focal
+from .frames import check_option
+from .limited_process import check_limits, free_memory
+from .masks import check_mask_files, complete_masks
+from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
+
+CAMERA_MODELS = (
+    *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
+    *("SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE", "THIN_PRISM_FISHEYE"),
+)
+FEATURE_KINDS = ("sift", "aliked")
+MAX_SIZE = 1600
+MAX_FEATURES = 4096
+
+_LONGEST_SIDE = 2**16
+_MOST_FEATURES = 2**17
+_BYTES_A_PIXEL = 360  # per pixel of the scaled image: SIFT's first octave has twice its size
+_FEW = 50  # features below which an image is hardly ever registered
+
+
+@dataclasses.dataclass(frozen=True)
+class FeatureReport:
+    """Result of `find_features`.
+
+    Args:
+        database: Path of the database.
+        names: Image names, by number.
+        counts: Features of each image.
+        sizes: Number of images of each (width, height) [px].
+        seconds: Run time [s].
+        peak_bytes: Peak memory of COLMAP [B].
+        camera_count: Number of cameras: one for each size and EXIF lens.
+        on_gpu: True if COLMAP used a GPU.
+        notes: Rejected EXIF lenses.
+    """
+
+    database: str
+    names: tuple[str, ...]
+    counts: tuple[int, ...]
+    sizes: dict[tuple[int, int], int]
+    seconds: float
+    peak_bytes: int
+    camera_count: int = 1
+    on_gpu: bool = False
+    notes: tuple[str, ...] = ()
+
+    @property
+    def poor_names(self) -> tuple[str, ...]:
+        return tuple(name for name, count in zip(self.names, self.counts, strict=True) if count < _FEW)
+
+    def to_dict(self) -> dict[str, Any]:
+        sizes = [{"width": w, "height": h, "count": count} for (w, h), count in self.sizes.items()]
+        lists = {"names": list(self.names), "counts": list(self.counts), "poor_names": list(self.poor_names)}
+        fields = {"database": self.database, "seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        more = {"camera_count": self.camera_count, "on_gpu": self.on_gpu, "notes": list(self.notes)}
+        return fields | lists | {"sizes": sizes} | more
+
+
+def find_features(
+    pictures: FilePath,
+    database: FilePath,
+    *,
+    camera_model: str = "SIMPLE_RADIAL",
+    intrinsic: PinholeCameraIntrinsic | CameraModel | None = None,
+    max_size: int = MAX_SIZE,
+    max_features: int = MAX_FEATURES,
+    masks: FilePath | None = None,
+    kind: str = "sift",
+    use_gpu: bool | None = None,
+    seed: int = 0,
+    max_seconds: float | None = MAX_SECONDS,
+    max_memory: int | None = None,
+    progress: ReportProgress | None = None,
+) -> FeatureReport:
+    """Find SIFT features (Lowe 2004) in each image of a folder.
+
+    Args:
+        pictures: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
+        database: Output file (COLMAP database); replaced if it exists.
+        camera_model: COLMAP camera model; its parameters are estimated later. Images with the same size and the same
+            EXIF make, model and focal length share a camera.
+        intrinsic: Known camera of all images, scaled to their size. `map_pictures(..., fix_intrinsic=True)` keeps it.
+        max_size: Maximum image side for feature extraction [px].
+        max_features: Maximum number per image.
+        masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black; images
+            without a mask are used completely.
+        kind: "sift", or "aliked" (Zhao et al. 2023) if pycolmap was built with ONNX (not that of PyPI).
+        use_gpu: Use a GPU (requires pycolmap-cuda12); None: if available. Features differ from the CPU's.
+        seed: Random seed.
+        max_seconds: Time limit [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with ("features", done, all).
+
+    Returns:
+        The number of features of each image.
+
+    Raises:
+        FileError: Fewer than two images; a damaged, rotated or 16-bit image; a mask that is missing, of another size or
+            that hides all; pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed; a full disk.
+        TypeError, ValueError: An argument out of range, or a camera of another aspect ratio.
+
+    Notes:
+        Reproducible for any number of cores. Uses as many cores as memory allows: 360 B per pixel of the scaled image
+        and core, 0.6 GB at 1600 x 1067. COLMAP runs in a separate process, which is killed on interruption.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.photogrammetry.sfm.features import find_features
+        >>> find_features("no such folder", "features.db")
+        Traceback (most recent call last):
+        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
+    """
+    clock, say = Clock(), check_progress(progress)
+    check_camera_model(camera_model)
+    check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
+    check_max_features(max_features)
+    check_option("kind", kind, FEATURE_KINDS)
+    check_use_gpu(use_gpu)
+    check_seed(seed)
+    _check_intrinsic(intrinsic)
+    limits = check_limits(max_seconds, max_memory)
+    folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
+    groups = _groups(folder, by_lens=intrinsic is None)
+    doubts = {} if intrinsic is not None else _doubts(folder, groups)
+    job = _job_of(folder, groups, camera_model, intrinsic, doubts) | {"seed": int(seed), "kind": kind}
+    job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
+    job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu}
+    found = None if masks is None else _checked_masks(masks, folder)
+    count = sum(len(names) for names in groups.values())
+    with database_in_the_making(target) as part:
+        say("features", 0, count)
+        poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
+        job |= {"masks": None if found is None else _masks_beside(part, folder, found)}
+        done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
+        names, counts = _features_of(part)
+    say("features", count, count)
+    clock.stop("features")
+    told = clock.seconds["features"], peak, len(groups), done["gpu"], _told_doubts(doubts)
+    return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *told)
+
+
+def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
+    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in doubts.items())
+
+
+def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
+    found = {names[0]: doubt_of_focal(folder / names[0], size) for (size, _), names in groups.items()}
+    return {name: reason for name, reason in found.items() if reason is not None}
+
+
+def _job_of(
+    folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, doubts: dict[str, str]
+) -> dict[str, Any]:
+    cameras = [
+        _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in doubts}
+        for (size, _), names in groups.items()
+    ]
+    return {"stage": "features", "pictures": os.fspath(folder.resolve()), "groups": cameras}
+
+
+def _masks_beside(database: Path, pictures: Path, masks: dict[str, Path]) -> str:
+    folder = database.with_name("masks")
+    complete_masks(list_pictures(pictures), masks, folder)
+    return os.fspath(folder)
+
+
+def _counted_sizes(groups: dict[Group, list[str]]) -> dict[tuple[int, int], int]:
+    sizes = Counter({size: 0 for size, _ in groups})
+    for (size, _), group in groups.items():
+        sizes[size] += len(group)
+    return dict(sizes)
+
+
+def check_camera_model(camera_model: Any) -> None:
+    if check_name("camera_model", camera_model) not in CAMERA_MODELS:
+        raise ValueError(f"camera_model: expected one of {', '.join(CAMERA_MODELS)}, got {shown(camera_model)}")
+
+
+def check_use_gpu(use_gpu: Any) -> None:
+    if use_gpu is not None and not isinstance(use_gpu, bool):
+        raise TypeError(f"use_gpu: expected True, False or None, got {type(use_gpu).__name__}")
+
+
+def check_max_features(max_features: Any) -> None:
+    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+
+
+def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
+    place = check_place("masks", masks)
+    if not place.is_dir():
+        raise DatasetError(place, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
+    return check_mask_files(list_pictures(folder), place)
+
+
+def usable_cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def threads_for(sizes: list[tuple[int, int]], max_size: int, memory: float) -> int:
+    pixels = max(width * height for width, height in (scaled_size(size, max_size) for size in sizes))
+    return max(1, min(usable_cores(), int(memory // (_BYTES_A_PIXEL * pixels))))
+
+
+def _check_intrinsic(intrinsic: Any) -> None:
+    if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic | CameraModel):
+        kind = type(intrinsic).__name__
+        raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
+    if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
+        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the pictures first")
+
+
+Group = tuple[tuple[int, int], tuple[str, ...]]
+
+
+def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
+    """Image names by size and EXIF lens, the group of the first image first; FileError if unsuitable for COLMAP."""
+    paths = sorted(list_pictures(folder), key=lambda path: path.name)
+    if len(paths) < 2:
+        raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")
+    groups: dict[Group, list[str]] = {}
+    for path in paths:
+        header = read_picture_header(path)
+        fault = "is 16-bit grey" if is_grey_16(header) else ""
+        if read_orientation(path) != UPRIGHT:
+            fault = "lies on its side, as its EXIF data say"
+        if fault:
+            raise FileError(path, fault, remedy="sfm.choose_frames makes upright 8-bit pictures of a folder")
+        lens = read_lens(path) if by_lens else ()
+        groups.setdefault(((header.width, header.height), lens), []).append(path.name)
+    return groups
+
+
+def _group(
+    size: tuple[int, int], names: list[str], camera_model: str, intrinsic: PinholeCameraIntrinsic | CameraModel | None
+) -> dict[str, Any]:
+    if intrinsic is None:
+        return {"names": names, "model": camera_model, "params": ""}
+    factor = size[0] / intrinsic.width
+    if size != (intrinsic.width, intrinsic.height):
+        scaled = (round(intrinsic.width * factor), round(intrinsic.height * factor))
+        if abs(scaled[1] - size[1]) > 1 or isinstance(intrinsic, CameraModel):
+            raise ValueError(
+                f"intrinsic: is of pictures of {intrinsic.width} x {intrinsic.height}, "
+                f"but {escaped(names[0])} is {size[0]} x {size[1]}"
+            )
+        intrinsic = intrinsic.scaled(factor)
+    camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)
+    return {"names": names, "model": camera.model, "params": ",".join(repr(value) for value in camera.params)}
+
+
+def _features_of(database: Path) -> tuple[tuple[str, ...], tuple[int, ...]]:
+    query = "SELECT name, coalesce(rows, 0) FROM images LEFT JOIN keypoints USING (image_id) ORDER BY image_id"
+    with open_database(database) as connection:
+        rows = connection.execute(query).fetchall()
+    return tuple(name for name, _ in rows), tuple(count for _, count in rows)

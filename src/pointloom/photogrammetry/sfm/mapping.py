@@ -1,0 +1,157 @@
+"""Structure from motion: poses and points from matches, by COLMAP."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+from ...core.checks import check_progress, check_seed
+from ...core.errors import DatasetError, FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.reports import Assessed, quality
+from ...core.timing import Clock
+from ...io.models.colmap import read_colmap_model
+from ...io.models.sfm_model import SfmModel
+from .camera_check import CameraCheck
+from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
+from .frames import check_option
+from .limited_process import check_limits
+from .model_quality import ModelQuality, assess_model
+from .picture_folder import check_place
+from .picture_writing import new_folder
+
+MAPPERS = ("auto", "incremental", "global")
+MANY_PICTURES = 150  # up to here incremental mapping costs about as much as global mapping
+
+
+@dataclasses.dataclass(frozen=True)
+class SfmResult(Assessed):
+    """Result of `map_pictures`.
+
+    Args:
+        model: The largest model; None if there is none.
+        folder: Its folder, in COLMAP's format.
+        quality: Its quality.
+        missing: Names of images without a pose.
+        seconds: Time of each stage [s].
+        peak_bytes: Peak memory of COLMAP in each [B].
+    """
+
+    model: SfmModel | None
+    folder: str
+    quality: ModelQuality
+    missing: tuple[str, ...]
+    seconds: dict[str, float]
+    peak_bytes: dict[str, int]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return self.quality.warnings
+
+    def to_dict(self) -> dict[str, Any]:
+        fields = {"folder": self.folder, "missing": list(self.missing), "seconds": self.seconds}
+        return fields | {"peak_bytes": self.peak_bytes, "quality": self.quality.to_dict(), **quality(self)}
+
+
+def map_pictures(
+    pictures: FilePath,
+    matches: FilePath,
+    folder: FilePath,
+    *,
+    fix_intrinsic: bool = False,
+    mapper: str = "auto",
+    seed: int = 0,
+    max_seconds: float | None = MAX_SECONDS,
+    max_memory: int | None = None,
+    progress: ReportProgress | None = None,
+) -> SfmResult:
+    """Estimate camera poses and points from matches.
+
+    Args:
+        pictures: Image folder, for the point colors.
+        matches: Database of `match`; not modified.
+        folder: Output folder of the model (COLMAP binary), new or empty.
+        fix_intrinsic: Keep the cameras given to `find_features`.
+        mapper: "incremental" (Schoenberger and Frahm 2016), "global" (GLOMAP, Pan et al. 2024), or "auto": incremental
+            up to 150 images (measured in docs/sfm.md).
+        seed: Random seed.
+        max_seconds: Time limit [s]; None: no limit.
+        max_memory: Memory limit of COLMAP [B]; None: nine tenths of the free memory.
+        progress: Called with ("model", images registered, all); restarts with each model.
+
+    Returns:
+        The largest model and its quality. An unreliable model, or none, is a result, not an error.
+
+    Raises:
+        FileError: Missing files, a folder that is not empty, pycolmap is missing, COLMAP failed, or a full disk.
+        TypeError, ValueError: An argument is out of range.
+
+    Notes:
+        Runs on one core for reproducibility: with two, the last bits and sometimes the points differ. The unit is
+        arbitrary. Schoenberger and Frahm, "Structure-from-motion revisited", CVPR 2016.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.photogrammetry.sfm.mapping import map_pictures
+        >>> map_pictures(".", "matches.db", "sparse")
+        Traceback (most recent call last):
+        pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features makes one
+    """
+    clock, say = Clock(), check_progress(progress)
+    if not isinstance(fix_intrinsic, bool):
+        raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
+    check_option("mapper", mapper, MAPPERS)
+    check_seed(seed)
+    limits = check_limits(max_seconds, max_memory)
+    source, database = check_place("pictures", pictures), check_place("matches", matches)
+    target = check_place("folder", folder)
+    if not source.is_dir():
+        raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
+    names = _names_of(database)
+    job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
+    chosen = mapper if mapper != "auto" else choose_mapper(len(names))
+    job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
+    say("model", 0, len(names))
+    with new_folder(target):
+        done, peak = _map(job, database, target, names, say, limits)
+    model = read_colmap_model(target) if done["sizes"] else None
+    told = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
+    assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **told)
+    missing = tuple(sorted(set(names) - set(model.names if model else ())))
+    clock.stop("model")
+    return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
+
+
+def choose_mapper(picture_count: int) -> str:
+    return "global" if picture_count > MANY_PICTURES else "incremental"
+
+
+def _names_of(database: Path) -> list[str]:
+    with open_database(database) as connection:
+        names = [name for (name,) in connection.execute("SELECT name FROM images")]
+        (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()
+    if not tried and len(names) > 1:
+        raise FileError(database, "holds no matches", remedy="sfm.match makes them")
+    return names
+
+
+def _map(
+    job: dict[str, Any], database: Path, target: Path, names: list[str], say: ReportProgress, limits: dict[str, Any]
+) -> tuple[dict[str, Any], int]:
+    with scratch_beside(target) as place:
+        copy, scratch, model = (place / name for name in ("database.db", "scratch", "model"))
+        shutil.copyfile(database, copy)  # COLMAP writes to databases that it opens
+        scratch.mkdir()
+        model.mkdir()
+        job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}
+
+        def tell(message: dict[str, Any]) -> None:
+            say("model", min(int(message.get("registered", 0)), len(names)), len(names))
+
+        done, peak = run_job(job, database, tell=tell, **limits)
+        for path in sorted(model.iterdir()):
+            path.replace(target / path.name)
+    return done, peak

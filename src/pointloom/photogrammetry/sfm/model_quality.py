@@ -1,0 +1,300 @@
+"""Quality of SfM models: triangulation angles, and whether a purely rotating camera explains the images.
+
+A rotating camera with a wrong focal length can yield a false model with large angles and small residuals. So a pure
+rotation with free focal length and radial distortion is fitted: if it explains the images, depth is undetermined.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.checks import check_count, check_list
+from ...core.reports import Assessed, quality
+from ...io.models.sfm_model import SfmModel
+from .camera_check import CameraCheck
+from .pose_check import PoseCheck
+
+Array = NDArray[np.float64]
+
+_MOST_RAYS = 1 << 20  # rays compared at once: 24 MB, and the products of a point
+_MOST_PAIRS = 40  # image pairs tested for pure rotation
+_MOST_SHARED = 120  # points per pair
+_FEW_SHARED = 20
+_LOG_FACTORS = (-np.log(2.0), np.log(2.0))  # focal length factors of the rotation test
+_MOST_DISTORTION = 0.5
+_STEPS, _ROUNDS = 9, 5  # values of both per round, and rounds, each with a third of the previous range
+_NARROWING = 3.0
+
+
+def triangulation_angles(model: SfmModel) -> Array:
+    """The widest angle between two rays of each point, shape [m] [degrees]; 0 for a single ray."""
+    angles = np.zeros(len(model.points))
+    order = np.argsort(model.observations[:, 1], kind="stable")
+    pictures, points = model.observations[order].T
+    rays = model.centers[pictures] - model.points[points]
+    rays /= np.maximum(np.linalg.norm(rays, axis=1, keepdims=True), np.finfo(np.float64).tiny)
+    counts = np.bincount(points, minlength=len(angles))
+    starts = np.cumsum(counts) - counts
+    for count in np.unique(counts[counts > 1]):
+        chosen = np.flatnonzero(counts == count)
+        for part in np.array_split(chosen, -(-len(chosen) * int(count) ** 2 // _MOST_RAYS)):
+            these = rays[starts[part][:, None] + np.arange(count)]
+            cosines = np.einsum("kid,kjd->kij", these, these).min(axis=(1, 2))
+            angles[part] = np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
+    return angles
+
+
+def parallax(model: SfmModel, *, fixed: bool = False) -> float:
+    """Parallax that no pure rotation explains [px], with a common focal length and distortion unless `fixed`."""
+    pairs = _far_pairs(model)
+    if not pairs:
+        return float("nan")
+    first, second, weights = _rays_of(model, pairs)
+    focal = float(np.median([camera.params[0] for camera in model.cameras]))
+    if fixed:
+        return float(focal * _turning_error(first, second, weights, 1.0, 0.0))
+    center, reach = [0.0, 0.0], (_LOG_FACTORS[1], _MOST_DISTORTION)
+    best = float("inf")
+    for _ in range(_ROUNDS):
+        logs = np.clip(np.linspace(center[0] - reach[0], center[0] + reach[0], _STEPS), *_LOG_FACTORS)
+        bends = np.linspace(center[1] - reach[1], center[1] + reach[1], _STEPS)
+        tried = [(_turning_error(first, second, weights, np.exp(a), b), a, b) for a in logs for b in bends]
+        error, *center = min(tried)
+        best = min(best, error)
+        reach = (reach[0] / _NARROWING, reach[1] / _NARROWING)
+    return float(focal * best)
+
+
+def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
+    count = max(len(model.points), 1)
+    at = np.sort(model.observations @ (count, 1))
+    pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may be observed twice in an image
+    pairs = set()
+    for picture in np.unique(np.linspace(0, len(model) - 1, _MOST_PAIRS).round().astype(int)) if len(model) else ():
+        seen = np.zeros(len(model.points), bool)
+        seen[points[pictures == picture]] = True
+        shared = np.bincount(pictures[seen[points]], minlength=len(model))
+        distances = np.linalg.norm(model.centers - model.centers[picture], axis=1)
+        # The farthest of all may share only a corner, whose points may be equally distant.
+        worth = np.where(shared < _FEW_SHARED, -1.0, distances * np.sqrt(shared))
+        worth[picture] = -1.0
+        other = int(np.argmax(worth))
+        if worth[other] >= 0:
+            pairs.add((min(int(picture), other), max(int(picture), other)))
+    return sorted(pairs)
+
+
+def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Array, Array]:
+    """Normalized positions of the shared points of each pair, twice [p, s, 2], and weights [p, s]."""
+    first = np.zeros((len(pairs), _MOST_SHARED, 2))
+    second, weights = first.copy(), np.zeros(first.shape[:2])
+    for k, pair in enumerate(pairs):
+        rows = [np.flatnonzero(model.observations[:, 0] == picture) for picture in pair]
+        seen, seen_beside = (model.observations[r, 1] for r in rows)
+        _, at, beside = np.intersect1d(seen, seen_beside, return_indices=True)
+        some = np.unique(np.linspace(0, len(at) - 1, _MOST_SHARED).round().astype(int))
+        for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
+            rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]
+        weights[k, : len(some)] = 1.0
+    weights[~np.isfinite(first + second).all(axis=2)] = 0.0  # outside the valid lens area
+    return np.nan_to_num(first), np.nan_to_num(second), weights
+
+
+def _turning_error(first: Array, second: Array, weights: Array, factor: float, distortion: float) -> float:
+    """Median error over pairs of the best rotations, in normalized coordinates."""
+    a, b = (_bent(rays, factor, distortion) for rays in (first, second))
+    products = np.einsum("ps,psi,psj->pij", weights, b / _length(b), a / _length(a))
+    u, _, vt = np.linalg.svd(products)
+    flip = np.ones((len(u), 3))
+    flip[:, 2] = np.sign(np.linalg.det(u @ vt))
+    turned = np.einsum("pij,psj->psi", (u * flip[:, None]) @ vt, a)
+    off = turned[..., :2] / np.maximum(turned[..., 2:], 1e-3) - b[..., :2]
+    count = np.maximum(weights.sum(axis=1), 1)
+    return float(np.median(np.sqrt((weights * (off**2).sum(axis=2)).sum(axis=1) / count))) / factor
+
+
+def _bent(rays: Array, factor: float, distortion: float) -> Array:
+    radius = (rays**2).sum(axis=2, keepdims=True)
+    bent = rays * factor * (1.0 + distortion * radius)
+    return np.concatenate([bent, np.ones_like(radius)], axis=2)
+
+
+def _length(rays: Array) -> Array:
+    return np.linalg.norm(rays, axis=2, keepdims=True)
+
+
+MIN_REGISTERED = 0.6  # fraction of the images
+WHOLE = 0.95  # fraction in the largest model above which others are ignored: they overlap
+MIN_ANGLE = 2.0  # [degrees] gives point depth within a few per cent
+MIN_PARALLAX = 0.002  # relative to the longer side: a few pixels, several times the feature error
+MAX_ERROR = 1.0  # [px] at feature extraction size; a correct lens gives 0.1 to 0.6
+FINDING_SIZE = 1600  # [px] longer side for feature extraction
+MIN_POINTS = 100
+MIN_POINTS_A_PICTURE = 20
+
+_MOVE = "move, do not only turn: walk sideways around what you film"
+
+
+@dataclasses.dataclass(frozen=True)
+class ModelQuality(Assessed):
+    """Quality of an SfM model.
+
+    Args:
+        picture_count: Number of images.
+        registered_count: Images with a pose.
+        model_sizes: Images of each model, the largest first.
+        point_count: Points.
+        points_a_picture: Median number of points per image.
+        angle: Median over points of the widest triangulation angle [degrees]; NaN without points.
+        parallax: Parallax that a pure rotation does not explain [px]; NaN if unknown.
+        error: Median reprojection error [px]; NaN without points.
+        warnings: Failed quality checks, each with its remedy; empty if the model is reliable.
+        focal: Check of the focal length; None if not done.
+        poses: Check of given poses; None if they were estimated.
+    """
+
+    picture_count: int
+    registered_count: int
+    model_sizes: tuple[int, ...]
+    point_count: int
+    points_a_picture: float
+    angle: float
+    parallax: float
+    error: float
+    warnings: tuple[str, ...]
+    focal: CameraCheck | None = None
+    poses: PoseCheck | None = None
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks that do not affect reliability, such as differing cameras or a focal length from EXIF."""
+        return tuple(line for check in (self.focal, self.poses) if check is not None for line in check.notes())
+
+    def to_dict(self) -> dict[str, Any]:
+        fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
+        asked = {"focal": self.focal, "poses": self.poses}
+        fields |= {name: None if check is None else check.to_dict() for name, check in asked.items()}
+        fields |= {"notes": list(self.notes)}
+        numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
+        return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
+
+    @classmethod
+    def from_json(cls, told: Mapping[str, Any]) -> ModelQuality:
+        names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
+        found: dict[str, Any] = {name: told[name] for name in names}
+        found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
+        found |= {name: tuple(found[name]) for name in ("model_sizes", "warnings")}
+        focal, poses = told.get("focal"), told.get("poses")  # missing in older records
+        found["focal"] = None if focal is None else CameraCheck.from_json(focal)
+        return cls(**found, poses=None if poses is None else PoseCheck.from_json(poses))
+
+
+def assess_model(
+    model: SfmModel | None,
+    picture_count: int,
+    *,
+    model_sizes: Sequence[int] | None = None,
+    fix_intrinsic: bool = False,
+    focal: CameraCheck | None = None,
+    poses: PoseCheck | None = None,
+) -> ModelQuality:
+    """Assess a model: how many images have a pose, and how well they determine the depth of its points.
+
+    Args:
+        model: The model; None if there is none.
+        picture_count: Number of images.
+        model_sizes: Images of each model, this one first; None: only this one.
+        fix_intrinsic: The cameras were known; otherwise pure rotation is tested with free intrinsics.
+        focal: Focal length check of `map_pictures`; None if not done.
+        poses: Pose check of `triangulate`.
+
+    Returns:
+        The measures, and a warning for each failed check: fewer than 60% of the images have a pose; less than 95% with
+        other models present; angles below 2 degrees, or pure rotation; a median error above one pixel (of larger
+        images, one at 1600 px); a contradicted or undetermined focal length; too few points.
+
+    Raises:
+        TypeError, ValueError: Not a model, or counts that do not fit it.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.photogrammetry.sfm.model_quality import assess_model
+        >>> found = assess_model(None, 12)
+        >>> found.registered_count, found.warnings[0].split(":")[0]
+        (0, 'none of the 12 pictures could be placed')
+    """
+    if model is not None and not isinstance(model, SfmModel):
+        raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")
+    if focal is not None and not isinstance(focal, CameraCheck):
+        raise TypeError(f"focal: expected a ModelQuality's `focal` or None, got {type(focal).__name__}")
+    if poses is not None and not isinstance(poses, PoseCheck):
+        raise TypeError(f"poses: expected a ModelQuality's `poses` or None, got {type(poses).__name__}")
+    registered = 0 if model is None else len(model)
+    check_count("picture_count", picture_count, minimum=registered)
+    given = [registered] if model_sizes is None else check_list("model_sizes", model_sizes, "counts")
+    sizes = tuple(check_count("model_sizes", size, minimum=0) for size in given if model is not None)
+    if model is None:
+        nothing = (
+            f"none of the {picture_count} pictures could be placed: no two of them show enough of the same from places "
+            "far enough apart. See that they overlap by two thirds, are sharp and show something with a pattern; "
+            + _MOVE
+        )
+        return ModelQuality(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
+    seen = np.bincount(model.observations[:, 0], minlength=registered)
+    errors = model.errors[np.isfinite(model.errors)]
+    found = ModelQuality(
+        picture_count,
+        registered,
+        sizes,
+        len(model.points),
+        float(np.median(seen)) if registered else 0.0,
+        float(np.median(triangulation_angles(model))) if len(model.points) else math.nan,
+        parallax(model, fixed=fix_intrinsic),
+        float(np.median(errors)) if len(errors) else math.nan,
+        (),
+        focal,
+        poses,
+    )
+    longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
+    return dataclasses.replace(found, warnings=tuple(_warnings(found, longer)))
+
+
+def _warnings(found: ModelQuality, longer_side: int) -> list[str]:
+    reasons = [] if found.poses is None else found.poses.reasons(found.registered_count)
+    count, registered = found.picture_count, found.registered_count
+    if found.poses is not None and found.poses.are_wrong:
+        return reasons
+    if registered < MIN_REGISTERED * count and found.poses is not None:
+        reasons.append(f"only {registered} of {count} pictures have a pose: give those of the others too")
+    elif registered < MIN_REGISTERED * count:
+        remedy = "film more slowly, or take pictures that overlap by two thirds"
+        reasons.append(f"only {registered} of {count} pictures could be placed: {remedy}")
+    if registered < WHOLE * count and len(found.model_sizes) > 1:
+        sizes = ", ".join(map(str, found.model_sizes))
+        remedy = "take pictures that join them"
+        reasons.append(f"the pictures fall into {len(found.model_sizes)} models ({sizes} pictures): {remedy}")
+    if found.parallax < MIN_PARALLAX * longer_side:
+        off = f"a camera that only turned would see the points within {found.parallax:.2g} px of where they are"
+        reasons.append(f"the camera hardly moved ({off}), so that depth is unknown: {_MOVE}")
+    elif found.angle < MIN_ANGLE:
+        reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
+    reasons += (asked := [] if found.focal is None else found.focal.reasons())
+    if not asked and found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
+        off = f"points are {found.error:.2g} px off what the model shows (median), more than {most:.2g}"
+        remedy = "do not zoom, hold still what is seen, and give camera_model where the lens bends much"
+        what = f"no lens that was tried fits the pictures; {remedy}"
+        if found.poses is not None:
+            what = "the poses and cameras that were given are no better than that; without them they are found anew"
+        reasons.append(f"{off}: {what}")
+    if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
+        each = f"{found.points_a_picture:.0f} a picture"
+        remedy = "take sharp pictures of something with a pattern"
+        also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
+        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}{also}")
+    return reasons

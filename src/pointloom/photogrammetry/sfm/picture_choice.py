@@ -1,0 +1,159 @@
+"""Preparation of a folder of photographs for structure from motion."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.errors import FileError
+from ...core.progress import ReportProgress
+from ...io.foreign import ignored_errors
+from ...io.pictures.image_files import PictureHeader
+from ...io.pictures.photo_files import is_photo, read_exif
+from .exif_checks import doubts_of_orientation
+from .frame_choice import FrameChoice
+from .frame_picker import is_blank, spaced, thumbnail
+from .picture_folder import (
+    ORIENTATION,
+    UPRIGHT,
+    list_photographs,
+    ordered_names,
+    read_header,
+    read_lens,
+    read_orientation,
+    read_picture,
+    scaled_size,
+    unread_pictures,
+    white_of,
+)
+from .picture_writing import Wanted, counted, some_of, write_bytes, write_picture
+
+_GREY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
+_BITS = 8
+_TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
+_TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
+_LONGEST_EXIF = 65_000  # bytes; a JPEG segment holds 65533
+_SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
+
+
+def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameChoice:
+    paths, second = list_photographs(source)
+    chosen = spaced(list(range(len(paths))), wanted.max_count)
+    headers, left_out = _headers(paths, chosen)
+    usable = [number for number in chosen if number in headers]
+    white = white_of([paths[n] for n in usable], [headers[n] for n in usable])
+    names, numbers, sizes = [], [], Counter[tuple[int, int]]()
+    stems = dict(zip(usable, ordered_names([paths[n] for n in usable]), strict=True))
+    for done, number in enumerate(usable):
+        say("write", done, len(usable))
+        try:
+            pixels = read_picture(paths[number], headers[number], white=white)
+        except FileError as error:
+            left_out[paths[number].name] = error.reason
+            continue
+        if is_blank(thumbnail(_grey(pixels))):
+            left_out[paths[number].name] = "black, or all of one brightness"
+            continue
+        name, size = _write(paths[number], headers[number], pixels, stems[number], wanted)
+        names.append(name)
+        numbers.append(number)
+        sizes[size] += 1
+    say("write", len(usable), len(usable))
+    if not names:
+        first, reason = next(iter(left_out.items()))
+        raise FileError(source, f"none of {counted(len(paths), 'picture')} can be used: {first}: {reason}")
+    return FrameChoice(
+        source=os.fspath(source),
+        kind="pictures",
+        reader="",
+        names=tuple(names),
+        numbers=tuple(numbers),
+        sizes=dict(sizes.most_common()),
+        frame_count=len(paths),
+        left_out=left_out,
+        notes=tuple(
+            _notes(source, len(paths), len(chosen), left_out, sizes)
+            + told_twice(second)
+            + _lenses([paths[n] for n in numbers])
+            + doubts_of_orientation([paths[n] for n in numbers])
+        ),
+    )
+
+
+def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, PictureHeader], dict[str, str]]:
+    """The image headers, and the reasons for missing ones; FileError if a package is missing."""
+    headers, left_out = {}, {}
+    for number in numbers:
+        try:
+            headers[number] = read_header(paths[number])
+        except FileError as error:
+            if isinstance(error.__cause__, ImportError):
+                raise
+            left_out[paths[number].name] = error.reason
+    return headers, left_out
+
+
+def _grey(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return ((pixels @ _GREY) >> 8).astype(np.uint8)
+
+
+def _write(
+    path: Path, header: PictureHeader, pixels: NDArray[np.uint8], stem: str, wanted: Wanted
+) -> tuple[str, tuple[int, int]]:
+    before = (pixels.shape[1], pixels.shape[0])
+    size = scaled_size(before, wanted.max_size)
+    is_plain = not is_photo(path) and header.bits == _BITS and header.channels in (1, 3)
+    if size == before and is_plain and read_orientation(path) == UPRIGHT:
+        name = stem + _SUFFIXES[header.kind]
+        write_bytes(wanted.folder / name, path.read_bytes())
+        return name, size
+    if size != before:
+        pixels = np.asarray(Image.fromarray(pixels).resize(size, Image.Resampling.BOX))
+    name = f"{stem}.{wanted.kind}"
+    write_picture(wanted.folder / name, pixels, _exif_upright(path))
+    return name, size
+
+
+def _exif_upright(path: Path) -> bytes:
+    """EXIF data (with the focal length) without the orientation."""
+    exif, kept = read_exif(path), Image.Exif()
+    exif.pop(ORIENTATION, None)
+    for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # other DNG tags describe the pixel layout
+        kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
+    with ignored_errors():  # invalid EXIF is ignored
+        told = kept.tobytes() if len(kept) else b""
+        return told if len(told) <= _LONGEST_EXIF else b""
+    return b""
+
+
+def told_twice(paths: list[Path]) -> list[str]:
+    if not paths:
+        return []
+    return [f"of photographs that lie there as JPEG or PNG as well: {some_of([path.name for path in paths])}"]
+
+
+def _notes(
+    source: Path, count: int, chosen: int, left_out: dict[str, str], sizes: Counter[tuple[int, int]]
+) -> list[str]:
+    notes = []
+    if chosen < count:
+        notes.append(f"{chosen} of {count} pictures are taken, evenly in the order of their names (max_frames)")
+    if left_out:
+        said = [f"{name} ({reason})" for name, reason in left_out.items()]
+        notes.append(f"{counted(len(left_out), 'picture')} cannot be used and left out: {some_of(said)}")
+    if others := unread_pictures(source):
+        notes.append(f"of kinds that are not read, convert them to PNG or JPEG: {some_of(others)}")
+    if len(sizes) > 1:
+        said = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
+        notes.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
+    return notes
+
+
+def _lenses(paths: list[Path]) -> list[str]:
+    count = len({read_lens(path) for path in paths})
+    return [f"EXIF tells of {count} cameras or focal lengths, each taken for a camera of its own"] if count > 1 else []

@@ -1,0 +1,343 @@
+"""Camera positions and attitudes from EXIF (2.32, section 4.6.6) and the XMP of drones; implausible values are
+rejected.
+
+XMP is searched by name, not parsed as XML, so no entity is expanded. Namespaces: `drone-dji:`, `drone-parrot:`, and
+Pix4D's `Camera:`, where a pitch of 0 looks straight down (in the others -90).
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.checks import check_list
+from ...core.errors import FileError, FilePath
+from ...io.foreign import ignored_errors
+from ...pcd.geodesy import WorldFrame
+from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
+from .picture_writing import counted, some_of
+
+MOST_BYTES = 1 << 20  # searched part of XMP
+_ENTRY = re.compile(
+    r"(?:drone-dji|drone-parrot|Camera):(?P<name>\w+)\s*(?:=\s*[\"'](?P<a>[^\"'<>]{1,40})[\"']|>\s*(?P<b>[^<>]{1,40})<)"
+)
+_PREFIX = re.compile(r"(drone-dji|drone-parrot|Camera):")
+_NUMBER = re.compile(r"[+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?")
+_RTK = {50: "fixed", 34: "float", 16: "single", 0: "none"}  # DJI's RtkFlag
+
+
+@dataclass(frozen=True)
+class Xmp:
+    """Values of XMP, None if missing: altitudes and sigmas [m], (yaw, pitch, roll) and aircraft heading [degrees]."""
+
+    altitude: float | None = None
+    relative_altitude: float | None = None
+    horizontal_sigma: float | None = None
+    vertical_sigma: float | None = None
+    rtk: str | None = None
+    attitude: tuple[float, float, float] | None = None
+    heading: float | None = None
+
+
+def parse_xmp(data: bytes | str | None) -> Xmp:
+    if not data:
+        return Xmp()
+    text = data if isinstance(data, str) else data[:MOST_BYTES].decode("utf-8", "replace")
+    found: dict[str, float] = {}
+    for match in _ENTRY.finditer(text[:MOST_BYTES]):
+        number = _NUMBER.match((match["a"] or match["b"]).strip())
+        space = _PREFIX.match(match[0])
+        assert space is not None
+        if number is not None and math.isfinite(float(number[0])):
+            found.setdefault(f"{space[1]}:{match['name']}", float(number[0]))
+    dji = {key.partition(":")[2]: value for key, value in found.items() if key.startswith("drone-dji:")}
+    flag = dji.get("RtkFlag")
+    return Xmp(
+        altitude=dji.get("AbsoluteAltitude"),
+        relative_altitude=dji.get("RelativeAltitude"),
+        horizontal_sigma=_sigma(*(dji.get(name) for name in ("RtkStdLon", "RtkStdLat"))),
+        vertical_sigma=_sigma(dji.get("RtkStdHgt")),
+        rtk=None if flag is None else _RTK.get(int(flag), "none"),
+        attitude=_attitude(found),
+        heading=dji.get("FlightYawDegree"),
+    )
+
+
+def _sigma(*values: float | None) -> float | None:
+    """The largest standard deviation if all are given and positive."""
+    kept = [value for value in values if value is not None and 0 < value < 1e4]
+    return max(kept) if len(kept) == len(values) else None
+
+
+def _attitude(found: dict[str, float]) -> tuple[float, float, float] | None:
+    for names, down in (
+        ([f"drone-dji:Gimbal{what}Degree" for what in ("Yaw", "Pitch", "Roll")], 0.0),
+        ([f"drone-parrot:Camera{what}Degree" for what in ("Yaw", "Pitch", "Roll")], 0.0),
+        ([f"Camera:{what}" for what in ("Yaw", "Pitch", "Roll")], 90.0),
+    ):
+        if all(name in found for name in names):
+            yaw, pitch, roll = (found[name] for name in names)
+            pitch -= down
+            if all(abs(angle) <= 360 for angle in (yaw, pitch, roll)):
+                return yaw, pitch, roll
+    return None
+
+
+FARTHEST = 1e5  # [m] maximum distance from the median
+LOWEST, HIGHEST = -500.0, 20000.0  # [m] accepted altitudes
+WORST_SIGMA = 1000.0  # [m] maximum standard deviation
+
+_GPS, _XMP_KEYS = 0x8825, ("xmp", "XML:com.adobe.xmp")
+_NS, _LATITUDE, _EW, _LONGITUDE, _BELOW, _ALTITUDE = range(1, 7)
+_STATUS, _DIRECTION_FROM, _DIRECTION, _ERROR = 9, 16, 17, 31
+_NO_FIX = "V"  # GPSStatus: measurement void
+
+
+@dataclass(frozen=True)
+class PicturePlace:
+    """Position of an image from its metadata.
+
+    Attributes:
+        name: File name.
+        latitude, longitude: WGS 84 [degrees].
+        altitude: Above sea or ellipsoid, depending on the camera [m]; None if missing.
+        relative_altitude: Above the take-off point [m] (DJI).
+        horizontal_sigma, vertical_sigma: Standard deviations [m]; None if missing.
+        rtk: "fixed", "float", "single" or "none" (DJI).
+        attitude: Yaw clockwise from north, pitch up, roll to the right of the camera [degrees] (XMP).
+        direction: Viewing direction, clockwise from true north [degrees] (EXIF).
+        heading: Aircraft heading [degrees] (DJI).
+    """
+
+    name: str
+    latitude: float
+    longitude: float
+    altitude: float | None = None
+    relative_altitude: float | None = None
+    horizontal_sigma: float | None = None
+    vertical_sigma: float | None = None
+    rtk: str | None = None
+    attitude: tuple[float, float, float] | None = None
+    direction: float | None = None
+    heading: float | None = None
+
+
+@dataclass(frozen=True)
+class PicturePlaces:
+    """Positions of a set of images.
+
+    Attributes:
+        places: Valid positions, in image order.
+        attitudes: Yaw, pitch and roll by name, also of images without a position.
+        refused: Reason of each rejected position, by image name.
+        picture_count: Number of images.
+        altitudes_refused: Rejected altitudes [m], by name; the position is used without.
+    """
+
+    places: tuple[PicturePlace, ...]
+    attitudes: dict[str, tuple[float, float, float]] = field(default_factory=dict)
+    refused: dict[str, str] = field(default_factory=dict)
+    picture_count: int = 0
+    altitudes_refused: dict[str, float] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.places)
+
+    def __repr__(self) -> str:
+        wrong = f", {len(self.refused)} refused" if self.refused else ""
+        return f"PicturePlaces({len(self)} of {counted(self.picture_count, 'picture')}{wrong})"
+
+    @property
+    def frame(self) -> WorldFrame:
+        """Local frame [m] at the median position and the median known altitude; raises ValueError without positions."""
+        if not self.places:
+            raise ValueError("places: no picture says where it was taken")
+        turns = _unwrapped([place.longitude for place in self.places])
+        altitudes = [place.altitude for place in self.places if place.altitude is not None]
+        longitude = (float(np.median(turns)) + 180) % 360 - 180
+        latitude = float(np.median([place.latitude for place in self.places]))
+        return WorldFrame(latitude, longitude, float(np.median(altitudes)) if altitudes else 0.0)
+
+    def notes(self) -> list[str]:
+        said = [f"{name} ({reason})" for name, reason in self.refused.items()]
+        notes = [f"GPS of {counted(len(said), 'picture')} is rejected: {some_of(said)}"] if said else []
+        said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
+        if said:
+            notes.append(f"the altitude of {counted(len(said), 'picture')} is rejected: {some_of(said)}")
+        return notes
+
+    def to_dict(self) -> dict[str, Any]:
+        return {
+            "places": [asdict(place) for place in self.places],
+            "attitudes": {name: list(angles) for name, angles in self.attitudes.items()},
+            "refused": dict(self.refused),
+            "picture_count": self.picture_count,
+            "altitudes_refused": dict(self.altitudes_refused),
+        }
+
+
+def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
+    """Read the positions of photographs from EXIF and XMP.
+
+    Args:
+        source: A folder of images, or the files.
+
+    Returns:
+        The positions, and the reason for each rejected one: latitude beyond 90 degrees, division by zero, the 0, 0 of
+        cameras without a fix, missing hemispheres, or more than 100 km from the median.
+
+    Raises:
+        TypeError: Not a path or a list of paths.
+        DatasetError, FileError: No such folder, no image in it, or a missing file.
+
+    Notes:
+        Only headers are read. Attitudes of images with an EXIF rotation are ignored.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from PIL import Image
+        >>> exif = Image.Exif()
+        >>> exif.get_ifd(0x8825).update({1: "N", 2: (47.0, 30.0, 0.0), 3: "E", 4: (8.0, 15.0, 0.0), 6: 430.0})
+        >>> Image.new("RGB", (8, 8)).save("a.jpg", exif=exif)
+        >>> place = loom.sfm.read_picture_places(["a.jpg"]).places[0]
+        >>> place.latitude, place.longitude, place.altitude
+        (47.5, 8.25, 430.0)
+    """
+    if isinstance(source, str | os.PathLike):
+        paths = list_pictures(check_place("source", source))
+    else:
+        paths = [check_place(f"source[{k}]", path) for k, path in enumerate(check_list("source", source, "paths"))]
+    places, attitudes, refused, heights = [], {}, {}, {}
+    for path in paths:
+        gps, xmp, turned = _read_head(path)
+        if xmp.attitude is not None and not turned:
+            attitudes[path.name] = xmp.attitude
+        try:
+            place = _place_of(path.name, gps, xmp, turned=turned)
+        except ValueError as error:
+            refused[path.name] = str(error)
+            continue
+        if place is not None:
+            if place.altitude is not None and not LOWEST <= place.altitude <= HIGHEST:
+                heights[path.name] = place.altitude
+                place = replace(place, altitude=None)
+            places.append(place)
+    kept = _without_far(places, refused)
+    return PicturePlaces(tuple(kept), attitudes, refused, len(paths), heights)
+
+
+def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
+    """EXIF's GPS tags, XMP, and whether EXIF rotates the image."""
+    if not path.is_file():
+        raise FileError(path, "does not exist")
+    with ignored_errors(), Image.open(path) as picture:  # unreadable metadata is ignored
+        xmp = next((picture.info[key] for key in _XMP_KEYS if picture.info.get(key)), None)
+        exif = picture.getexif()
+        gps: dict[int, Any] = {}
+        with ignored_errors():
+            gps = dict(exif.get_ifd(_GPS))
+        return gps, parse_xmp(xmp), exif.get(ORIENTATION, UPRIGHT) not in (UPRIGHT, 0, None)
+    return {}, Xmp(), False
+
+
+def _place_of(name: str, gps: dict[int, Any], xmp: Xmp, *, turned: bool) -> PicturePlace | None:
+    if _LATITUDE not in gps and _LONGITUDE not in gps:
+        return None
+    if _text(gps.get(_STATUS)) == _NO_FIX:
+        raise ValueError("GPSStatus says that there was no fix")
+    latitude = _degrees(gps, _LATITUDE, _NS, "NS", "latitude", 90.0)
+    longitude = _degrees(gps, _LONGITUDE, _EW, "EW", "longitude", 180.0)
+    if latitude == 0 and longitude == 0:
+        raise ValueError("0, 0 is what cameras without a fix write")
+    direction = _number(gps.get(_DIRECTION)) if _text(gps.get(_DIRECTION_FROM, "T")) == "T" else None
+    error = xmp.horizontal_sigma or _number(gps.get(_ERROR))
+    return PicturePlace(
+        name=name,
+        latitude=latitude,
+        longitude=longitude,
+        altitude=_altitude(gps, xmp),
+        relative_altitude=xmp.relative_altitude,
+        horizontal_sigma=error if error is not None and 0 < error <= WORST_SIGMA else None,
+        vertical_sigma=xmp.vertical_sigma,
+        rtk=xmp.rtk,
+        attitude=None if turned else xmp.attitude,
+        direction=direction if direction is not None and 0 <= direction <= 360 else None,
+        heading=xmp.heading,
+    )
+
+
+def _degrees(gps: dict[int, Any], tag: int, sign_tag: int, signs: str, what: str, most: float) -> float:
+    raw = gps.get(tag)
+    parts = list(raw) if isinstance(raw, tuple | list) else [raw]
+    numbers = [_number(part) for part in parts]
+    if raw is None or not 1 <= len(numbers) <= 3 or any(number is None for number in numbers):
+        raise ValueError(f"its {what} is no number")
+    whole = [number for number in numbers if number is not None]
+    if any(number < 0 for number in whole) or any(number > 60 for number in whole[1:]):
+        raise ValueError(f"its {what} has {' '.join(f'{number:g}' for number in whole)} for degrees, minutes, seconds")
+    value = sum(number / 60**k for k, number in enumerate(whole))
+    if value > most:
+        raise ValueError(f"its {what} is {value:g} degrees")
+    sign = _text(gps.get(sign_tag))
+    if sign not in signs:
+        raise ValueError(f"its {what} does not say {signs[0]} or {signs[1]}")
+    return -value if sign == signs[1] else value
+
+
+def _altitude(gps: dict[int, Any], xmp: Xmp) -> float | None:
+    value = _number(gps.get(_ALTITUDE))
+    if value is None:
+        value = xmp.altitude
+    else:
+        below = gps.get(_BELOW, b"\0")
+        code = below[0] if isinstance(below, bytes) and below else _number(below)
+        value = -abs(value) if code in (1, ord("1")) else value
+    return value
+
+
+def _number(value: Any) -> float | None:
+    try:
+        number = float(value)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _text(value: Any) -> str:
+    text = value.decode("ascii", "replace") if isinstance(value, bytes) else str(value or "")
+    return text.strip("\0 ").upper()[:1] or "?"
+
+
+def _without_far(places: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
+    if len(places) < 3:
+        return places
+    metres = metres_about_median(places)
+    far = np.linalg.norm(metres, axis=1)
+    for place, distance in zip(places, far.tolist(), strict=True):
+        if distance > FARTHEST:
+            refused[place.name] = f"lies {distance / 1000:,.0f} km from the median of the others"
+    return [place for place in places if place.name not in refused]
+
+
+def metres_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
+    """Approximate positions about their median, [n, 2] [m]."""
+    degrees = np.array([[place.latitude, place.longitude] for place in places])
+    degrees[:, 1] = _unwrapped(degrees[:, 1].tolist())
+    middle = np.median(degrees, axis=0)
+    across = math.cos(math.radians(float(middle[0])))
+    return (degrees - middle) * (111_320.0, 111_320.0 * across)
+
+
+def _unwrapped(longitudes: list[float]) -> NDArray[np.float64]:
+    """Longitudes about the first, continuous across the 180th meridian."""
+    values = np.array(longitudes)
+    return values[0] + (values - values[0] + 180) % 360 - 180

@@ -1,0 +1,243 @@
+"""The complete reconstruction pipeline from a video or a folder of images to a mesh."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ...cameras.picture_names import meant_pictures
+from ...core.atomic import atomic_write
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.known_names import nearest_name
+from ...core.progress import ReportProgress
+from ...core.stages import Chain, Made
+from ...core.timing import peak_bytes_of_all
+from ...core.wording import few_of, json_text
+from ...core.work_folder import check_work_folder, held
+from ...io.pictures.image_files import read_picture_header
+from ...io.points.point_cloud import read_point_cloud
+from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ..sfm.picture_folder import check_place
+from ..sfm.picture_places import read_picture_places
+from . import motion, surface
+from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
+from .ground_control import ControlMark, GroundControl
+from .motion import PICTURES, picture_names
+from .outputs import Outputs
+from .result import StageReport, VideoFigures, VideoResult
+from .settings import Settings
+from .units import NONE, fit_as_given, fit_units
+
+
+def check_control(control: GroundControl | None, frames: Made, source: FilePath) -> None:
+    if control is None:
+        return
+    place = Path(source)
+    offered = sorted(path.name for path in place.iterdir()) if place.is_dir() else []
+    names = picture_names(frames)
+    marked = {k for mark in control.marks for k in meant_pictures(mark.picture, names)}
+    headers = {names[k]: read_picture_header(frames.folder / PICTURES / names[k]) for k in sorted(marked)}
+    sizes = {name: (header.width, header.height) for name, header in headers.items()}
+    check_marks(control, names, sizes, offered)
+
+
+def check_marks(
+    control: GroundControl, names: Sequence[str], sizes: Mapping[str, tuple[int, int]], offered: Sequence[str] = ()
+) -> None:
+    for mark in control.marks:
+        meant = meant_pictures(mark.picture, names)
+        if not meant and meant_pictures(mark.picture, offered):
+            continue
+        if len(meant) != 1:
+            what = "is none of the pictures" if not meant else f"may mean {len(meant)} pictures"
+            near = nearest_name(mark.picture, names).removeprefix("; ")
+            some = few_of(names, 3)
+            raise _error(control, mark, f"{mark.picture!r} {what}", f"{near} " * bool(near) + f"They are called {some}")
+        width, height = sizes[names[meant[0]]]
+        column, row = (mark.pixel + 0.5).tolist()
+        if not (0 <= column <= width and 0 <= row <= height):
+            reason = f"{mark.point!r} is marked at {column:g}, {row:g}, outside of {mark.picture} of {width} x {height}"
+            remedy = "Columns come first, and count in the picture as it was taken: not turned, not made smaller"
+            raise _error(control, mark, reason, remedy)
+
+
+def _error(control: GroundControl, mark: ControlMark, reason: str, remedy: str) -> FileError:
+    path, _, line = mark.where.rpartition(" (")
+    return FileError(path or control.path, reason, where=line.rstrip(")") if path else "", remedy=remedy)
+
+
+MARKER, REPORT = "video.json", "report.json"
+
+
+def reconstruct(
+    source: FilePath,
+    settings: Settings | None = None,
+    *,
+    outputs: Outputs | None = None,
+    work: FilePath | None = None,
+    resume: bool = False,
+    device: Any = "auto",
+    overwrite: bool = False,
+    progress: ReportProgress | None = None,
+) -> VideoResult:
+    """Reconstruct a mesh from a video or a folder of images, as `pointloom video` does.
+
+    Stages: sharp frames (`frames`), `features` and `matches`, poses (`model`), undistorted images (`undistorted`),
+    multi-view stereo (`depth`), fused points (`fused`) and surface (`mesh`).
+
+    Args:
+        source: A video for ffmpeg, or a folder of images; a folder with `settings.cameras`.
+        settings: Number and size of images, unit, camera; None: defaults.
+        outputs: Additional output files, checked before the work; None: none.
+        work: Folder of stage files and report.json; None: temporary, beside the mesh file or in the current folder,
+            about 30 MB per image of 960 x 720 pixels.
+        resume: Reuse valid results of an earlier run in `work`.
+        device: Compute device.
+        overwrite: Replace existing outputs, and an earlier run in `work`.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
+
+    Returns:
+        Mesh, points and model in one frame, with the figures of all stages. `warnings` gives the reasons if the result
+        is unreliable or missing: insufficient images are a result, not an error.
+
+    Raises:
+        TypeError, ValueError: An argument out of range, or a missing image in `known`.
+        FileError: An invalid source, an output that cannot be written, maps without georeference, or an earlier run in
+            the work folder without `resume`. Finished stages are kept.
+        DeviceError: No such device.
+
+    Notes:
+        Bitwise reproducible, resumed or not. Requires `pip install "pointloom[sfm]"`.
+
+    Example:
+        >>> import pointloom as loom
+        >>> loom.video.reconstruct("no such film.mp4", loom.video.Settings(max_frames=60))
+        Traceback (most recent call last):
+        pointloom.core.errors.FileError: no such film.mp4: does not exist. Give a video, or a folder of pictures
+    """
+    settings, outputs = _checked(settings, outputs)
+    outputs.check(overwrite=overwrite)
+    where, say = resolve_device(device), check_progress(progress)
+    content = motion.digest_of_source(source)
+    settings = _with_places(settings, source)
+    outputs.check_units(settings.units)
+    if resume and work is None:
+        raise ValueError("resume: goes with work, the folder of the earlier run")
+    with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
+        _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
+        (root / REPORT).unlink(missing_ok=True)  # from an earlier run, outdated
+        chain = Chain(root, tuple(STAGES), resume=resume, progress=say)
+        given = settings_of_stages(source, content, settings, where)
+        result = _run(chain, given, settings, outputs, source=os.fspath(source), work=work, device=where)
+        if result.mesh is not None:
+            training = outputs.write_training(result, chain.made["frames"].folder, overwrite=overwrite)
+            result = replace(result, files=outputs.write(result, overwrite=overwrite), training=training)
+        result = replace(result, peak_bytes=peak_bytes_of_all())
+        if work is not None:
+            _write_json(root / REPORT, result.to_dict())
+    return result
+
+
+def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
+    settings = Settings() if settings is None else settings
+    if not isinstance(settings, Settings):
+        raise TypeError(f"settings: expected Settings, got {type(settings).__name__}")
+    outputs = Outputs() if outputs is None else outputs
+    if not isinstance(outputs, Outputs):
+        raise TypeError(f"outputs: expected Outputs, got {type(outputs).__name__}")
+    return settings, outputs
+
+
+def _with_places(settings: Settings, source: FilePath) -> Settings:
+    units, place = settings.units, Path(source)
+    if settings.cameras is not None and units.align is None:
+        return replace(settings, units=replace(units, align=NONE))
+    if units.places is None and place.is_dir() and units.file is None and units.align != NONE:
+        return replace(settings, units=replace(units, places=read_picture_places(place)))
+    return settings
+
+
+def _run(
+    chain: Chain,
+    given: Mapping[str, Given],
+    settings: Settings,
+    outputs: Outputs,
+    *,
+    source: str,
+    work: FilePath | None,
+    device: Any,
+) -> VideoResult:
+    stages = STAGES if settings.cameras is None else KNOWN_STAGES
+    frames = run_to("frames", chain, given, stages)
+    settings.units.check_names(motion.picture_names(frames))
+    check_control(settings.units.ground, frames, source)
+    found = run_to("model", chain, given, stages)
+    mesh = cloud = model = fit = None
+    figures = VideoFigures.of_stages(chain.made)
+    reasons = figures.model_warnings()
+    if not figures.is_hopeless:
+        model = motion.read_model(found)
+        fit = fit_units(settings.units, model)  # fail before the long work
+        fit = fit if settings.cameras is None else fit_as_given(fit)
+        reasons += fit.warnings
+        model = model.transform(fit.T_world_model)
+        outputs.check_fit(fit, model.points)
+        surface_made = run_to("mesh", chain, given, stages)
+        figures = VideoFigures.of_stages(chain.made)
+        reasons += figures.depth_warnings()
+        cloud = read_point_cloud(chain.made["fused"].folder / surface.CLOUD, device=device).transform(fit.T_world_model)
+        if figures.triangle_count:
+            mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
+        else:
+            reasons.append("the mesh is empty, and nothing was written; take more pictures")
+    return VideoResult(
+        source=source,
+        device=str(device),
+        mesh=mesh,
+        cloud=cloud,
+        model=model,
+        fit=fit,
+        figures=figures,
+        warnings=tuple(reasons),
+        stages={name: _report_of(chain.made.get(name)) for name in STAGES},
+        files=(),
+        work=None if work is None else os.fspath(work),
+        peak_bytes=0,
+    )
+
+
+def _report_of(made: Made | None) -> StageReport | None:
+    return None if made is None else StageReport(made.kept, made.cost, made.told, made.outdated)
+
+
+@contextlib.contextmanager
+def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
+    if work is not None:
+        folder = check_work_folder(check_place("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
+        try:
+            folder.mkdir(exist_ok=True)
+        except OSError as error:
+            raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        with held(folder):
+            yield folder
+        return
+    beside = Path(outputs.mesh or "mesh").absolute()  # not the system's temporary folder, often small or in memory
+    try:
+        folder = tempfile.TemporaryDirectory(prefix=f".{beside.stem}-video-", dir=beside.parent)
+    except OSError as error:
+        reason = f"no folder can be made in it: {error.strerror or error}"
+        raise FileError(beside.parent, reason, remedy="Give the name of one that can be made as work") from error
+    with folder as name:
+        yield Path(name)
+
+
+def _write_json(path: Path, content: dict[str, Any]) -> None:
+    with atomic_write(path) as file:
+        file.write(json_text(content).encode() + b"\n")

@@ -1,0 +1,156 @@
+"""Pipeline stages with known lenses and poses: images by name, guided matching, triangulation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera_models import MODELS, CameraModel
+from ...cameras.undistortion import Undistortion
+from ...core.errors import DatasetError, FilePath
+from ...core.progress import ReportProgress
+from ...core.stages import Made
+from ...io.models.colmap import read_colmap_model, write_colmap_model
+from ...io.models.sfm_model import SfmModel
+from ...io.pictures.photo_files import is_photo
+from ..sfm import features
+from ..sfm.colmap_jobs import MAX_SECONDS
+from ..sfm.frame_picker import spaced
+from ..sfm.guided_matches import read_matches, write_matches
+from ..sfm.masks import KEPT, MakeMask, check_some_left, hides_all, mask_as_stored, told_of_masks, write_mask
+from ..sfm.model_quality import assess_model
+from ..sfm.picture_choice import told_twice
+from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
+from ..sfm.picture_writing import write_bytes, write_picture
+from ..sfm.pose_check import PoseCheck
+from ..sfm.posed_pictures import with_poses
+from ..sfm.triangulation import match_posed, points_of
+from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_turned
+from .settings import Settings
+
+CAMERAS, MATCHES = "cameras", "matches.npz"
+
+
+def take_pictures(
+    folder: Path,
+    say: ReportProgress,
+    *,
+    source: FilePath,
+    max_frames: int,
+    posed: Settings,
+    masks: FilePath | MakeMask | None = None,
+) -> dict[str, Any]:
+    """Copy the images with a pose in stored orientation, to which the lenses refer."""
+    if not Path(source).is_dir():
+        raise DatasetError(source, "is no folder", remedy="Cameras with poses are of pictures: give their folder")
+    paths, second = list_photographs(source)
+    given = posed.read_posed([path.name for path in paths])
+    assert given is not None
+    found = with_poses(source, paths, given)
+    chosen = spaced(list(range(len(found.paths))), max_frames)
+    pictures = folder / PICTURES
+    pictures.mkdir()
+    names, cameras, kept, lenses = [], [], [], {}
+    hides = _Masks(Path(source), folder / MASKS, masks)
+    for done, k in enumerate(chosen):
+        say("write", done, len(chosen))
+        path, lens = found.paths[k], found.model.cameras[k]
+        mask = hides.mask_of(path, (lens.width, lens.height))
+        if mask is not None and hides_all(mask):
+            continue
+        name, camera = _write(pictures, path, lens, lenses)
+        if mask is not None:
+            hides.write(name, mask, lenses.get(lens))
+        names.append(name)
+        cameras.append(camera)
+        kept.append(k)
+    say("write", len(chosen), len(chosen))
+    hides.check(len(names))
+    if len({Path(name).stem for name in names}) < len(names):
+        raise DatasetError(source, "holds pictures whose names differ by their ending alone", remedy="Rename them")
+    model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[kept])
+    write_colmap_model(folder / CAMERAS, model)
+    notes = [*found.notes, *hides.notes]
+    if len(chosen) < len(found.paths):
+        notes.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
+    notes += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
+    missing = len(found.without_pose) * len(names) // len(found.paths)
+    return {"kept": len(names), "frames": len(paths), "notes": notes, "missing": missing}
+
+
+class _Masks:
+    def __init__(self, source: Path, folder: Path, masks: FilePath | MakeMask | None):
+        self.source, self.folder, self.masks = source, folder, masks
+        self.hidden: list[str] = []
+        self.missing: list[str] = []
+
+    def mask_of(self, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
+        if self.masks is None:
+            return None
+        mask = mask_as_stored(self.masks, picture, size)
+        if mask is None:
+            self.missing.append(picture.name)
+        elif hides_all(mask):
+            self.hidden.append(picture.name)
+        return mask
+
+    def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
+        self.folder.mkdir(exist_ok=True)
+        if lens is not None:
+            mask = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
+        write_mask(self.folder, name, mask)
+
+    def check(self, kept: int) -> None:
+        if self.masks is not None:
+            check_some_left(self.source, self.masks, self.hidden, self.missing, kept)
+
+    @property
+    def notes(self) -> list[str]:
+        return told_of_masks(self.hidden, self.missing)
+
+
+def _write(
+    pictures: Path, path: Path, camera: CameraModel, lenses: dict[CameraModel, Undistortion]
+) -> tuple[str, CameraModel]:
+    """Write an image for COLMAP and return its camera, undistorted if COLMAP lacks the lens model."""
+    header = read_header(path)
+    if MODELS[camera.model].number is None:
+        lens = lenses.setdefault(camera, Undistortion(camera))
+        write_picture(pictures / f"{path.stem}.png", lens.apply(read_stored(path)))
+        return f"{path.stem}.png", CameraModel.from_intrinsic(lens.intrinsic)
+    if header.bits == 8 and header.channels in (1, 3) and not is_photo(path) and read_orientation(path) == UPRIGHT:
+        write_bytes(pictures / path.name, path.read_bytes())
+        return path.name, camera
+    write_picture(pictures / f"{path.stem}.png", read_stored(path))
+    return f"{path.stem}.png", camera
+
+
+def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_features: int, seed: int) -> dict[str, Any]:
+    pictures, database = frames.folder / PICTURES, folder / DATABASE
+    options = {"max_features": max_features, "masks": masks_of(frames.folder)}
+    return features.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
+
+
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:
+    model = read_colmap_model(frames.folder / CAMERAS)
+    found, check = match_posed(features.folder / DATABASE, model, device=device, progress=say)
+    write_matches(folder / MATCHES, found)
+    return {"pair_count": len(found.pairs), "match_count": len(found.matches), "poses": check.to_dict()}
+
+
+def triangulate(
+    folder: Path, say: ReportProgress, *, frames: Made, features: Made, matches: Made, seed: int
+) -> dict[str, Any]:
+    model = read_colmap_model(frames.folder / CAMERAS)
+    check = PoseCheck.from_json(matches.told["poses"])
+    found = read_matches(matches.folder / MATCHES)
+    where = features.folder / DATABASE, model, found, check, frames.folder / PICTURES
+    whole, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
+    assessed = assess_model(whole, len(model) + frames.told["missing"], fix_intrinsic=True, poses=check)
+    write_colmap_model(folder / MODEL, whole)
+    cameras = tuple(dict.fromkeys(whole.cameras))
+    told = {"missing": [], "cameras": [described(camera) for camera in cameras]}
+    return assessed.to_dict() | told | {"turned": only_turned(assessed, cameras)}

@@ -1,0 +1,154 @@
+"""Triangulation of marked points: position, covariance, and residuals of the marks.
+
+Hartley and Zisserman, "Multiple view geometry", 2004, section 12.2 (linear solution), then Gauss-Newton in pixels.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.picture_names import meant_pictures
+from ...io.models.sfm_model import SfmModel
+from ...registration.rigid import skews
+from .ground_control import ControlMark
+
+Array = NDArray[np.float64]
+
+TURNS = 20
+MARK_SIGMA = 0.5  # [px] standard deviation of a mark
+STEP = 1e-6  # relative step of numeric derivatives
+WORST = 15.0  # [px] maximum error of a mark
+BETTER = 1.3  # improvement without an outlier mark, with four and more
+CLEARLY = 3.0  # improvement without one of three
+LEAST_ANGLE = math.radians(0.5)  # minimum angle between two rays
+
+
+@dataclass(frozen=True, eq=False)
+class MarkedPoint:
+    """A triangulated point: `place` [3] with `covariance`, or None with a `reason`; mark `errors` [px] by image."""
+
+    name: str
+    place: Array | None
+    covariance: Array
+    errors: dict[str, float]
+    left_out: tuple[str, ...] = ()
+    reason: str = ""
+
+    @property
+    def rms(self) -> float:
+        return math.sqrt(sum(e * e for e in self.errors.values()) / len(self.errors)) if self.errors else math.nan
+
+
+def locate_marks(model: SfmModel, marks: Sequence[ControlMark]) -> dict[str, MarkedPoint]:
+    pictures = {mark.picture: meant_pictures(mark.picture, model.names) for mark in marks}
+    by_name: dict[str, list[tuple[int, Array]]] = {mark.point: [] for mark in marks}
+    for mark in marks:
+        if len(meant := pictures[mark.picture]) == 1:
+            by_name[mark.point].append((meant[0], mark.pixel))
+    return {name: _located(model, name, seen) for name, seen in by_name.items()}
+
+
+def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> MarkedPoint:
+    left: list[str] = []
+    while True:
+        nowhere = MarkedPoint(name, None, np.full((3, 3), np.inf), {}, tuple(left))
+        if len({k for k, _ in seen}) < 2:
+            count = f"{len(seen)} picture{'s' * (len(seen) != 1)} of the model show{'s' * (len(seen) == 1)} it"
+            return _because(nowhere, f"{count}; mark it in two or more that are placed")
+        rays = _rays(model, seen)
+        if not np.isfinite(rays).all():
+            return _because(nowhere, "a mark lies outside of what its lens shows")
+        if _widest(rays) < LEAST_ANGLE:
+            return _because(nowhere, "all pictures show it from one side: their rays do not cross")
+        place, covariance = _adjusted(model, seen, _meeting(model, seen, rays))
+        if place is None:
+            return _because(nowhere, "the rays of its marks do not meet before the cameras")
+        errors = np.linalg.norm(_gaps(model, seen, place), axis=1)
+        told = {model.names[k]: float(e) for (k, _), e in zip(seen, errors, strict=True)}
+        if not errors.max() > WORST:
+            return MarkedPoint(name, place, covariance, told, tuple(left))
+        wrong = _odd_one(model, seen, math.sqrt(float((errors**2).mean()))) if len(seen) > 2 else None
+        if wrong is None and len(seen) > 3:
+            return MarkedPoint(name, place, covariance, told, tuple(left))  # all somewhat off: the model is deformed
+        if wrong is None:
+            which = ", ".join(model.names[k] for k, _ in seen)
+            return _because(nowhere, f"its marks in {which} contradict each other by {errors.max():.0f} px; check them")
+        left.append(model.names[seen[wrong][0]])
+        seen = seen[:wrong] + seen[wrong + 1 :]
+
+
+def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int | None:
+    left = np.full(len(seen), np.inf)
+    for k in range(len(seen)):
+        rest = seen[:k] + seen[k + 1 :]
+        rays = _rays(model, rest)
+        if _widest(rays) >= LEAST_ANGLE:
+            place, _ = _adjusted(model, rest, _meeting(model, rest, rays))
+            left[k] = np.inf if place is None else np.sqrt((_gaps(model, rest, place) ** 2).sum(axis=1).mean())
+    first, second = np.argsort(left, kind="stable")[:2].tolist()
+    if len(seen) == 3:  # any two nearly agree, so the third must be far worse
+        return first if CLEARLY * max(left[first], MARK_SIGMA) < left[second] else None
+    return first if BETTER * left[first] < rms else None
+
+
+def _because(point: MarkedPoint, reason: str) -> MarkedPoint:
+    return MarkedPoint(point.name, None, point.covariance, {}, point.left_out, reason)
+
+
+def _rays(model: SfmModel, seen: list[tuple[int, Array]]) -> Array:
+    rays = np.array([model.cameras[k].unproject(pixel[None])[0] for k, pixel in seen])
+    turned = np.array([model.T_camera_world[k, :3, :3].T @ ray for (k, _), ray in zip(seen, rays, strict=True)])
+    return turned / np.linalg.norm(turned, axis=1, keepdims=True)
+
+
+def _widest(rays: Array) -> float:
+    return float(np.arccos(np.clip(rays @ rays.T, -1, 1)).max())
+
+
+def _meeting(model: SfmModel, seen: list[tuple[int, Array]], rays: Array) -> Array:
+    centers = model.centers[[k for k, _ in seen]]
+    across = skews(rays)
+    squares = across.transpose(0, 2, 1) @ across
+    return np.linalg.lstsq(squares.sum(axis=0), np.einsum("nij,nj->i", squares, centers), rcond=None)[0]
+
+
+def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> tuple[Array | None, Array]:
+    normal = np.eye(3)
+    for _ in range(TURNS):
+        gaps = _gaps(model, seen, place)
+        if not np.isfinite(gaps).all():
+            return None, normal
+        far = STEP * float(np.median(np.linalg.norm(model.centers[[k for k, _ in seen]] - place, axis=1)))
+        columns = [
+            (_gaps(model, seen, place + far * axis) - _gaps(model, seen, place - far * axis)).reshape(-1) / (2 * far)
+            for axis in np.eye(3)
+        ]
+        J = np.stack(columns, axis=1)
+        if not np.isfinite(J).all():
+            return None, normal
+        normal = J.T @ J
+        step = np.linalg.lstsq(normal, J.T @ gaps.reshape(-1), rcond=None)[0]
+        place = place - step
+        if np.linalg.norm(step) < far * 1e-3:
+            break
+    gaps = _gaps(model, seen, place)
+    spread = math.sqrt(float((gaps**2).sum()) / max(2 * len(seen) - 3, 1))
+    if not np.isfinite(spread):
+        return None, normal
+    covariance = max(spread, MARK_SIGMA) ** 2 * np.linalg.pinv(normal)
+    return place, covariance.astype(np.float64)
+
+
+def _gaps(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> Array:
+    """Reprojection errors [px]; NaN behind a camera."""
+    found = []
+    for k, pixel in seen:
+        T = model.T_camera_world[k]
+        inside = T[:3, :3] @ place + T[:3, 3]
+        found.append(model.cameras[k].project(inside[None])[0] - pixel if inside[2] > 0 else np.full(2, np.nan))
+    return np.array(found)

@@ -1,0 +1,142 @@
+"""Pipeline stages from images to an SfM model: frames, features, matches, model."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.camera_models import CameraModel
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, digest_of_file
+from ...core.stages import Made
+from ...io.models.colmap import read_colmap_model, write_colmap_model
+from ...io.models.sfm_model import SfmModel
+from ...io.pictures.image_files import read_picture_header
+from ..sfm import features as features_module
+from ..sfm import mapping
+from ..sfm import matches as matches_module
+from ..sfm.frames import choose_frames
+from ..sfm.masks import FOLDER, MakeMask, mask_folder
+from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
+from ..sfm.picture_folder import check_place
+from ..sfm.picture_writing import counted, some_of
+from ..sfm.sphere_pictures import cut_spheres, with_all_faces
+
+PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
+MASKS, SPHERES = PICTURES + FOLDER, "spheres"
+
+FEWEST = 2  # minimum images of a model
+
+
+def digest_of_source(source: FilePath) -> str:
+    path = check_place("source", source)
+    try:
+        if not path.is_dir():
+            return digest_of_file(path)
+        files = sorted(file for file in path.iterdir() if file.is_file() and not file.name.startswith("."))
+        return digest_of([[file.name, digest_of_file(file)] for file in files])
+    except OSError as error:
+        reason = "does not exist" if not path.exists() else f"cannot be read: {error.strerror or error}"
+        raise FileError(path, reason, remedy="Give a video, or a folder of pictures") from error
+
+
+def read_model(model: Made) -> SfmModel:
+    return read_colmap_model(model.folder / MODEL)
+
+
+def picture_names(frames: Made) -> list[str]:
+    return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
+
+
+def take_frames(
+    folder: Path,
+    say: ReportProgress,
+    *,
+    source: FilePath,
+    max_frames: int,
+    masks: FilePath | MakeMask | None,
+    panorama: bool,
+) -> dict[str, Any]:
+    place = folder / (SPHERES if panorama else PICTURES)
+    choice = choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
+    told = choice.to_dict()
+    if panorama:
+        hidden = None if masks is None else (mask_folder(place), folder / MASKS)
+        faces = cut_spheres(place, choice.names, folder / PICTURES, hidden, say)
+        for each in (place, mask_folder(place)):
+            shutil.rmtree(each, ignore_errors=True)
+        return told | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
+    if len(choice.names) < FEWEST:
+        reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
+        raise FileError(source, reason, remedy="Move while you film, or take more pictures")
+    return {"kept": len(choice.names), "frames": choice.frame_count} | told
+
+
+def masks_of(frames: Path) -> Path | None:
+    masks = frames / MASKS
+    return masks if masks.is_dir() else None
+
+
+def find_features(
+    folder: Path,
+    say: ReportProgress,
+    *,
+    frames: Made,
+    intrinsic: PinholeCameraIntrinsic | None,
+    camera_model: str,
+    max_features: int,
+    panorama: bool,
+    seed: int,
+) -> dict[str, Any]:
+    pictures = frames.folder / PICTURES
+    if panorama:  # cube faces have any size
+        side = read_picture_header(pictures / picture_names(frames)[0]).width
+        intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
+    options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
+    options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
+    found = features_module.find_features(pictures, folder / DATABASE, **options)
+    return found.to_dict()
+
+
+def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
+    options = {"pairs": pairs, "seed": seed, "progress": say}
+    return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
+
+
+def map_pictures(
+    folder: Path,
+    say: ReportProgress,
+    *,
+    frames: Made,
+    matches: Made,
+    fixed_camera: bool,
+    mapper: str,
+    panorama: bool,
+    seed: int,
+) -> dict[str, Any]:
+    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
+    found = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
+    missing, notes = list(found.missing), []
+    if panorama and found.model is not None:
+        whole, added = with_all_faces(found.model, picture_names(frames))
+        if added:
+            write_colmap_model(folder / MODEL, whole)
+            missing = [name for name in missing if name not in set(added)]
+            notes.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
+    told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "notes": notes}
+    return found.quality.to_dict() | told | {"turned": only_turned(found.quality, cameras)}
+
+
+def only_turned(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:
+    longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
+    return not (quality.angle >= MIN_ANGLE and quality.parallax >= MIN_PARALLAX * longer)
+
+
+def described(camera: CameraModel) -> str:
+    params = " ".join(f"{value:.5g}" for value in camera.params)
+    return f"{camera.model} {camera.width} x {camera.height}: {params}"

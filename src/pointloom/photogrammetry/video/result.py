@@ -1,0 +1,218 @@
+"""Result of a video reconstruction, as JSON types and as terminal output."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ...core.reports import Assessed, Fields, in_columns, quality
+from ...core.stages import Made
+from ...core.wording import format_bounds, format_bytes, format_share
+from ...io.models.sfm_model import SfmModel
+from ...meshing.mesh.mesh import TriangleMesh
+from ...pcd.cloud import PointCloud
+from ..sfm.model_quality import ModelQuality
+from ..sfm.training_folder import TrainingFolder
+from .units import ARBITRARY, UNKNOWN, Fit
+
+LEAST_KEPT = 0.2  # minimum fraction of confirmed pixels
+
+
+@dataclass(frozen=True)
+class VideoFigures:
+    """Figures of a result from the stage records; None for stages not reached.
+
+    Attributes:
+        frame_count: Frames of the video, or images of the folder.
+        picture_count: Selected images.
+        notes: Hints for better recordings.
+        quality: Quality of the SfM model.
+        cameras: The estimated lenses, in words.
+        only_turned: True if the camera only rotated, so that depth is undetermined.
+        picture_size: Width and height of the first depth map [px].
+        confirmed_share: Fraction of pixels with confirmed depth.
+        point_count: Fused points.
+        vertex_count, triangle_count: Of the mesh.
+        floater_count: Removed triangles of small floating parts.
+        bounds: Lowest and highest corner of the mesh, "min" and "max"; None without vertices.
+    """
+
+    frame_count: int
+    picture_count: int
+    notes: tuple[str, ...]
+    quality: ModelQuality
+    cameras: tuple[str, ...]
+    only_turned: bool
+    picture_size: tuple[int, int] | None = None
+    confirmed_share: float | None = None
+    point_count: int | None = None
+    vertex_count: int | None = None
+    triangle_count: int | None = None
+    floater_count: int | None = None
+    bounds: dict[str, Any] | None = None
+
+    @classmethod
+    def of_stages(cls, made: Mapping[str, Made]) -> VideoFigures:
+        frames, model = made["frames"].told, made["model"].told
+        quality = ModelQuality.from_json(model)
+        features = made["features"].told.get("notes", ()) if "features" in made else ()
+        taken = (
+            frames["frames"],
+            frames["kept"],
+            (*frames["notes"], *features, *model.get("notes", ()), *quality.notes),
+        )
+        placed = quality, tuple(model["cameras"]), model["turned"]
+        if "mesh" not in made:
+            return cls(*taken, *placed)
+        width, height = made["undistorted"].told["sizes"][0]
+        fused, mesh = made["fused"].told, made["mesh"].told
+        depth = (width, height), fused["share"], fused["points"]
+        return cls(*taken, *placed, *depth, mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"])
+
+    @property
+    def is_hopeless(self) -> bool:
+        return not self.quality.registered_count or self.only_turned
+
+    def model_warnings(self) -> list[str]:
+        reasons = [*self.quality.warnings]
+        if self.is_hopeless:
+            wrong = self.quality.poses is not None and self.quality.poses.are_wrong
+            if not wrong and not any("only turn" in reason for reason in reasons):
+                reasons.append("nothing is known of depth: move, do not only turn")
+            reasons.append("nothing was written")
+        return reasons
+
+    def depth_warnings(self) -> list[str]:
+        share = self.confirmed_share
+        if share is None or share >= LEAST_KEPT:
+            return []
+        return [
+            f"other pictures confirm the depth of {format_share(share)} of the pixels: surfaces without texture, or "
+            "that shine, cannot be matched; move closer, take more pictures, or put texture on what is plain"
+        ]
+
+
+@dataclass(frozen=True)
+class StageReport:
+    """Record of a stage: `kept` from an earlier run, `cost`, `told` (JSON types), and `outdated` versions if redone."""
+
+    kept: bool
+    cost: Mapping[str, float]
+    told: Mapping[str, Any]
+    outdated: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class VideoResult(Assessed):
+    """Result of `reconstruct`.
+
+    Attributes:
+        source: The video or folder.
+        device: Compute device.
+        mesh: The surface, or None.
+        cloud: The fused points, or None.
+        model: Poses, lenses and sparse points, or None. Mesh, cloud and model share one frame and the unit of `fit`.
+        fit: Source of the unit, and the similarity from the original model; None without `model`.
+        figures: The VideoFigures.
+        warnings: Failed quality checks, each with its remedy; empty if the result is reliable.
+        stages: The record of each stage, None if not reached.
+        files: Written files.
+        work: Folder of stage files if requested.
+        peak_bytes: Peak memory of this process or its children [B].
+        training: The training folder and its coordinate offset; None without one.
+    """
+
+    source: str
+    device: str
+    mesh: TriangleMesh | None
+    cloud: PointCloud | None
+    model: SfmModel | None
+    fit: Fit | None
+    figures: VideoFigures
+    warnings: tuple[str, ...]
+    stages: Mapping[str, StageReport | None]
+    files: tuple[str, ...]
+    work: str | None
+    peak_bytes: int
+    training: TrainingFolder | None = None
+
+    @property
+    def units(self) -> str:
+        """ "metres", "arbitrary" or "of the poses given"."""
+        return ARBITRARY if self.fit is None else self.fit.units
+
+    @property
+    def reached(self) -> dict[str, StageReport]:
+        return {name: stage for name, stage in self.stages.items() if stage is not None}
+
+    def to_dict(self) -> dict[str, Any]:
+        return {
+            "command": "video",
+            "source": self.source,
+            "device": self.device,
+            "stages": {
+                name: {"kept": stage.kept, **stage.cost, **({"outdated": stage.outdated} if stage.outdated else {})}
+                for name, stage in self.reached.items()
+            },
+            **{name: None if stage is None else dict(stage.told) for name, stage in self.stages.items()},
+            "units": self.units,
+            "fit": None if self.fit is None else self.fit.to_dict(),
+            "files": list(self.files),
+            "training": None if self.training is None else self.training.to_dict(),
+            "peak_bytes": self.peak_bytes,
+            **quality(self),
+            "work": self.work,
+        }
+
+    def fields(self) -> Fields:
+        found = self.figures
+        return [
+            ("pictures", "\n".join([self._pictures_line(), *found.notes])),
+            *([("camera", _camera_line(found))] if found.quality.point_count else []),
+            *([("depth", _depth_line(found))] if found.picture_size else []),
+            *([("mesh", _mesh_line(found))] if found.vertex_count is not None else []),
+            ("units", UNKNOWN if self.fit is None else str(self.fit)),
+            *([("bounds", format_bounds(found.bounds))] if found.vertex_count is not None else []),
+            *([("made again", again)] if (again := self._again_line()) else []),
+            ("seconds", self._seconds_line()),
+            ("memory", f"{format_bytes(self.peak_bytes)} at most"),
+            *([("stages", self.work)] if self.work else []),
+            ("files", ", ".join(self.files) or "none"),
+        ]
+
+    def __str__(self) -> str:
+        return f"{self.source}\n{in_columns(self.fields())}"
+
+    def _pictures_line(self) -> str:
+        chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"
+        return f"{self.figures.quality.registered_count} of {self.figures.picture_count} placed, {chosen}"
+
+    def _again_line(self) -> str:
+        whys: dict[str, list[str]] = {}
+        for name, stage in self.reached.items():
+            if stage.outdated:
+                whys.setdefault(stage.outdated, []).append(name)
+        return "\n".join(f"{', '.join(names)}: {why}" for why, names in whys.items())
+
+    def _seconds_line(self) -> str:
+        stages = self.reached
+        parts = [f"{name} kept" if s.kept else f"{name} {s.cost['seconds']:.1f}" for name, s in stages.items()]
+        return ", ".join([*parts, f"all {sum(s.cost['seconds'] for s in stages.values() if not s.kept):.1f}"])
+
+
+def _camera_line(found: VideoFigures) -> str:
+    quality = found.quality
+    seen = f"seen under {quality.angle:.1f} degrees (median)"
+    return f"{'; '.join(found.cameras)}\n{quality.point_count:,} points to {quality.error:.2f} px, {seen}"
+
+
+def _depth_line(found: VideoFigures) -> str:
+    assert found.picture_size is not None and found.confirmed_share is not None
+    size, kept = "{} x {}".format(*found.picture_size), format_share(found.confirmed_share)
+    return f"of {size} pixels, {kept} confirmed by others; {found.point_count:,} points"
+
+
+def _mesh_line(found: VideoFigures) -> str:
+    loose = f", {found.floater_count:,} in small parts left out" if found.floater_count else ""
+    return f"{found.vertex_count:,} vertices, {found.triangle_count:,} triangles{loose}"

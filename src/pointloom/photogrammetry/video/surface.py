@@ -1,0 +1,133 @@
+"""Pipeline stages from an SfM model to a surface: undistortion, depth, fused points, mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...cameras.picture_names import number_of
+from ...cameras.pose_files import trajectory_of
+from ...cameras.trajectory import Trajectory, write_trajectory
+from ...cameras.undistortion import Undistortion
+from ...core.progress import ReportProgress
+from ...core.stages import Made
+from ...io.models.colmap import read_colmap_model, write_colmap_model
+from ...io.models.sfm_model import SfmModel
+from ...io.pictures.image_files import read_color, write_png
+from ...io.points.point_cloud import write_point_cloud
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import write_triangle_mesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...pcd.cloud import PointCloud
+from ..mvs.depth_maps import DepthMap, DepthMaps
+from ..mvs.estimation import estimate_depth_maps
+from ..mvs.filtering import filter_depth_maps
+from ..mvs.fusion import fuse
+from ..mvs.posed_pictures import PosedCamera
+from ..sfm.masks import KEPT, mask_file, masks_in, write_mask
+from ..sfm.straightened import straightened_model
+from . import motion
+from .units import Units, fit_units
+
+IMAGES, SPARSE = "images", "sparse"  # COLMAP's names in a folder of undistorted images
+MAPS, MASKS = "maps", "masks"
+CLOUD, MESH = "cloud.ply", "mesh.ply"
+POSES_LOG, POSES_TUM = "poses.log", "poses.txt"
+
+FLOATER = 0.005  # smaller parts are removed, relative to the largest area
+
+
+def straighten(
+    folder: Path, say: ReportProgress, *, frames: Made, model: Made, max_size: int, device: Any
+) -> dict[str, Any]:
+    found, images = motion.read_model(model), folder / IMAGES
+    images.mkdir()
+    names = [f"{Path(name).stem}.png" for name in found.names]
+    lenses = {camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(found.cameras)}
+    for k, (name, camera) in enumerate(zip(found.names, found.cameras, strict=True)):
+        say("pictures", k, len(names))
+        color = read_color(frames.folder / motion.PICTURES / name)
+        write_png(images / names[k], lenses[camera].apply(color))
+        mask = mask_file(frames.folder / motion.MASKS, name)
+        if mask.is_file():
+            (folder / MASKS).mkdir(exist_ok=True)
+            straightened = lenses[camera].apply(read_color(mask)[..., 0])
+            write_mask(folder / MASKS, names[k], straightened >= KEPT)
+    say("pictures", len(names), len(names))
+    straight = [lenses[camera].intrinsic for camera in found.cameras]
+    write_colmap_model(folder / SPARSE, straightened_model(found, names, straight))
+    sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
+    return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
+
+
+def estimate(
+    folder: Path, say: ReportProgress, going: Path, *, undistorted: Made, seed: int, device: Any
+) -> dict[str, Any]:
+    model, pictures, cameras = open_straightened(undistorted)
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
+    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
+    maps = estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
+    return {"pictures": len(maps), "share": mean_share(maps, masks)}
+
+
+def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: Made, device: Any) -> dict[str, Any]:
+    _, pictures, _ = open_straightened(undistorted)
+    where = {"device": device, "progress": say}
+    maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
+    cloud = fuse(maps, pictures, to="points", **where)
+    assert isinstance(cloud, PointCloud)
+    write_point_cloud(folder / CLOUD, cloud)
+    masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
+    return {"share": mean_share(maps, masks), "points": len(cloud)}
+
+
+def make_mesh(
+    folder: Path, say: ReportProgress, *, model: Made, undistorted: Made, fused: Made, units: Units, device: Any
+) -> dict[str, Any]:
+    straight, pictures, _ = open_straightened(undistorted)
+    where = {"device": device, "progress": say}
+    whole = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    assert isinstance(whole, TriangleMesh)
+    kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
+    mesh = kept.transform(fit.T_world_model)
+    placed = straight.transform(fit.T_world_model)
+    write_triangle_mesh(folder / MESH, mesh)
+    write_colmap_model(folder / SPARSE, placed)
+    for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):
+        write_trajectory(folder / name, poses_of(placed), format=form)
+    return {**describe_mesh(mesh).to_dict(), "floaters": len(whole) - len(mesh)}
+
+
+def poses_of(model: SfmModel) -> Trajectory:
+    numbers = [number_of(name) for name in model.names]
+    kept = [number for number in numbers if number is not None]
+    if len(set(kept)) < len(model):
+        kept = list(range(len(model)))
+    order = np.argsort(kept, kind="stable")
+    return trajectory_of(model.T_world_camera[order], [kept[k] for k in order], [None] * len(kept))
+
+
+def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
+    model = read_colmap_model(undistorted.folder / SPARSE)
+    cameras = [
+        PosedCamera(camera.intrinsic, pose) for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)
+    ]
+    return model, [undistorted.folder / IMAGES / name for name in model.names], cameras
+
+
+def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
+    if not len(mesh):
+        return mesh
+    _, _, areas = mesh.cluster_connected_triangles()
+    return mesh.remove_small_components(min_area=FLOATER * float(areas.max()))
+
+
+def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
+    shares = []
+    for each, mask in zip(maps, masks, strict=True):
+        left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= KEPT).mean())
+        shares.append(each.share / left if left else 0.0)
+    return float(np.mean(shares)) if shares else 0.0

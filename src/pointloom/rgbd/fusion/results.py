@@ -1,0 +1,136 @@
+"""Result of the fusion of posed frames."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.reports import Assessed, Fields, failed, in_columns, with_warnings
+from ...core.wording import format_bounds, format_bytes, format_share
+from ...io.frames.frames import why_out_of_reach
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
+from .pose_check import CONTRADICTED
+from .refine import PoseRefinement
+
+COARSE = 0.05  # of the seen extent: larger voxels show no shape
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FusionResult(Assessed):
+    """Result of `fuse`.
+
+    Attributes:
+        mesh: The surface; may be empty.
+        volume: The volume it was extracted from.
+        T_world_camera: Camera poses, float64 [n, 4, 4] [m].
+        depth_max: Maximum depth [m].
+        depth_share: Fraction of all pixels with depth.
+        used_share: Fraction of all pixels with depth up to `depth_max`.
+        weight_threshold: Minimum weight (exclusive) of surface voxels.
+        refinement: Result of the pose refinement, if any.
+        share_off: Median fraction of pixels off the surface at the given poses; None if unknown.
+        seen_extent: Longest side of the observed scene [m]; None if not measured.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> from types import SimpleNamespace
+        >>> camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+        >>> wall = SimpleNamespace(depth=np.full((24, 32), 1000, np.uint16), color=None, T_world_camera=np.eye(4))
+        >>> print(loom.fuse(loom.frames_from([wall], camera), voxel_size=0.05))
+          frames  1 on cpu; 100.0% of the pixels within 4 m
+          voxels  8,192 of 50 mm, truncation 200 mm, in 16 blocks
+          mesh    315 vertices, 560 triangles
+          bounds  [-0.5000, -0.3500, 1.0000] to [0.5000, 0.3500, 1.0000]
+          memory  782.0 KiB of volume
+    """
+
+    mesh: TriangleMesh
+    volume: TSDFVolume
+    T_world_camera: NDArray[np.float64]
+    depth_max: float
+    depth_share: float
+    used_share: float
+    weight_threshold: float
+    refinement: PoseRefinement | None = None
+    share_off: float | None = None
+    seen_extent: float | None = None
+
+    def __str__(self) -> str:
+        return in_columns(with_warnings(self.fields(), self))
+
+    @property
+    def frame_count(self) -> int:
+        return len(self.T_world_camera)
+
+    @property
+    def _why_no_surface(self) -> str | None:
+        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
+            return reason
+        if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
+            return self._why_coarse(self.seen_extent)
+        if not len(self.mesh):
+            return (
+                f"the mesh is empty: no voxel was seen more than {self.weight_threshold:g} times; use more frames, or "
+                "check poses and camera"
+            )
+        return None
+
+    def _why_coarse(self, extent: float) -> str:
+        size = self.volume.voxel_size
+        is_than = "is larger than" if size > extent else "is more than a twentieth of"
+        usual = f"{0.005 * extent:.1g}"
+        return f"voxel_size: {size:g} m {is_than} the scene ({extent:.2g} m); pass it in meters, for example {usual}"
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        refinement = () if self.refinement is None else self.refinement.warnings
+        return failed(self._why_no_surface, *refinement, self._why_contradicted)
+
+    @property
+    def _why_contradicted(self) -> str | None:
+        if self.share_off is None or self.share_off <= CONTRADICTED:
+            return None
+        return (
+            f"{format_share(self.share_off)} of what the frames see lies off the surface that they make together: the "
+            "poses are wrong, of other frames, or camera to world where world to camera is meant, or the depth is in "
+            "other units"
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        volume, size = self.volume, describe_mesh(self.mesh).to_dict()
+        return {
+            "device": str(volume.device),
+            "frames": self.frame_count,
+            "voxel_size": volume.voxel_size,
+            "truncation": volume.truncation,
+            "depth_max": self.depth_max,
+            "weight_threshold": self.weight_threshold,
+            "depth_share": self.depth_share,
+            "used_share": self.used_share,
+            "share_off": self.share_off,
+            "seen_extent": self.seen_extent,
+            "blocks": volume.block_count,
+            "voxels": volume.block_count * BLOCK_VOXELS,
+            "volume_bytes": volume.memory_bytes,
+            **size,
+            "refinement": None if self.refinement is None else self.refinement.to_dict(),
+        }
+
+    def fields(self) -> Fields:
+        volume, mesh = self.volume, self.mesh
+        seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
+        size = f"{volume.voxel_size * 1000:g} mm, truncation {volume.truncation * 1000:g} mm"
+        blocks = volume.block_count
+        return [
+            ("frames", f"{self.frame_count} on {volume.device}; {seen}"),
+            *([("poses", str(self.refinement))] if self.refinement else []),
+            ("voxels", f"{blocks * BLOCK_VOXELS:,} of {size}, in {blocks:,} blocks"),
+            ("mesh", f"{len(mesh.vertices):,} vertices, {len(mesh):,} triangles"),
+            ("bounds", format_bounds(describe_mesh(mesh).to_dict()["bounds"])),
+            ("memory", f"{format_bytes(volume.memory_bytes)} of volume"),
+        ]

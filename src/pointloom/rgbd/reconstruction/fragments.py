@@ -1,0 +1,569 @@
+"""Split RGB-D frames into fragments: odometry, loop closures within a fragment, pose graph, and point cloud.
+
+A pair that odometry cannot align ends the fragment. The frame after the gap is also aligned with one of the last frames
+of the previous fragment, since an occlusion may have ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...io.frames.frames import FrameSource
+from ...io.points.point_cloud import read_point_cloud, write_point_cloud
+from ...kernels.linear_algebra import matmul
+from ...pcd.cloud import PointCloud
+from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
+from ...registration.pose_graphs.pose_graph_files import write_pose_graph
+from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizationOption, global_optimization
+from ...registration.rigid import adjoint_of, invert_pose
+from ..odometry.alignment import Method, align_frames
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from .config import ReconstructionConfig
+from .frames import Frames, LostFrame, ReadFrame
+from .places import Places
+from .volumes import cloud_of, fuse_frames, make_volume
+
+Matrix = NDArray[np.float64]
+
+STAGE = "fragment"
+PRUNE = 0.25  # confidence at which a loop closure is removed, as in Open3D
+SETTINGS = (
+    *("depth_min", "depth_max", "depth_diff_max", "odometry_method", "n_frames_per_fragment", "n_frames_least"),
+    *("n_keyframes_per_n_frame", "preference_loop_closure_odometry"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Fragment:
+    """Connected frames and their point cloud.
+
+    Attributes:
+        number: Index of the fragment.
+        indices, names: Indices of its frames in the source, int64 [n], and their names.
+        poses: T_fragment_frame, float64 [n, 4, 4], relative to its first frame.
+        joint: Odometry link to an earlier fragment; None if there is none.
+        broke: Reason for the gap before this fragment; empty if there is none.
+        loops: Number of keyframe pairs tried, aligned, and kept by the pose graph.
+        colored: True if all frames have color.
+        cloud_path: The file of its cloud.
+        made_from: Digest of its inputs.
+    """
+
+    number: int
+    indices: NDArray[np.int64]
+    names: list[str]
+    poses: Matrix
+    joint: Joint | None
+    broke: str
+    loops: tuple[int, int, int]
+    colored: bool
+    cloud_path: Path
+    made_from: str
+
+    def __len__(self) -> int:
+        return len(self.indices)
+
+    def read_cloud(self, device: Any = None) -> PointCloud:
+        return read_point_cloud(self.cloud_path, device=device)
+
+    def T_earlier(self, earlier: Fragment) -> Matrix:
+        assert self.joint is not None
+        return matmul(earlier.poses[-1], self.joint.T_last_first)
+
+
+@dataclass(frozen=True, eq=False)
+class FragmentSet:
+    """All `fragments` in frame order, the `lost` frames, and the number of fragments `kept` from an earlier run."""
+
+    fragments: list[Fragment]
+    lost: list[LostFrame]
+    kept: int
+
+
+def make_fragments(
+    source: FrameSource,
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> FragmentSet:
+    """Split frames into fragments, and write a pose graph and a point cloud for each.
+
+    Consecutive frames are aligned by odometry; a pair that fails ends the fragment. Keyframes with overlapping views
+    are aligned as loop closures, and a pose graph gives the poses. The cloud is from a TSDF volume.
+
+    Args:
+        source: Frames with random access; each is read at least twice.
+        config: The ReconstructionConfig.
+        folder: Job folder; created if missing.
+        resume: Keep finished fragments whose frames, configuration and files are unchanged.
+        device: Compute device; None: the CPU.
+        progress: Called with ("frames", done, all).
+
+    Returns:
+        The fragments, and the frames in none of them with the reason (no depth, unreadable, too few connected frames).
+        If all runs are too short, the longest is kept.
+
+    Raises:
+        TypeError: Wrong type of source or configuration.
+        ValueError: No frame.
+        FileError: A file cannot be written; finished fragments stay, and `resume` continues.
+        DeviceError: No such device.
+
+    Notes:
+        Keeps one fragment's keyframes in memory. Files are written atomically. Bitwise reproducible, resumed or not.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.datasets.scenes.room import room_sequence
+        >>> frames = room_sequence(300, width=80, height=60)
+        >>> config = loom.reconstruction.ReconstructionConfig(n_frames_per_fragment=6, depth_max=4.0)
+        >>> class First:
+        ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
+        ...     def __len__(self): return 9
+        >>> found = loom.reconstruction.make_fragments(First(), config, "room")
+        >>> [len(fragment) for fragment in found.fragments], found.lost
+        ([6, 3], [])
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    frames, say = Frames(source, config), check_progress(progress)
+    settings = _settings_of(frames)
+    fragments, lost = _read_done(places, frames, settings) if resume else ([], [])
+    kept, start = len(fragments), Start()
+    if fragments:
+        last = fragments[-1]
+        velocity = _result_of(places, last.number)["velocity"]
+        start = Start(last.number + 1, int(last.indices[-1]) + 1, np.array(velocity), last.made_from)
+    _forget(places, kept)
+    walk = Walk(frames, settings, where, start, say)
+    with contextlib.closing(walk.drafts()) as drafts:
+        for draft in drafts:
+            before = [frame for frame in walk.lost if frame.index < draft.indices[-1]]
+            fragments.append(_finish(draft, frames, places, where, before))
+    everything = sorted([*lost, *walk.lost], key=lambda frame: frame.index)
+    return FragmentSet(fragments, everything, kept)
+
+
+def _settings_of(frames: Frames) -> dict[str, Any]:
+    config, camera = frames.config, frames.intrinsic
+    sizes = {name: getattr(config, name) for name in SETTINGS}
+    lens = [camera.width, camera.height, camera.fx, camera.fy, camera.cx, camera.cy]
+    return sizes | {"voxel": config.fragment_voxel, "depth_scale": frames.depth_scale, "camera": lens}
+
+
+def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Sequence[LostFrame]) -> Fragment:
+    """Close the loops of a draft, fuse its frames, and write its files, the record last."""
+    graph, tried = _close_loops(draft, frames)
+    solved = _optimize(graph, frames.config)
+    found = sum(edge.uncertain for edge in graph.edges)
+    loops = tried, found, sum(edge.uncertain for edge in solved.edges)
+    poses = np.array([node.pose for node in solved.nodes])
+    volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
+    fuse_frames(frames, draft.indices, poses, volume)  # frames that are now unreadable: their neighbors saw the same
+    cloud, number = cloud_of(volume), draft.number
+    paths = places.fragment_graph(number), places.fragment_graph_optimized(number), places.fragment_cloud(number)
+    write_pose_graph(paths[0], graph)
+    write_pose_graph(paths[1], solved)
+    write_point_cloud(paths[2], cloud)
+    fragment = Fragment(
+        number,
+        np.array(draft.indices, np.int64),
+        draft.names,
+        poses,
+        draft.joint,
+        draft.broke,
+        loops,
+        draft.colored,
+        paths[2],
+        draft.made_from,
+    )
+    result = _to_json(fragment) | {"velocity": draft.velocity.tolist()}
+    result |= {"lost": [[frame.index, frame.name, frame.reason] for frame in lost]}
+    write_record(places.record(STAGE, number), STAGE, draft.made_from, places.root, paths, result)
+    return fragment
+
+
+def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
+    edges = [
+        make_edge(i + 1, i, found.transformation, found.information, uncertain=False)
+        for i, found in enumerate(draft.motions)
+    ]
+    candidates = find_candidates(draft.keyframes, draft.poses, frames.intrinsic)
+    for later, earlier, T in candidates:
+        b, a = draft.keyframes[later], draft.keyframes[earlier]
+        found = align(frames.config, b.frame, a.frame, T)
+        if found.reliable:
+            edges.append(make_edge(b.place, a.place, found.transformation, found.information, uncertain=True))
+    draft.keyframes.clear()  # frees their pyramids
+    return PoseGraph([PoseGraphNode(pose) for pose in draft.poses], edges), len(candidates)
+
+
+def make_edge(source: int, target: int, T_target_source: Matrix, information: Matrix, *, uncertain: bool) -> Any:
+    """A pose graph edge from a registration, whose information refers to the target."""
+    A = adjoint_of(T_target_source)  # the edge's matrix is in source coordinates
+    matrix = matmul(A.T, information, A)
+    return PoseGraphEdge(source, target, T_target_source, (matrix + matrix.T) / 2, uncertain)
+
+
+def _optimize(graph: PoseGraph, config: ReconstructionConfig) -> PoseGraph:
+    option = GlobalOptimizationOption(
+        max_correspondence_distance=config.depth_diff_max,
+        edge_prune_threshold=PRUNE,
+        preference_loop_closure=config.preference_loop_closure_odometry,
+        reference_node=0,
+    )
+    return global_optimization(graph, option=option)
+
+
+def _to_json(fragment: Fragment) -> dict[str, Any]:
+    joint = fragment.joint
+    hung = None if joint is None else [joint.fragment, joint.T_last_first.tolist(), joint.skipped]
+    return {
+        "frames": fragment.indices.tolist(),
+        "names": fragment.names,
+        "poses": fragment.poses.tolist(),
+        "joint": hung,
+        "broke": fragment.broke,
+        "loops": list(fragment.loops),
+        "colored": fragment.colored,
+    }
+
+
+def _result_of(places: Places, number: int) -> dict[str, Any]:
+    result = read_record(places.record(STAGE, number), STAGE, places.root)
+    assert result is not None  # it was read just now
+    return result
+
+
+def read_fragments(places: Places) -> list[Fragment]:
+    fragments = []
+    while True:
+        number = len(fragments)
+        result = read_record(places.record(STAGE, number), STAGE, places.root)
+        if result is None:
+            return fragments
+        fragments.append(_from_json(number, result, places))
+
+
+def digest_of_all(fragments: Sequence[Fragment]) -> str:
+    return digest_of([fragment.made_from for fragment in fragments])
+
+
+def fragments_in(places: Places) -> list[Fragment]:
+    fragments = read_fragments(places)
+    if not fragments:
+        raise FileError(places.root, "holds no fragments", remedy="Run make_fragments with this folder first")
+    return fragments
+
+
+def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
+    joint = result["joint"]
+    return Fragment(
+        number,
+        np.array(result["frames"], np.int64),
+        result["names"],
+        np.array(result["poses"]),
+        None if joint is None else Joint(joint[0], np.array(joint[1]), joint[2]),
+        result["broke"],
+        (result["loops"][0], result["loops"][1], result["loops"][2]),
+        result["colored"],
+        places.fragment_cloud(number),
+        result["made_from"],
+    )
+
+
+def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
+    done, lost, before, first = [], [], "", 0
+    for fragment in read_fragments(places):
+        last = int(fragment.indices[-1])
+        if last >= frames.count:
+            break
+        digests = [frames.digest(i) for i in range(first, last + 1)]
+        digests.append(frames.digest(last + 1) if last + 1 < frames.count else "")
+        if digest_of_fragment(settings, before, digests) != fragment.made_from:
+            break
+        done.append(fragment)
+        found = _result_of(places, fragment.number)["lost"]
+        lost += [LostFrame(*entry) for entry in found if first <= entry[0] <= last]
+        before, first = fragment.made_from, last + 1
+    return done, lost
+
+
+def _forget(places: Places, number: int) -> None:
+    """Remove outdated fragments from a number on, their records first."""
+    for record in sorted(places.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
+        digits = record.stem.removeprefix(f"{STAGE}_")
+        if digits.isdecimal() and int(digits) >= number:
+            record.unlink()
+            old = int(digits)
+            for path in (places.fragment_cloud(old), places.fragment_graph(old), places.fragment_graph_optimized(old)):
+                path.unlink(missing_ok=True)
+
+
+METHODS = {"hybrid": Method.Hybrid, "intensity": Method.Intensity, "point_to_plane": Method.PointToPlane}
+BRIDGE = 30  # maximum frames between two linked fragments: a second
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Odometry link from the last frame of an earlier fragment to the first of this one, across `skipped` frames."""
+
+    fragment: int
+    T_last_first: Matrix
+    skipped: int
+
+
+@dataclass(eq=False)
+class Draft:
+    """Consecutive frames before loop closure; `motions` are the alignments, `velocity` the predicted next motion."""
+
+    number: int
+    indices: list[int] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)
+    poses: list[Matrix] = field(default_factory=list)
+    motions: list[OdometryResult] = field(default_factory=list)
+    keyframes: list[Keyframe] = field(default_factory=list)
+    colored: bool = True
+    joint: Joint | None = None
+    broke: str = ""
+    made_from: str = ""
+    velocity: Matrix = field(default_factory=lambda: np.eye(4))
+
+    def __len__(self) -> int:
+        return len(self.indices)
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """The state after the last finished fragment, where processing continues."""
+
+    number: int = 0
+    index: int = 0
+    velocity: Matrix = field(default_factory=lambda: np.eye(4))
+    made_from: str = ""
+
+
+def digest_of_fragment(settings: dict[str, Any], before: str, digests: list[str]) -> str:
+    return digest_of([settings, before, digests])
+
+
+class Walk:
+    """Iterates through frames and yields drafts of fragments; `lost` grows meanwhile."""
+
+    def __init__(self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, say: ReportProgress):
+        self.frames, self.settings, self.device, self.start, self.say = frames, settings, device, start, say
+        self.config: ReconstructionConfig = frames.config
+        self.lost: list[LostFrame] = []
+        self.number, self.made_from, self._first = start.number, start.made_from, start.index
+        self._digests: dict[int, str] = {}  # frames after the last fragment
+        self._draft: Draft | None = None
+        self._previous: tuple[OdometryFrame, int] | None = None  # the previous frame, if it can be aligned
+        self._anchor: tuple[OdometryFrame, int, int] | None = None  # last frame of the last fragment, its index, number
+        self._velocity = start.velocity
+        self._spare: Draft | None = None  # the longest run that is too short, while there is no fragment
+
+    def drafts(self) -> Generator[Draft, None, None]:
+        begin, count = self.start.index, self.frames.count
+        if self.start.number:
+            last = self.prepare(self.frames.read(begin - 1))
+            self._previous, self._anchor = (last, begin - 1), (last, begin - 1, self.start.number - 1)
+        self.say("frames", begin, count)
+        with self.frames.closing(range(begin, count)) as frames:
+            for frame in frames:
+                self._digests[frame.index] = frame.digest
+                yield from self._take(frame)
+                self.say("frames", frame.index + 1, count)
+        yield from self._close("the frames end")
+        if self._spare is not None:
+            draft, self._spare = self._spare, None
+            self.lost = [lost for lost in self.lost if lost.index not in draft.indices]
+            yield self._kept(draft)
+
+    def prepare(self, frame: ReadFrame) -> OdometryFrame:
+        assert frame.depth is not None
+        return OdometryFrame(
+            frame.depth, self.frames.intrinsic, color=frame.color, depth_max=self.config.depth_max, device=self.device
+        )
+
+    def _take(self, frame: ReadFrame) -> Generator[Draft, None, None]:
+        """Add a frame to the open draft, or close the draft and begin another."""
+        if frame.depth is None:
+            self.lost.append(LostFrame(frame.index, frame.name, frame.reason))
+            yield from self._close(f"{frame.name}: {frame.reason}")
+            self._previous = None
+            return
+        current = self.prepare(frame)
+        found, reason = None, "there is no frame before it"
+        if self._previous is not None:
+            found = self._follow(current, self._previous[0])
+            reason = "; ".join(found.warnings)
+        if found is not None and found.reliable and self._draft and len(self._draft) < self._limit:
+            self._append(frame, current, found)
+        else:
+            succeeded = found is not None and found.reliable
+            yield from self._close("" if succeeded else f"{frame.name} cannot be aligned with it: {reason}")
+            self._begin(frame, current, found if succeeded else None, reason)
+        self._previous = current, frame.index
+
+    @property
+    def _limit(self) -> int:
+        return self.config.n_frames_per_fragment
+
+    def _follow(self, current: OdometryFrame, previous: OdometryFrame) -> OdometryResult:
+        """Align with the previous frame, starting from the predicted motion or else from no motion."""
+        found = align(self.config, current, previous, self._velocity)
+        if not found.reliable and not np.array_equal(self._velocity, np.eye(4)):
+            found = align(self.config, current, previous, np.eye(4))
+        return found
+
+    def _append(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult) -> None:
+        draft = self._draft
+        assert draft is not None
+        self._velocity = np.asarray(found.transformation)
+        draft.motions.append(found)
+        self._add(draft, frame, current, matmul(draft.poses[-1], found.transformation))
+
+    def _add(self, draft: Draft, frame: ReadFrame, current: OdometryFrame, pose: Matrix) -> None:
+        if len(draft) % self.config.n_keyframes_per_n_frame == 0:
+            assert frame.depth is not None
+            draft.keyframes.append(Keyframe.make(len(draft), current, frame.depth, self.frames.intrinsic))
+        draft.indices.append(frame.index)
+        draft.names.append(frame.name)
+        draft.poses.append(pose)
+        draft.colored = draft.colored and frame.color is not None
+
+    def _begin(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult | None, reason: str) -> None:
+        """Begin a draft, linked to the previous fragment if odometry succeeded."""
+        draft = Draft(self.number, broke="" if found is not None else reason)
+        if found is not None and self._anchor is not None and self._anchor[1] == frame.index - 1:
+            self._velocity = np.asarray(found.transformation)
+            draft.joint = Joint(self._anchor[2], self._velocity, 0)
+        else:
+            self._velocity = np.eye(4)
+            draft.joint = self._bridge(frame, current)
+        self._add(draft, frame, current, np.eye(4))
+        self._draft = draft
+
+    def _bridge(self, frame: ReadFrame, current: OdometryFrame) -> Joint | None:
+        """Align a frame with the end of the previous fragment across skipped frames."""
+        if self._anchor is None or not 1 < frame.index - self._anchor[1] <= BRIDGE:
+            return None
+        found = align(self.config, current, self._anchor[0], np.eye(4))
+        if not found.reliable:
+            return None
+        return Joint(self._anchor[2], np.asarray(found.transformation), frame.index - self._anchor[1] - 1)
+
+    def _close(self, reason: str) -> Generator[Draft, None, None]:
+        draft, self._draft = self._draft, None
+        if draft is None:
+            return
+        draft.velocity = self._velocity
+        if len(draft) >= self.config.n_frames_least:
+            self._spare = None
+            if self._previous is not None:
+                self._anchor = self._previous[0], draft.indices[-1], draft.number
+            yield self._kept(draft)
+            return
+        few = f"{len(draft)} frame{'s' * (len(draft) > 1)} alone, {self.config.n_frames_least} needed"
+        before = f"; {draft.broke}" if draft.broke else ""
+        behind = f"; {reason}" if reason else ""
+        for index, name in zip(draft.indices, draft.names, strict=True):
+            self.lost.append(LostFrame(index, name, f"{few}{before}{behind}"))
+        if self.number == 0 and (self._spare is None or len(draft) > len(self._spare)):
+            self._spare = draft
+
+    def _kept(self, draft: Draft) -> Draft:
+        last = draft.indices[-1]
+        decided = [self._digests[i] for i in range(self._first, last + 1)] + [self._digests.get(last + 1, "")]
+        draft.made_from = self.made_from = digest_of_fragment(self.settings, self.made_from, decided)
+        self._first = last + 1
+        self._digests = {index: digest for index, digest in self._digests.items() if index > last}
+        self.number += 1
+        return draft
+
+
+def align(
+    config: ReconstructionConfig, source: OdometryFrame, target: OdometryFrame, T_target_source: Matrix
+) -> OdometryResult:
+    """Odometry between two frames with the configured method; depth only if one has no color."""
+    method = METHODS[config.odometry_method if source.has_color and target.has_color else "point_to_plane"]
+    return align_frames(source, target, T_target_source, method=method)
+
+
+SAMPLES = 300  # sampled depth pixels per keyframe
+SHARED = 0.35  # minimum common fraction; Open3D uses 0.3 between fragments
+SAME_DEPTH = 0.1  # relative depth difference beyond which a sample is occluded
+MOST_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
+
+
+@dataclass(frozen=True, eq=False)
+class Keyframe:
+    """A candidate for loop closures, with sampled `points`, float64 [k, 3] [m], and `depths` at every `step` pixels."""
+
+    place: int
+    frame: Any
+    points: Matrix
+    depths: NDArray[np.float32]
+    step: int
+
+    @classmethod
+    def make(cls, place: int, frame: Any, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
+        step = max(1, min(depth.shape) // 60)
+        depths = depth[::step, ::step].copy()
+        rows, columns = np.nonzero(depths)
+        chosen = slice(None, None, max(1, len(rows) // SAMPLES))
+        rows, columns = rows[chosen], columns[chosen]
+        z = depths[rows, columns].astype(np.float64)
+        x = (columns * step - intrinsic.cx) / intrinsic.fx * z
+        y = (rows * step - intrinsic.cy) / intrinsic.fy * z
+        return cls(place, frame, np.stack([x, y, z], axis=1), depths, step)
+
+    def share_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
+        """Fraction of the points that another keyframe sees without occlusion."""
+        points = matmul(self.points, T_other_self[:3, :3].T) + T_other_self[:3, 3]
+        points = points[points[:, 2] > 0]
+        z = points[:, 2]
+        column = np.rint((points[:, 0] / z * intrinsic.fx + intrinsic.cx) / other.step).astype(np.int64)
+        row = np.rint((points[:, 1] / z * intrinsic.fy + intrinsic.cy) / other.step).astype(np.int64)
+        height, width = other.depths.shape
+        inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+        there = other.depths[row[inside], column[inside]]
+        seen = (there > 0) & (np.abs(z[inside] - there) <= SAME_DEPTH * there)
+        return float(seen.sum()) / max(len(self.points), 1)
+
+
+def find_candidates(
+    keyframes: list[Keyframe], poses: list[Matrix], intrinsic: PinholeCameraIntrinsic
+) -> list[tuple[int, int, Matrix]]:
+    found = []
+    for b, later in enumerate(keyframes):
+        chosen = []
+        for a, earlier in enumerate(keyframes[:b]):
+            T = matmul(invert_pose(poses[earlier.place]), poses[later.place])
+            if later.place - earlier.place < 2:
+                continue  # the pair of odometry
+            if min(_shares(later, earlier, T, intrinsic)) >= SHARED:
+                chosen.append((b, a, T))
+        found += chosen if len(chosen) <= MOST_LOOPS else [*chosen[: MOST_LOOPS - 1], chosen[-1]]
+    return found
+
+
+def _shares(later: Keyframe, earlier: Keyframe, T: Matrix, intrinsic: PinholeCameraIntrinsic) -> tuple[float, float]:
+    back = earlier.share_seen_by(later, invert_pose(T), intrinsic)
+    return later.share_seen_by(earlier, T, intrinsic), back

@@ -1,0 +1,121 @@
+"""The complete reconstruction system as one job."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from ...core import watching
+from ...core.checks import check_progress
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.timing import Clock, peak_bytes
+from ...io.frames.datasets import open_frames
+from ...io.frames.frames import FrameSource
+from ...io.frames.recordings import record_frames
+from ...io.frames.rgbd_sources import RGBDSource
+from .config import ReconstructionConfig
+from .fragments import make_fragments
+from .nonrigid import refine_with_slac, slac_params
+from .placement import register_fragments
+from .places import Places
+from .refinement import refine_registration
+from .report import SystemReport, report_of
+from .scene import integrate_scene
+
+CONFIG_FILE = "config.json"
+RECORDING = "frames"
+
+
+def run_system(
+    source: FrameSource,
+    config: ReconstructionConfig | None = None,
+    folder: FilePath = "reconstruction",
+    *,
+    resume: bool = False,
+    refine: bool = True,
+    slac: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> SystemReport:
+    """Reconstruct a mesh and the camera trajectory from RGB-D frames without poses.
+
+    Runs `make_fragments`, `register_fragments`, and optionally `refine_registration` and `refine_with_slac`, then
+    `integrate_scene`.
+
+    Args:
+        source: Frames of one camera with random access: `open_frames`, `open_dataset`, `room_sequence`. A stream (any
+            other `RGBDSource`) is first recorded to `frames/` in the job's folder.
+        config: The configuration; None: the defaults.
+        folder: Job folder; created if missing; earlier results are replaced.
+        resume: Keep valid results of an earlier run; an interruption loses at most one fragment. A recording is reused.
+        refine: Run `refine_registration`.
+        slac: Run `refine_with_slac`, and undistort the frames.
+        device: Compute device; None: the CPU.
+        progress: Called with (stage, steps done, steps in all or 0 if unknown).
+
+    Returns:
+        A report: frames inside and outside the model with reasons, fragments, files, and warnings if unreliable.
+        Without connected frames no model is written.
+
+    Raises:
+        TypeError, ValueError: As of `make_fragments` and, with `slac`, of `refine_with_slac`.
+        FileError: A file cannot be written, or a recording exists without `resume`. Finished stages stay.
+        DeviceError: No such device.
+
+    Notes:
+        Bitwise reproducible, resumed or not, for any number of threads.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.datasets.scenes.room import room_sequence
+        >>> frames = room_sequence(300, width=80, height=60)
+        >>> class First:
+        ...     intrinsic, depth_scale, read = frames.intrinsic, frames.depth_scale, frames.read
+        ...     def __len__(self): return 8
+        >>> sizes = {"n_frames_per_fragment": 4, "tsdf_voxel_size": 0.02, "depth_max": 4.0}
+        >>> report = loom.reconstruction.run_system(First(), loom.reconstruction.ReconstructionConfig(**sizes), "job")
+        >>> report.used, report.lost, report.trajectory_error["rmse"] < 0.02
+        (8, (), True)
+    """
+    config = ReconstructionConfig() if config is None else config
+    places, clock = Places.make(folder, config), Clock()
+    say = check_progress(progress)
+    options: dict[str, Any] = {"resume": resume, "device": device, "progress": say}
+    if slac:
+        slac_params(config)  # fail before the work
+    config.write(places.root / CONFIG_FILE)
+    frames = _readable(source, places, resume, say)
+    clock.stop("record")
+    watching.report("stage", name="fragments")
+    found = make_fragments(frames, config, folder, **options)
+    clock.stop("fragments")
+    placement, bent, scene = None, None, None
+    if found.fragments:
+        watching.report("stage", name="register")
+        placement = register_fragments(config, folder, **options)
+        clock.stop("register")
+        if refine:
+            placement = refine_registration(config, folder, **options)
+            clock.stop("refine")
+        if slac:
+            bent = refine_with_slac(config, folder, **options)
+            placement = bent.placement
+            clock.stop("slac")
+        watching.report("stage", name="integrate")
+        scene = integrate_scene(frames, config, folder, slac=slac, **options)
+        clock.stop("integrate")
+    cost: dict[str, Any] = {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
+    figures = None if bent is None else bent.figures
+    return report_of(os.fspath(folder), len(frames), found, placement, scene, slac=figures, **cost)
+
+
+def _readable(source: Any, places: Places, resume: bool, say: ReportProgress) -> FrameSource:
+    if hasattr(source, "read") and hasattr(source, "__len__"):
+        return source
+    if not isinstance(source, RGBDSource):
+        raise TypeError(f"source: expected frames of an RGBDSource, got {type(source).__name__}")
+    folder = places.root / RECORDING
+    if not (resume and folder.exists()):
+        record_frames(source, folder, progress=say)
+    return open_frames(folder)

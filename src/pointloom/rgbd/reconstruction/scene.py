@@ -1,0 +1,186 @@
+"""Fusion of all placed frames into one model, and the camera trajectory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import Trajectory, write_trajectory
+from ...core.checks import check_progress
+from ...core.devices import resolve_device
+from ...core.errors import FilePath
+from ...core.progress import ReportProgress
+from ...core.records import digest_of, read_record, write_record
+from ...io.frames.frames import FrameSource
+from ...io.points.point_cloud import write_point_cloud
+from ...kernels.linear_algebra import matmul
+from ...meshing.mesh.mesh import TriangleMesh
+from ...meshing.mesh.mesh_files import write_triangle_mesh
+from ...meshing.mesh.mesh_summary import describe_mesh
+from ...meshing.volume.surface_weights import least_weights
+from ...meshing.volume.tsdf import TSDFVolume
+from ...registration.trajectories.trajectory_error import evaluate_trajectory
+from .config import ReconstructionConfig
+from .fragments import Fragment, fragments_in
+from .frames import Frames, LostFrame, ReadFrame
+from .nonrigid import placement_with_slac
+from .placement import Placement
+from .places import Places
+from .refinement import latest_placement
+from .volumes import Straightener, fuse_frames, make_volume
+
+Matrix = NDArray[np.float64]
+
+STAGE = "integrate"
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """The fused model.
+
+    Attributes:
+        mesh_path: Mesh file; None if the mesh is empty.
+        trajectory_path: Trajectory file.
+        cloud_path: Point cloud file; only with SLAC and `save_output_as` "pointcloud".
+        indices: Source indices of its frames, int64 [n].
+        T_world_camera: Camera poses, float64 [n, 4, 4], in the frame of the first placed fragment.
+        lost: Placed frames that could not be read again.
+        figures: Vertices, triangles, bounds, voxels; with known poses also "trajectory_error" (rmse, median, max [m]).
+    """
+
+    mesh_path: Path | None
+    trajectory_path: Path
+    indices: NDArray[np.int64]
+    T_world_camera: Matrix
+    lost: list[LostFrame]
+    figures: dict[str, Any]
+    cloud_path: Path | None = None
+
+
+def integrate_scene(
+    source: FrameSource,
+    config: ReconstructionConfig,
+    folder: FilePath,
+    *,
+    slac: bool = False,
+    resume: bool = False,
+    device: Any = None,
+    progress: ReportProgress | None = None,
+) -> Scene:
+    """Fuse all frames of the placed fragments, and write the mesh and the trajectory.
+
+    Args:
+        source: The frames that the fragments were made of.
+        config, folder, device: As of `make_fragments`.
+        slac: Undistort the frames, at the poses of `refine_with_slac`; also writes points and grid if
+            `config.save_output_as` is "pointcloud".
+        resume: Keep a valid earlier result.
+        progress: Called with ("integrate", done, all), and ("extract", 0, 0).
+
+    Returns:
+        The scene, without `slac` at the poses of `refine_registration` if it was run, else of `register_fragments`.
+
+    Raises:
+        TypeError, ValueError: Wrong source or configuration, or another number of frames than in the fragments.
+        FileError: No placed fragments or `refine_with_slac` result, or a file that cannot be read or written.
+        DeviceError: No such device.
+
+    Notes:
+        Frames are read ahead, one is in use at a time. Bitwise reproducible.
+    """
+    places, where = Places.make(folder, config), resolve_device(device)
+    frames, say = Frames(source, config), check_progress(progress)
+    fragments = fragments_in(places)
+    bent = placement_with_slac(places, fragments, where) if slac else None
+    placement = latest_placement(places, fragments) if bent is None else bent.placement
+    indices, poses = poses_of(fragments, placement)
+    if len(indices) and indices[-1] >= frames.count:
+        raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
+    sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
+    is_cloud_wanted = slac and config.save_output_as == "pointcloud"
+    made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold, is_cloud_wanted])
+    if resume and (done := _read_scene(places, made_from)) is not None:
+        return done
+    colored = all(fragments[i].colored for i in placement.members)
+    volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
+    truths: list[Any] = []
+
+    def see(frame: ReadFrame) -> None:
+        truths.append(frame.T_world_camera)
+        say("integrate", len(truths), len(indices))
+
+    say("integrate", 0, len(indices))
+    straight = None
+    if bent is not None and len(bent.grid):
+        straight = Straightener(bent.grid, np.concatenate([fragments[i].poses for i in placement.members]))
+    lost = fuse_frames(frames, indices.tolist(), poses, volume, straight=straight, seen=see)
+    say("extract", 0, 0)
+    mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
+    figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
+    figures |= describe_mesh(mesh).to_dict() | {"trajectory_error": _error_of(poses, truths)}
+    ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
+    write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
+    mesh_path = places.scene_mesh if len(mesh) else None
+    cloud_path = places.slac_cloud if len(mesh) and is_cloud_wanted else None
+    if cloud_path is not None:
+        write_point_cloud(cloud_path, volume.extract_point_cloud(threshold))
+    scene = Scene(mesh_path, places.trajectory, indices, poses, lost, figures, cloud_path)
+    _write_scene(places, scene, made_from, mesh)
+    return scene
+
+
+def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[np.int64], Matrix]:
+    members = placement.members
+    indices = np.concatenate([fragments[i].indices for i in members])
+    return indices, np.concatenate([matmul(placement.poses[i], fragments[i].poses) for i in members])
+
+
+def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
+    """The surface of a volume and its threshold: by default the first that gives any surface."""
+    mesh, used = TriangleMesh(), 0.0
+    for used in least_weights(volume.frame_count) if threshold is None else [threshold]:
+        mesh = volume.extract_triangle_mesh(used)
+        if len(mesh):
+            break
+    return mesh, used
+
+
+def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
+    if len(truths) != len(poses) or len(poses) < 3 or any(T is None for T in truths):
+        return None
+    found = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
+    return {"rmse": found.rmse, "median": found.median, "max": found.max}
+
+
+def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMesh) -> None:
+    if scene.mesh_path is not None:
+        write_triangle_mesh(scene.mesh_path, mesh)
+    files = [path for path in (scene.trajectory_path, scene.mesh_path, scene.cloud_path) if path is not None]
+    result = {
+        "has_mesh": scene.mesh_path is not None,
+        "has_cloud": scene.cloud_path is not None,
+        "indices": scene.indices.tolist(),
+        "poses": scene.T_world_camera.tolist(),
+        "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
+        "figures": scene.figures,
+    }
+    write_record(places.record(STAGE), STAGE, made_from, places.root, files, result)
+
+
+def _read_scene(places: Places, made_from: str) -> Scene | None:
+    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+    if result is None:
+        return None
+    return Scene(
+        places.scene_mesh if result["has_mesh"] else None,
+        places.trajectory,
+        np.array(result["indices"], np.int64),
+        np.array(result["poses"]),
+        [LostFrame(*entry) for entry in result["lost"]],
+        result["figures"],
+        places.slac_cloud if result.get("has_cloud") else None,
+    )

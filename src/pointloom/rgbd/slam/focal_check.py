@@ -1,0 +1,213 @@
+"""Check of the focal length from the frames: `check_focal`.
+
+A wrong focal length stretches frames laterally, so frames rotated against each other no longer fit. Rotated pairs are
+aligned with several focal lengths; the given one should fit best.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.trajectory import Trajectory
+from ...core.checks import check_count, check_list, check_positive, check_rigid
+from ...core.devices import resolve_device
+from ...core.errors import FileError
+from ...core.reports import Assessed
+from ...io.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames, depth_unit
+from ...io.frames.rgbd_sources import RGBDSource
+from ...kernels.linear_algebra import inv, matmul
+from ..odometry.alignment import align_frames
+from ..odometry.frames import OdometryFrame
+from ..odometry.results import OdometryResult
+from .tracking import track
+
+TURN = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
+PAIRS = 8
+FEWEST_PAIRS = 3  # minimum for a result
+FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
+BETTER = 0.95  # residual ratio of a better focal length: noise stays above 0.99
+LEAST_OVERLAP = 0.2
+MISS = 0.05  # [m] cost of a pixel off the surface
+
+
+@dataclasses.dataclass(frozen=True)
+class FocalCheck(Assessed):
+    """Residuals of rotated frame pairs by focal length.
+
+    Attributes:
+        pairs: Number of aligned pairs.
+        residual: Median with the given focal length [m].
+        factor: Best factor of the focal length; 1 if none is clearly better.
+        residual_there: Median at that factor [m].
+
+    Example:
+        >>> from pointloom.rgbd.slam.focal_check import FocalCheck
+        >>> print(FocalCheck(pairs=8, residual=0.004, factor=1.0, residual_there=0.004))
+        8 pairs of turned frames are 4.0 mm off each other, and no other focal length fits better
+        >>> FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).reliable
+        False
+    """
+
+    pairs: int
+    residual: float
+    factor: float
+    residual_there: float
+
+    def __str__(self) -> str:
+        found = f"{self.pairs} pairs of turned frames are {self.residual * 1000:.1f} mm off each other"
+        return "; ".join(self.warnings) or f"{found}, and no other focal length fits better"
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        if self.factor == 1.0:
+            return ()
+        return (
+            f"the camera may be wrong: rotated frames fit better with a focal length about {self.factor:g} times as "
+            f"long ({self.residual_there * 1000:.1f} mm apart, not {self.residual * 1000:.1f}); correct intrinsic",
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
+        return {"pairs": self.pairs, **residuals}
+
+
+def check_focal(
+    frames: FrameSource | RGBDSource,
+    trajectory: Trajectory | None = None,
+    *,
+    uncertain: Iterable[int] = (),
+    depth_max: float = DEPTH_MAX,
+    device: Any = None,
+) -> FocalCheck | None:
+    """Check whether frames that are rotated against each other fit better with another focal length.
+
+    Args:
+        frames: From `open_frames`, `frames_from`, or any source with `intrinsic`, `depth_scale` and either `len` and
+            `read(i)` or a repeatable iterator.
+        trajectory: Poses of some frames, by ids or the first ones. None: estimated by `loom.track`.
+        uncertain: Frame numbers to ignore.
+        depth_max: Maximum depth [m].
+        device: Compute device; None: the CPU.
+
+    Returns:
+        None if the camera rotated too little, or too few frames overlap.
+
+    Raises:
+        TypeError, ValueError: Not frames of one camera, not a trajectory, or an invalid length or frame number.
+        DeviceError: No such device.
+
+    Notes:
+        At most eight pairs with five focal lengths each. Bitwise reproducible.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+        >>> frames = loom.frames_from([(None, np.ones((48, 64), np.float32))] * 3, camera)
+        >>> still = loom.Trajectory(np.tile(np.eye(4), (3, 1, 1)))
+        >>> print(loom.check_focal(frames, still))  # a camera that did not turn tells nothing
+        None
+    """
+    check_frames("frames", frames)
+    where, farthest = resolve_device(device), check_positive("depth_max", depth_max)
+    doubtful = [check_count("uncertain", number, minimum=0) for number in check_list("uncertain", uncertain, "numbers")]
+    if trajectory is None:
+        tracked = track(frames, depth_max=farthest, device=where)
+        path, doubtful = tracked.trajectory, [*doubtful, *tracked.uncertain]
+    elif isinstance(trajectory, Trajectory):
+        path = trajectory
+    else:
+        raise TypeError(f"trajectory: expected a Trajectory or None, got {type(trajectory).__name__}")
+    poses, numbers = _sure(path, doubtful)
+    pairs = turned_pairs(Trajectory(poses))
+    read = _reader(frames, {int(numbers[place]) for pair in pairs for place in pair})
+    options = {"depth_max": farthest, "device": where}
+    found = []
+    for first, second in pairs:
+        ends = [
+            check_rigid(f"trajectory: the pose of frame {numbers[place]}", poses[place]) for place in (first, second)
+        ]
+        start = matmul(inv(ends[0]), ends[1])
+        residuals = _residuals(read, frames, (int(numbers[first]), int(numbers[second])), start, options)
+        if residuals is not None:
+            found.append(residuals)
+    return _judged(found)
+
+
+def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
+    if len(found) < FEWEST_PAIRS:
+        return None
+    table = np.array(found)
+    ratios = np.median(table[:, 1:] / table[:, :1], axis=0)
+    best = int(np.argmin(ratios))
+    given = float(np.median(table[:, 0]))
+    factor, ratio = (FACTORS[best], float(ratios[best])) if ratios[best] < BETTER else (1.0, 1.0)
+    return FocalCheck(len(found), given, factor, given * ratio)
+
+
+def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
+    """Index pairs of poses that are rotated against each other, spread over the path."""
+    axes = path.poses[:, :3, 2]
+    pairs = []
+    for first in range(0, len(path), max(1, len(path) // PAIRS)):
+        turned = np.flatnonzero(matmul(axes[first + 1 :], axes[first]) < math.cos(math.radians(TURN)))
+        if len(turned) and first + 1 + int(turned[0]) not in (second for _, second in pairs):
+            pairs.append((first, first + 1 + int(turned[0])))
+    return pairs
+
+
+def _sure(path: Trajectory, uncertain: Sequence[int]) -> tuple[Any, Any]:
+    numbers = np.arange(len(path)) if path.ids is None else path.ids[:, 0]
+    sure = ~np.isin(numbers, np.array(uncertain, np.int64))
+    return path.poses[sure], numbers[sure]
+
+
+def _reader(frames: FrameSource | RGBDSource, numbers: set[int]) -> Callable[[int], Any]:
+    if can_read(frames):
+        read: Callable[[int], Any] = frames.read
+        known = numbers.intersection(range(len(frames)))
+    else:
+        kept = {i: frame for i, frame in enumerate(frames if numbers else ()) if i in numbers}  # type: ignore[arg-type]
+        read, known = kept.__getitem__, set(kept)
+    if unknown := numbers - known:
+        raise ValueError(f"trajectory: names frame {min(unknown)}, and frames has no such frame")
+    return read
+
+
+def _residuals(
+    read: Callable[[int], Any],
+    source: FrameSource | RGBDSource,
+    pair: tuple[int, int],
+    start: Any,
+    options: dict[str, Any],
+) -> list[float] | None:
+    try:
+        frames = [read(number) for number in pair]
+    except FileError:
+        return None
+    results = []
+    for factor in (1.0, *FACTORS):
+        camera = _stretched(source.intrinsic, factor)
+        first, second = (
+            OdometryFrame(frame.depth, camera, frame.color, depth_scale=depth_unit(source, frame), **options)
+            for frame in frames
+        )
+        results.append(align_frames(second, first, start))
+    if not any(result.reliable for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
+        return None
+    return [_residual(result) for result in results]
+
+
+def _residual(result: OdometryResult) -> float:
+    share = result.fitness / result.overlap
+    return math.sqrt(share * result.inlier_rmse**2 + (1 - share) * MISS**2)
+
+
+def _stretched(camera: PinholeCameraIntrinsic, factor: float) -> PinholeCameraIntrinsic:
+    fx, fy = factor * camera.fx, factor * camera.fy
+    return PinholeCameraIntrinsic(camera.width, camera.height, fx, fy, camera.cx, camera.cy)

@@ -1,0 +1,171 @@
+"""Result of tracking: the trajectory, and the status of each frame."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...cameras.trajectory import Trajectory
+from ...core.dropped_results import returns_new
+from ...core.number_runs import some_frames
+from ...core.reports import Assessed, Fields, in_columns
+from ...core.wording import format_share
+from ...io.frames.frames import why_out_of_reach
+from ...registration.trajectories.trajectory_error import TrajectoryError
+from .joins import MapJoin
+from .paths import error_against_truth, path_length
+
+MANY_UNCERTAIN = 0.2  # fraction of uncertain frames above which the path is unreliable
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class TrackedPath(Assessed):
+    """Result of `track`; frames are numbered from 0.
+
+    Attributes:
+        trajectory: Known poses T_world_camera of the largest map; ids are frame numbers; timestamps if all have them.
+        true_poses: The true pose of each, float64 [4, 4] [m], or None if unknown.
+        frame_count: Number of frames.
+        uncertain: Frames with an uncertain pose.
+        lost: Lost frames, with the reason.
+        unreadable: Unreadable frames, with the reason.
+        residuals: Root mean square distance [m] of each tracked frame (after the first) from the model.
+        fitness: Fraction of its depth on the model.
+        depth_share: Fraction of all pixels with depth; 0 if no frame could be read.
+        used_share: Fraction of all pixels with depth up to `depth_max`.
+        voxel_size: Voxel edge of the model [m].
+        depth_max: Maximum depth [m].
+        device: Compute device.
+        uncertain_reason: Reason of the first uncertain frame, or empty.
+        stream: Inconsistency of the color and depth streams, or None.
+        deviations: Accumulated standard deviation [m] of each position along its least determined direction.
+        drifted: Uncertain frames whose accumulated deviation is too large.
+        other_maps: As `trajectory`, of each further map in its own coordinates, the largest first, after the camera was
+            lost for long.
+        joins: A MapJoin for each two maps with a relative pose: the evidence, and the reason if rejected.
+    """
+
+    trajectory: Trajectory
+    true_poses: tuple[NDArray[np.float64] | None, ...]
+    frame_count: int
+    uncertain: tuple[int, ...]
+    lost: dict[int, str]
+    unreadable: dict[int, str]
+    residuals: tuple[float, ...]
+    fitness: tuple[float, ...]
+    depth_share: float
+    used_share: float
+    voxel_size: float
+    depth_max: float
+    device: str
+    uncertain_reason: str = ""
+    stream: str | None = None
+    deviations: tuple[float, ...] = ()
+    drifted: tuple[int, ...] = ()
+    other_maps: tuple[Trajectory, ...] = ()
+    joins: tuple[MapJoin, ...] = ()
+
+    def __str__(self) -> str:
+        return in_columns([*self.fields(), ("model", f"voxels of {self.voxel_size * 1000:g} mm")])
+
+    @property
+    def error(self) -> TrajectoryError | None:
+        return error_against_truth(self.trajectory.poses, self.true_poses)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        count, reach = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
+        reasons = [reason for reason in (reach, self.stream) if reason is not None]
+        if lost := self.lost:
+            first = next(iter(lost.values()))
+            reasons.append(
+                f"{len(lost)} of {count} frames were lost ({some_frames(list(lost))}) and are left out: {first}"
+            )
+        if drifted := self.drifted:
+            reasons.append(
+                f"{len(drifted)} of {count} positions are open by up to {max(self.deviations):.2f} m, which adds up on "
+                f"the way ({some_frames(drifted)})"
+            )
+        if self.other_maps:
+            reasons.append(self._apart())
+        if len(self.uncertain) - len(drifted) > MANY_UNCERTAIN * count:
+            why = self.uncertain_reason
+            which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
+            reasons.append(f"{which}: {why}" if why and why != self.stream else which)
+        if unreadable := self.unreadable:
+            first = next(iter(unreadable.values()))
+            reasons.append(f"{len(unreadable)} of {count} frames cannot be read and are left out: {first}")
+        return tuple(reasons)
+
+    def _apart(self) -> str:
+        own = [_numbers(path) for path in self.other_maps]
+        told = " and ".join(some_frames(numbers) for numbers in own)
+        kind = "a map of their own" if len(own) == 1 else "maps of their own"
+        count = f"{1 + len(own)} maps that do not lie relative to each other"
+        return f"{count}: {told} are in {kind}, and are left out of the path"
+
+    @returns_new
+    def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
+        told = self.trajectory
+        corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
+        return dataclasses.replace(self, trajectory=Trajectory(corrected, timestamps=told.timestamps, ids=told.ids))
+
+    def to_dict(self) -> dict[str, Any]:
+        return {
+            "device": self.device,
+            "voxel_size": self.voxel_size,
+            "depth_max": self.depth_max,
+            "frames": self.frame_count,
+            "tracked": len(self.trajectory),
+            "uncertain": list(self.uncertain),
+            "uncertain_reason": self.uncertain_reason,
+            "stream": self.stream,
+            "drifted": list(self.drifted),
+            "position_deviation_m": max(self.deviations, default=None),
+            "lost": [{"frame": number, "reason": reason} for number, reason in self.lost.items()],
+            "unreadable": [{"frame": number, "reason": reason} for number, reason in self.unreadable.items()],
+            "depth_share": self.depth_share,
+            "used_share": self.used_share,
+            "residual_m": _median(self.residuals),
+            "fitness": _median(self.fitness),
+            "other_maps": [
+                {"first": numbers[0], "last": numbers[-1], "tracked": len(numbers)}
+                for numbers in map(_numbers, self.other_maps)
+            ],
+            "joined_maps": sum(not join.refused for join in self.joins),
+            "path_length_m": path_length(self.trajectory.poses),
+        }
+
+    def fields(self, frames_per_second: float | None = None) -> Fields:
+        rate = "" if frames_per_second is None else f", {frames_per_second:.1f} frames/s"
+        seen = f"{format_share(self.used_share)} of the pixels within {self.depth_max:g} m"
+        long = path_length(self.trajectory.poses)
+        fields = [
+            ("frames", f"{self.frame_count} on {self.device}{rate}; {seen}"),
+            ("path", f"{len(self.trajectory)} of {self.frame_count}, {long:.2f} m long"),
+        ]
+        for name, numbers in (("lost", self.lost), ("unreadable", self.unreadable), ("uncertain", self.uncertain)):
+            if numbers:
+                fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
+        if self.deviations:
+            fields.append(("deviation", f"{max(self.deviations) * 1000:.0f} mm of a position at worst"))
+        if self.other_maps:
+            told = "; ".join(some_frames(_numbers(path)) for path in self.other_maps)
+            fields.append(("other maps", f"{len(self.other_maps)}: {told}"))
+        if self.residuals:
+            residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
+            fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"
+            fields.append(("fit", f"{fit} (medians)"))
+        return fields
+
+
+def _numbers(path: Trajectory) -> list[int]:
+    return [] if path.ids is None else path.ids[:, 0].tolist()
+
+
+def _median(values: Sequence[float]) -> float | None:
+    return float(np.median(values)) if values else None

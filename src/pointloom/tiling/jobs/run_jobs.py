@@ -1,0 +1,330 @@
+"""Run the tasks of a job in this process or a worker pool, with the manifest and runners of tiles."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict
+from functools import lru_cache, partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from ...cameras.camera import PinholeCameraIntrinsic
+from ...core.checks import check_count, check_progress
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of, plain_name, refuse_link
+from ...core.progress import ReportProgress, say_nothing
+from ...io.frames.datasets import open_frames
+from ...rgbd.reconstruction.config import ReconstructionConfig
+from ...rgbd.reconstruction.job import run_system
+from ..manifest import NAME, Manifest, damage_as_file_errors, said_of
+from ..processes import run_tasks
+from ..runners import check_part
+from .fusion import FusionJob
+from .job import (
+    Done,
+    Job,
+    JobStatus,
+    Task,
+    advance,
+    done_in,
+    make_job,
+    open_manifest,
+    over_in,
+    stage_of,
+    stamp_of,
+    status_of,
+)
+from .scans import RegistrationJob
+
+SEQUENCES = "sequences"  # folder of the results
+
+
+class SequencesJob(Job):
+    KIND = "sequences"
+    STAGES = ("sequences",)
+
+    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
+        for task in done(0):
+            if _stamp(Path(task.told["frames"])) != task.found["stamp"]:
+                reason = "has changed since it was reconstructed"
+                raise FileError(task.told["frames"], reason, remedy="Plan the sequences anew in another folder")
+
+    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
+        plan, frames = self.plan, Path(told["frames"])
+        stamp = _stamp(frames)
+        camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
+        options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
+        missing = "pictures" if plan["leave_out"] else False
+        source = open_frames(frames, intrinsic=camera, skip_missing=missing, **options)
+        folder = refuse_link(self.folder / SEQUENCES / plain_name(self.folder / NAME, name))
+        folder.parent.mkdir(exist_ok=True)
+        config = ReconstructionConfig.from_names(plan["config"])
+        how = {"resume": True, "refine": plan["refine"], "slac": plan["slac"], "device": self.device}
+        report = run_system(source, config, folder, **how)
+        figures = {"frames": report.frames, "used": report.used, "files": list(report.files)}
+        return figures | {"warnings": list(report.warnings)} | {"left_out": source.left_out, "stamp": stamp}
+
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        """Unreliable sequences and skipped frames."""
+        said = []
+        for task in done(0):
+            said += [f"{task.name}: {warning}" for warning in task.found["warnings"]]
+            said += [f"{task.name}: left out: {reason}" for reason in task.found["left_out"]]
+        return said
+
+
+def plan_sequences(
+    frames: Sequence[FilePath],
+    folder: FilePath,
+    *,
+    config: ReconstructionConfig | None = None,
+    layout: str = "auto",
+    intrinsic: PinholeCameraIntrinsic | None = None,
+    depth_scale: float | None = None,
+    every: int = 1,
+    leave_out: bool = False,
+    refine: bool = True,
+    slac: bool = False,
+) -> JobStatus:
+    """Plan the reconstruction of many RGB-D sequences, each independent; `run_job` processes the queue.
+
+    A folder with the same plan keeps its finished work; one with another plan is rejected. The result of "kitchen" is
+    in `folder/sequences/kitchen`, as `run_system` writes it. Memory per worker is that of `run_system`.
+
+    Args:
+        frames: Folders of frames, each as `open_frames` accepts it.
+        folder: Folder of the job, created if missing.
+        config: As of `reconstruction.run_system`, for all sequences.
+        layout: As of `open_frames`, like the next three.
+        intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
+        every: Use every k-th frame.
+        leave_out: Skip incomplete frames and list them in `job_status`; else they are errors.
+        refine, slac: As of `run_system`.
+
+    Returns:
+        A JobStatus; tasks are named after the folders, with "_2" for repeated names.
+
+    Raises:
+        FileError: If a sequence is not a folder, or the job's folder contains something else.
+        ValueError: If there are no folders, or one is duplicated.
+
+    Example:
+        >>> import pointloom as loom
+        >>> from pointloom.datasets.scenes.room import write_room_sequence
+        >>> write_room_sequence("walk", frame_count=6, width=80, height=60)
+        >>> sizes = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.05, "depth_max": 4.0}
+        >>> config = loom.reconstruction.ReconstructionConfig(**sizes)
+        >>> loom.tiling.plan_sequences(["walk"], "job", config=config).waiting
+        1
+        >>> loom.tiling.run_job("job").is_finished
+        True
+    """
+    paths = [path_of(path).absolute() for path in frames]
+    if not paths:
+        raise ValueError("frames: expected at least one folder, got none")
+    twice = [path for path in paths if paths.count(path) > 1]
+    if twice:
+        raise ValueError(f"frames: {twice[0]} is there twice")
+    for path in paths:
+        if not path.is_dir():
+            raise FileError(path, "is not a folder" if path.exists() else "does not exist")
+    config = ReconstructionConfig() if config is None else config
+    told: dict[str, Any] = {"frames": list(map(str, paths)), "layout": layout, "every": check_count("every", every)}
+    told |= {"depth_scale": depth_scale, "leave_out": bool(leave_out), "refine": bool(refine), "slac": bool(slac)}
+    told |= {"intrinsic": None if intrinsic is None else asdict(intrinsic), "config": config.to_names()}
+    names = _names(paths)
+    tasks = [Task(name, {"frames": str(path)}) for name, path in zip(names, paths, strict=True)]
+    return make_job(SequencesJob, folder, told, tasks)
+
+
+def _names(paths: Sequence[Path]) -> list[str]:
+    names: list[str] = []
+    for path in paths:
+        stem = re.sub(r"[^\w.-]", "_", path.name) or "sequence"
+        number, name = 1, stem
+        while name in names:
+            number += 1
+            name = f"{stem}_{number}"
+        names.append(name)
+    return names
+
+
+def _stamp(frames: Path) -> str:
+    return stamp_of(sorted(path for path in frames.rglob("*") if path.is_file()))
+
+
+KINDS: dict[str, type[Job]] = {kind.KIND: kind for kind in (FusionJob, SequencesJob, RegistrationJob)}
+
+
+class _Task(NamedTuple):
+    number: int
+    stage: int
+    name: str
+    told: str
+
+
+def run_job(
+    folder: FilePath,
+    *,
+    workers: int = 0,
+    part: tuple[int, int] | None = None,
+    device: str = "cpu",
+    progress: ReportProgress = say_nothing,
+) -> JobStatus:
+    """Run the tasks of a job; finished ones stay.
+
+    Several runs may share a folder; each task belongs to one run. A task is repeated if its worker dies and is
+    quarantined after three deaths. If a task fails, the others of its stage continue; the next stage starts when all
+    are done. Interrupted tasks wait again without penalty.
+
+    Args:
+        folder: Folder of `plan_fusion`, `plan_sequences` or `plan_registration`.
+        workers: Number of local processes, as of `run_tiles`; 0 uses this process.
+        part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
+            needs others.
+        device: "cpu" or "cuda": each worker gets its own GPU exclusively; or one such as "cuda:1".
+        progress: Called with the stage, its finished tasks and its task count.
+
+    Returns:
+        A JobStatus; check `failed` and `aside`.
+
+    Raises:
+        FileError: If there is no plan, its files or version changed, or workers cannot be started.
+        DeviceError: If the device does not exist, or fewer GPUs are free than needed.
+    """
+    count, share = check_count("workers", workers, minimum=0), check_part(part)
+    report = check_progress(progress)
+    manifest, job = open_job(folder)
+    with manifest:
+        with damage_as_file_errors(manifest.folder / NAME):
+            job.check(partial(done_in, manifest))
+        manifest.give_back()
+        tell = partial(_tell, manifest, job, report)
+        tell()
+        call = partial(_do_alone, str(manifest.folder.absolute()))
+        run_tasks(manifest, partial(_Taskbook, manifest, job, share), call, tell, workers=count, device=device)
+        tell()
+        return status_of(manifest, job)
+
+
+def job_status(folder: FilePath) -> JobStatus:
+    """Progress of a job.
+
+    Raises:
+        FileError: If the folder contains no job.
+    """
+    manifest, job = open_job(folder)
+    with manifest:
+        return status_of(manifest, job)
+
+
+def retry_job(folder: FilePath) -> JobStatus:
+    """Reset failed and quarantined tasks to waiting; then call `run_job`.
+
+    Raises:
+        FileError: If the folder contains no job.
+    """
+    manifest, job = open_job(folder)
+    with manifest:
+        manifest.give_back()
+        with manifest.change() as base:
+            told = "state = 'waiting', attempts = 0, error = NULL"
+            base.execute(f"UPDATE tasks SET {told} WHERE state IN ('failed', 'aside')")
+        return status_of(manifest, job)
+
+
+def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest, Any]:
+    """Open a manifest and its job; FileError if missing or of another kind or version."""
+    manifest = open_manifest(folder)
+    found = KINDS.get(str(manifest.plan["job"]))
+    if found is None or kind not in (None, found):
+        manifest.base.close()
+        wanted = "a job" if kind is None else f"a job of {kind.KIND}"
+        raise FileError(manifest.folder, f"is of {manifest.plan['job']}, expected {wanted}")
+    try:
+        with damage_as_file_errors(manifest.folder / NAME):
+            return manifest, found(manifest.plan, manifest.folder)
+    except FileError:
+        manifest.base.close()
+        raise
+
+
+def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
+    """As `open_job`; FileError unless all tasks are done."""
+    manifest, job = open_job(folder, kind)
+    told = status_of(manifest, job)
+    if not told.is_finished:
+        manifest.base.close()
+        raise FileError(manifest.folder, f"is not finished: {told}", remedy="Call run_job, or retry_job before")
+    return manifest, job
+
+
+class _Taskbook:
+    """Claims and results of one run in a job's manifest; `part` is (index, count)."""
+
+    def __init__(self, manifest: Manifest, job: Job, part: tuple[int, int], owner: str):
+        self._manifest, self._job, self._part, self._owner = manifest, job, part, owner
+
+    def take(self) -> _Task | bool:
+        """Claim the next task, or start the stage after a finished one; as `processes.Book`."""
+        which, of = self._part
+        while True:
+            stage = stage_of(self._manifest)
+            row = self._manifest.claim("tasks", self._owner, "stage = ? AND id % ? = ?", stage, of, which - 1)
+            if row is not None:
+                return _Task(row["id"], row["stage"], row["name"], row["told"])
+            counts = self._manifest.counts("tasks", "stage = ?", stage)
+            if counts["running"]:
+                return True
+            if counts["waiting"]:
+                if of > 1:
+                    return False  # of other parts
+            elif counts["failed"] + counts["aside"] or stage == len(self._job.STAGES) - 1:
+                return False
+            else:
+                advance(self._manifest, self._job, stage)
+
+    def do(self, task: _Task, device: str) -> str:
+        self._job.device = device
+        return _do(self._job, task)
+
+    def settle(self, task: _Task, found: str) -> None:
+        self._manifest.settle("tasks", task.number, self._owner, state="done", found=found, error=None)
+
+    def fail(self, task: _Task, error: Exception) -> None:
+        self._manifest.settle("tasks", task.number, self._owner, state="failed", error=said_of(error))
+
+    def set_aside(self, task: _Task, reason: str) -> None:
+        self._manifest.settle("tasks", task.number, self._owner, state="aside", error=reason)
+
+
+def _do(job: Job, task: _Task) -> str:
+    return json.dumps(job.do(task.stage, task.name, json.loads(task.told)), allow_nan=False)
+
+
+def _do_alone(folder: str, task: _Task, device: str) -> str:
+    """Run a task in a worker process, without claims."""
+    job = _job_of(folder, (Path(folder) / NAME).stat().st_ino)
+    job.device = device
+    return _do(job, task)
+
+
+@lru_cache(maxsize=4)
+def _job_of(folder: str, inode: int) -> Job:
+    manifest, job = open_job(folder)
+    manifest.base.close()
+    return job
+
+
+def _tell(manifest: Manifest, job: Job, report: ReportProgress) -> None:
+    if report is say_nothing:
+        return
+    stage = stage_of(manifest)
+    over = over_in(manifest, stage)
+    for earlier in range(stage):
+        (row,) = manifest.rows("SELECT count(*) AS n FROM tasks WHERE stage = ?", earlier)
+        report(job.STAGES[earlier], row["n"], row["n"])
+    (row,) = manifest.rows("SELECT count(*) AS n FROM tasks WHERE stage = ?", stage)
+    report(job.STAGES[stage], over, row["n"])

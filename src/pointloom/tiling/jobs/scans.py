@@ -1,0 +1,391 @@
+"""Register hundreds of scans: pairs as tasks, then the pose graph of `register_fragments`.
+
+Stages: "scans" thins each scan once and stores its surface; "pairs" registers likely overlaps, by known positions or
+order; "pairs alike" tries scans outside the largest group with similar ones; "graph" predicts more pairs from the
+poses; "loops" registers these. Results are bitwise those of `register_fragments`.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...core.atomic import atomic_write
+from ...core.checks import LARGEST_NUMBER, check_count, check_positive, check_rigid, check_seed, check_shape
+from ...core.devices import resolve_device
+from ...core.errors import FileError, FilePath
+from ...core.paths import path_of
+from ...io.points.point_cloud import read_point_cloud
+from ...kernels.lang import vec3
+from ...kernels.linear_algebra import matmul, norm
+from ...kernels.memory import download, upload
+from ...kernels.surface.hollow_side import Surface
+from ...pcd.cloud import PointCloud
+from ...registration.globally.global_registration import Description, describe, describe_surface
+from ...registration.globally.level_poses import check_level
+from ...registration.pose_graphs.connected_parts import connected_parts
+from ...registration.pose_graphs.fragment_graph import (
+    Extent,
+    FragmentGraph,
+    FragmentPair,
+    box_under,
+    candidates_to_close,
+    place_by_pairs,
+    refine_pairs,
+    those_that_overlap,
+    with_pairs,
+)
+from ...registration.pose_graphs.multiway import SURE, check_known, pairs_to_try, try_pair
+from .job import Done, Job, JobStatus, Task, make_job, stamp_of
+
+SURFACES = "surfaces"  # folder of thinned scans
+KEPT = 2  # described scans cached per process: one pair; consecutive pairs often share a scan
+NEAR = 12  # default neighbors by position
+STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
+ALIKE = 8  # default neighbors by similarity
+
+
+class RegistrationJob(Job):
+    KIND = "registration"
+    STAGES = ("scans", "pairs", "pairs alike", "graph", "loops")
+
+    def __init__(self, plan: dict[str, Any], folder: Path):
+        super().__init__(plan, folder)
+        self.size: float = plan["voxel_size"]
+        self._described = lru_cache(KEPT)(self._describe)
+
+    def check(self, done: Callable[[int], Iterator[Done]]) -> None:
+        for task in done(0):
+            path = self.plan["scans"][task.told["scan"]]
+            if stamp_of([Path(path)]) != task.found["stamp"]:
+                raise FileError(path, "has changed since it was read", remedy="Plan the scans anew in another folder")
+
+    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
+        if stage == 0:
+            return self._look(told["scan"])
+        if stage == 3:
+            return self._graph(told)
+        pair = pair_of(told)
+        if stage == 4:
+            overlaps = those_that_overlap(self._surfaces(pair), [pair], self.size)
+            return self._refined(pair) if overlaps else _doubted(pair, "its surfaces hardly lie on each other")
+        if told["is_known"]:
+            return self._refined(pair)
+        left, right = self._described(pair.source), self._described(pair.target)
+        pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"], self.plan["free"])
+        return self._refined(pair) if pair.score > SURE else _doubted(pair, doubt)
+
+    def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
+        plan, scans = self.plan, list(done(0))
+        if stage == 0:
+            known = [_task(pair_of(told), is_known=True) for told in plan["known"]]
+            given = {frozenset((told["source"], told["target"])) for told in plan["known"]}
+            return [*known, *(_to_try(*ends) for ends in self._first_pairs(scans) if frozenset(ends) not in given)]
+        if stage == 1:
+            return [_to_try(*ends) for ends in self._alike(scans, list(done(1)))]
+        if stage == 2:
+            extents = [[*task.found["origin"], task.found["radius"]] for task in scans]
+            return [Task("graph", {"extents": extents, "pairs": [told for told, _ in _believed(done)]})]
+        (graph,) = done(3)
+        return [_task(pair_of(told), is_known=False) for told in graph.found["candidates"]]
+
+    def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
+        scans = list(done(0))
+        names = [self.plan["scans"][task.told["scan"]] for task in scans]
+        units = sorted({task.found["unit"] for task in scans if task.found["unit"]})
+        said = [f"the scans are in different units, {' and '.join(units)}"] if len(units) > 1 else []
+        few = [name for name, task in zip(names, scans, strict=True) if not task.found["voxels"]]
+        return [*said, *(f"{name}: shows no surface with voxels of {self.size:g}" for name in few)]
+
+    def _first_pairs(self, scans: Sequence[Done]) -> list[tuple[int, int]]:
+        plan, count = self.plan, len(scans)
+        if plan["places"] is None:
+            return pairs_to_try(count, plan["neighbors"], plan["pairs"])
+        boxes = [
+            None if place is None or not task.found["voxels"] else place_box(
+                np.array(task.found["low"]), np.array(task.found["high"]), np.array(place), plan["place_error"]
+            )
+            for place, task in zip(plan["places"], scans, strict=True)
+        ]  # fmt: skip
+        return nearest_of(meeting_boxes(boxes), boxes, NEAR if plan["neighbors"] is None else plan["neighbors"])
+
+    def _alike(self, scans: Sequence[Done], tried: Sequence[Done]) -> list[tuple[int, int]]:
+        """Pairs of scans outside the largest group with the most similar scans in it."""
+        if not self.plan["alike"]:
+            return []
+        believed = [(task.told["source"], task.told["target"]) for task in tried if task.found["pair"]]
+        groups = groups_of(len(scans), believed)
+        largest = int(np.bincount(groups).argmax())
+        over = {frozenset((task.told["source"], task.told["target"])) for task in tried}
+        looks = np.array([task.found["look"] for task in scans])
+        found = set()
+        for k in np.flatnonzero(groups != largest).tolist():
+            others = [j for j in np.flatnonzero(groups != groups[k]).tolist() if frozenset((j, k)) not in over]
+            for j in most_alike(looks, k, np.array(others, np.int64), self.plan["alike"]):
+                found.add((min(j, k), max(j, k)))
+        return sorted(found)
+
+    def _describe(self, scan: int) -> Description:
+        surface = self._surface(scan)
+        arrays = (surface._device_array(name) for name in ("points", "normals"))
+        return describe_surface(surface, Surface.of_known(*arrays), self.size)
+
+    def _surfaces(self, pair: FragmentPair) -> dict[int, PointCloud]:
+        return {k: self._described(k).cloud for k in (pair.source, pair.target)}
+
+    def _look(self, scan: int) -> dict[str, Any]:
+        stamp = stamp_of([Path(self.plan["scans"][scan])])
+        cloud = read_point_cloud(self.plan["scans"][scan], device=self.device)
+        described = describe(cloud, self.size)
+        surface, path = described.thinned, self._surface_path(scan)
+        points, normals = (download(surface._device_array(name)).reshape(-1, 3) for name in ("points", "normals"))
+        path.parent.mkdir(exist_ok=True)
+        with atomic_write(path) as file:
+            np.savez(file, points=points, normals=normals, origin=surface.origin)
+        extent, points = Extent.of(surface), surface.points
+        ends = [points.min(axis=0).tolist(), points.max(axis=0).tolist()] if len(points) else [[0.0] * 3] * 2
+        return {
+            "stamp": stamp,
+            "points": len(cloud),
+            "voxels": len(surface),
+            "low": ends[0],
+            "high": ends[1],
+            "origin": extent.origin.tolist(),
+            "radius": extent.radius,
+            "look": look_of(download(described.features)).tolist(),
+            "unit": None if cloud.unit is None else str(cloud.unit),
+        }
+
+    def _surface_path(self, scan: int) -> Path:
+        return self.folder / SURFACES / f"{scan}.npz"
+
+    def _surface(self, scan: int) -> PointCloud:
+        path, where = self._surface_path(scan), resolve_device(self.device)
+        try:
+            with path.open("rb") as file, np.load(file) as found:
+                arrays = {name: upload(found[name], vec3, where) for name in ("points", "normals")}
+                return PointCloud._from_device_arrays(arrays, found["origin"])
+        except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+            remedy = "Plan the scans anew in another folder"
+            raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
+
+    def _refined(self, pair: FragmentPair) -> dict[str, Any]:
+        (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
+        return {"pair": _told(pair), "information": information.tolist()}
+
+    def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
+        """Pairs that overlap according to the poses and were not found yet."""
+        found, pairs, _ = _place_told(told, self.size, self.plan["free"])
+        boxes = [box_under(self._surface(k), found.poses[k]) for k in found.members.tolist()]
+        return {"candidates": [_told(pair) for pair in candidates_to_close(boxes, found.poses, found.members, pairs)]}
+
+
+def plan_registration(
+    scans: Iterable[FilePath],
+    folder: FilePath,
+    *,
+    voxel_size: float,
+    places: Sequence[Any] | None = None,
+    place_error: float = 0.0,
+    neighbors: int | None = None,
+    pairs: Sequence[tuple[int, int]] | None = None,
+    known: Sequence[FragmentPair] = (),
+    alike: int = ALIKE,
+    free: Sequence[str] | None = None,
+    seed: int = 0,
+) -> JobStatus:
+    """Plan the registration of many scans without initial poses; `run_job` runs it, one task per pair.
+
+    A folder with the same plan keeps its finished work; one with another plan is rejected. `finish_registration` gives
+    bitwise the result of `register_fragments` for the same pairs. 24 B of disk per voxel of each scan.
+
+    Args:
+        scans: Point cloud files, each in its own frame, in capture order if there is one.
+        folder: Folder of the job, created if missing.
+        voxel_size: Edge of a voxel [m], as of `register_fragments`.
+        places: Approximate pose T_world_scan (4, 4) or position (3,) of each scan, or None. Only pairs with overlapping
+            boxes are tried then; registration itself uses no initial guess.
+        place_error: Error of the places [m].
+        neighbors: Number of following scans tried with each. If None: all for up to 40 scans, else 5. With places:
+            number of nearest overlapping boxes, default 12.
+        pairs: Index pairs to try instead.
+        known, free: As of `register_fragments`.
+        alike: Number of similar scans tried with each scan outside the largest group; 0 for none.
+        seed: As of `register_globally`.
+
+    Raises:
+        FileError: If a scan is missing, or the job's folder contains something else.
+        ValueError: As of `register_fragments`; also if places and scans disagree, or pairs are combined with others.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> x, y = np.random.default_rng(0).uniform(-1, 1, (2, 4000))
+        >>> surface = np.column_stack([x, y, 0.2 * np.sin(5 * x) * np.cos(4 * y) + 0.1 * np.sin(9 * y + x)])
+        >>> loom.write_point_cloud("west.ply", loom.PointCloud(surface[x < 0.6]))
+        >>> loom.write_point_cloud("east.ply", loom.PointCloud(surface[x > -0.6] + [1, 2, 3]))
+        >>> loom.tiling.plan_registration(["west.ply", "east.ply"], "job", voxel_size=0.08).waiting
+        2
+        >>> loom.tiling.run_job("job").is_finished
+        True
+        >>> loom.tiling.finish_registration("job").poses[1, :3, 3].round(2).tolist()
+        [-1.0, -2.0, -3.0]
+    """
+    paths = [str(path_of(path).absolute()) for path in scans]
+    size = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
+    if not paths:
+        raise ValueError("scans: expected at least one, got none")
+    for path in paths:
+        if not Path(path).is_file():
+            raise FileError(path, "does not exist")
+    if places is not None and pairs is not None:
+        raise ValueError("places, pairs: expected one of them, got both")
+    tried = None if pairs is None else pairs_to_try(len(paths), neighbors, pairs)
+    level = check_level(free)
+    told = {
+        "scans": paths,
+        "voxel_size": size,
+        "places": None if places is None else _check_places(places, len(paths)),
+        "place_error": check_positive("place_error", place_error, allow_zero=True),
+        "neighbors": None if neighbors is None else check_count("neighbors", neighbors),
+        "pairs": tried,
+        "known": [_told(pair) for pair in check_known(known, len(paths), level)],
+        "alike": check_count("alike", alike, minimum=0),
+        "free": None if level is None else list(level),
+        "seed": check_seed(seed),
+    }
+    return make_job(RegistrationJob, folder, told, [Task(path, {"scan": k}) for k, path in enumerate(paths)])
+
+
+def placed(
+    done: Callable[[int], Iterator[Done]], size: float, free: Sequence[str] | None
+) -> tuple[FragmentGraph, list[FragmentPair]]:
+    """Pose graph of a finished job, and the accepted pairs."""
+    (graph,) = done(3)
+    found, pairs, information = _place_told(graph.told, size, free)
+    closing = [task.found for task in done(4) if task.found["pair"]]
+    if closing:
+        pairs += [pair_of(row["pair"]) for row in closing]
+        information += [np.array(row["information"]) for row in closing]
+        found = with_pairs(found, pairs, information, size, free)
+    return found, pairs
+
+
+def _place_told(
+    told: dict[str, Any], size: float, free: Sequence[str] | None
+) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
+    """Pose graph of a task's pairs, these pairs, and their information."""
+    extents = [Extent(np.array(row[:3]), row[3]) for row in told["extents"]]
+    pairs = [pair_of(row["pair"]) for row in told["pairs"]]
+    information = [np.array(row["information"]) for row in told["pairs"]]
+    return place_by_pairs(extents, pairs, information, size, free), pairs, information
+
+
+def pair_of(told: dict[str, Any]) -> FragmentPair:
+    score = np.nan if told["score"] is None else told["score"]
+    T = np.array(told["transformation"], np.float64).reshape(4, 4)
+    return FragmentPair(told["source"], told["target"], T, told["fitness"], score)
+
+
+def _told(pair: FragmentPair) -> dict[str, Any]:
+    score = None if np.isnan(pair.score) else float(pair.score)
+    told = {"source": int(pair.source), "target": int(pair.target), "fitness": float(pair.fitness), "score": score}
+    return told | {"transformation": np.asarray(pair.transformation, np.float64).ravel().tolist()}
+
+
+def _doubted(pair: FragmentPair, doubt: str) -> dict[str, Any]:
+    return {"pair": None, "score": _told(pair)["score"], "doubt": doubt}
+
+
+def _task(pair: FragmentPair, *, is_known: bool) -> Task:
+    return Task(f"pair {pair.target} {pair.source}", _told(pair) | {"is_known": is_known})
+
+
+def _to_try(i: int, j: int) -> Task:
+    return _task(FragmentPair(j, i, np.eye(4), 0.0, 0.0), is_known=False)
+
+
+def _believed(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
+    """Results of accepted pairs: known ones first, then by scans."""
+    found = [task for stage in (1, 2) for task in done(stage) if task.found["pair"]]
+    known = [task for task in found if task.told["is_known"]]
+    rest = [task for task in found if not task.told["is_known"]]
+    rest.sort(key=lambda task: (task.told["target"], task.told["source"]))
+    return [(task.found, task.told) for task in (*known, *rest)]
+
+
+def _check_places(places: Sequence[Any], count: int) -> list[Any]:
+    if len(places) != count:
+        raise ValueError(f"places: expected {count}, one of each scan or None, got {len(places)}")
+    found = []
+    for k, place in enumerate(places):
+        if place is None:
+            found.append(None)
+        elif np.shape(place) == (4, 4):
+            found.append(check_rigid(f"places[{k}]", place).tolist())
+        else:
+            found.append(check_shape(f"places[{k}]", place, (3,)).tolist())
+    return found
+
+
+Box = tuple[NDArray[np.float64], NDArray[np.float64]]
+
+
+def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
+    """Descriptor of a scan: means and standard deviations of its points' features; zeros if empty."""
+    finite = features[np.isfinite(features).all(axis=1)].astype(np.float64)
+    if not len(finite):
+        return np.zeros(2 * features.shape[1])
+    return np.concatenate([finite.mean(axis=0), finite.std(axis=0)])
+
+
+def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64], count: int) -> list[int]:
+    """Most similar scans first; columns are scaled by their spread."""
+    spread = looks.std(axis=0)
+    scaled = looks / np.where(spread > 0, spread, 1.0)
+    distances = np.linalg.norm(scaled[others] - scaled[scan], axis=1)
+    return others[np.argsort(distances, kind="stable")[:count]].tolist()
+
+
+def place_box(low: NDArray[Any], high: NDArray[Any], place: NDArray[np.float64], error: float) -> Box:
+    """Bounds of a scan's box at a pose (4, 4) or, for any rotation, at a position (3,), enlarged by `error`."""
+    if place.shape == (3,):
+        radius = float(norm(np.maximum(np.abs(low), np.abs(high)))) + error
+        return place - radius, place + radius
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    moved = matmul(np.where(corners, high, low), place[:3, :3].T) + place[:3, 3]
+    return moved.min(axis=0) - error, moved.max(axis=0) + error
+
+
+def meeting_boxes(boxes: Sequence[Box | None]) -> list[tuple[int, int]]:
+    """Pairs of overlapping boxes, (earlier, later), ascending."""
+    there = [k for k, box in enumerate(boxes) if box is not None]
+    low = np.array([box[0] for box in boxes if box is not None]).reshape(-1, 3)
+    high = np.array([box[1] for box in boxes if box is not None]).reshape(-1, 3)
+    found = []
+    for i, k in enumerate(there):
+        meets = ((low[i + 1 :] <= high[i]) & (high[i + 1 :] >= low[i])).all(axis=1)
+        found += [(k, there[i + 1 + j]) for j in np.flatnonzero(meets).tolist()]
+    return found
+
+
+def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], count: int) -> list[tuple[int, int]]:
+    """Pairs that are among the `count` nearest of either box, by centers."""
+    middles = {k: (box[0] + box[1]) / 2 for k, box in enumerate(boxes) if box is not None}
+    beside: dict[int, list[tuple[float, tuple[int, int]]]] = {k: [] for k in middles}
+    for i, j in pairs:
+        distance = float(norm(middles[i] - middles[j]))
+        for k in (i, j):
+            beside[k].append((distance, (i, j)))
+    return sorted({ends for found in beside.values() for _, ends in sorted(found)[:count]})
+
+
+def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int32]:
+    """Connected component of each scan, numbered by first scan."""
+    ends = np.array([*pairs], np.int64).reshape(-1, 2)
+    return connected_parts(ends[:, 0], ends[:, 1], count)

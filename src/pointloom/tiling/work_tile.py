@@ -1,0 +1,230 @@
+"""Process one tile, as a pure function of files, plan and results of earlier passes.
+
+Rows are read in canonical order and search trees use one global curve, so sums and ties equal those of the complete
+cloud. After each step only verified points are kept, at the end those of the tile.
+"""
+
+from __future__ import annotations
+
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..core.errors import FileError
+from ..io.points.las_records import for_tiles
+from ..io.points.las_wkt import with_system
+from ..io.points.las_writer import fits_steps, with_scan_angle, write_las
+from ..io.points.point_cloud import cloud_of, table_of
+from ..io.table import PointTable
+from ..kernels.memory import download
+from ..kernels.search.hilbert_order import HilbertCurve, levels_for
+from ..kernels.search.point_tree import PointTree
+from ..kernels.segmentation.neighbor_counts import mask_crowded
+from ..pcd.search import NearestNeighborSearch
+from .borders import read_joined, write_left
+from .buckets import inside
+from .epochs import read_epoch
+from .exact_sums import ExactSums
+from .halos import REACH_SLACK, halos_of
+from .plan import Plan
+from .rasters import write_raster
+from .sources import file_of, read_rows
+from .steps.raster import Rasterize
+from .steps.reprojection import Reproject
+from .steps.step import Part, Sight, Step
+
+FOLDER = "tiles"
+MOST_DOUBLINGS = 40
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Result of a tile in one pass: points in and out, sums (for a join the count), CRC-32 of its file or None."""
+
+    points_in: int
+    points_out: int
+    sums: ExactSums | None
+    checksum: int | None = None
+
+
+class HaloError(Exception):
+    """A step of the k nearest saw too little data to verify its result."""
+
+    def __init__(self, step: int):
+        super().__init__(step)
+        self.step = step
+
+
+def work_tile(
+    plan: Plan, folder: Path, tile: int, number: int, numbers: dict[int, ExactSums], fulls: dict[int, int]
+) -> Outcome:
+    """Run one pass over a tile; the last one writes its file if it has points."""
+    iy, ix = divmod(tile, plan.shape[0])
+    target = plan.passes[number]
+    steps = plan.steps if target is None else plan.steps[: target + 1]
+    chain = plan.steps if any(step.joins for step in steps) else steps  # steps whose halos must be equal in each pass
+    reaches = [step.reach for step in chain]
+    for _ in range(MOST_DOUBLINGS):
+        halos = halos_of(chain, reaches, plan.slack)
+        # Borders are rounded: read slightly more; the tile number decides.
+        window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
+        table, keys = read_rows(plan, folder, fulls, window)
+        if not len(table.points):
+            return Outcome(0, 0, ExactSums())
+        part = _first_part(plan, table, keys)
+        own = int((plan.tile_of(part.homes) == tile).sum())
+        try:
+            if not own and _keeps_homes(chain) and not any(step.writes for step in chain):
+                return Outcome(0, 0, ExactSums())
+            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
+        except HaloError as found:
+            reaches[found.step] *= 2
+            continue
+        if target is None:
+            part = part.select(plan.tile_of(part.homes) == tile)
+        out = len(part.cloud) if target is None else 0
+        checksum = write_tile(plan, folder, tile, part) if out else None
+        return Outcome(own, out, sums, checksum)
+    raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
+
+
+def _keeps_homes(steps: list[Step]) -> bool:
+    return all(step.spread_after(0.0) == 0.0 for step in steps)
+
+
+def _first_part(plan: Plan, table: PointTable, keys: NDArray[np.int64]) -> Part:
+    path = plan.sources[0]["path"]
+    exact = np.asarray(table.points, np.float64)
+    cloud = cloud_of(table, path, device=plan.device, origin=plan.origin)
+    return Part(cloud, exact, exact[:, :2], keys=keys)
+
+
+def _run(
+    plan: Plan,
+    folder: Path,
+    place: tuple[int, int],
+    part: Part,
+    steps: list[Step],
+    reach: tuple[list[float], list[float]],
+    numbers: dict[int, ExactSums],
+    fulls: dict[int, int],
+    target: int | None,
+) -> tuple[Part, ExactSums | None]:
+    reaches, halos = reach
+    for k, step in enumerate(steps):
+        if not len(part.cloud):
+            return part, ExactSums()
+        if step.searches and (step.reach > 0 or step.neighbors is not None):
+            _adopt_tree(plan, part)
+        after = plan.window(*place, halos[k + 1])
+        wanted = _at_home(plan, part.homes, after, place)
+        if step.neighbors is not None:
+            _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
+        if k == target and step.joins:
+            left = step.gather(part, _sight_of(plan, place, part, (halos[k] + halos[k + 1]) / 2))
+            count = int(left["count"][0])
+            if count:
+                write_left(folder, k, place[1] * plan.shape[0] + place[0], left)
+            return part, ExactSums(count)
+        if k == target:
+            return part, ExactSums.of(step.measure(part)[wanted])
+        if isinstance(step, Rasterize) and target is None:
+            write_raster(step, part.cloud, plan, folder, place)
+        if step.epoch:
+            halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
+            around = plan.window(*place, halo, ends=True)
+            part = part.beside(read_epoch(plan, folder, fulls, step, around))
+        told: Any = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
+        part = step.run(part, plan, told).beside(None)
+        part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
+    return part, None
+
+
+def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[int, int]) -> NDArray[np.bool_]:
+    """Mask of homes in a tile and its halo; without a halo by tile number, which defines the rounding."""
+    if window == plan.window(*place, 0.0):
+        return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
+    x, y = homes[:, 0], homes[:, 1]
+    return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
+
+
+def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
+    """Sight of a tile within a halo; other tiles have the same halo."""
+    owners = plan.tile_of(part.homes)
+    own = owners == place[1] * plan.shape[0] + place[0]
+    unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
+    return Sight(owners, own, own & ~unseen, _at_home(plan, part.homes, plan.window(*place, halo), place))
+
+
+def _adopt_tree(plan: Plan, part: Part) -> None:
+    """Build a cloud's search tree on the global curve."""
+    points = part.cloud._device_array("points")
+    low, high = ((np.array(plan.told[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
+    levels = plan.told["levels"]
+    if levels > levels_for(points.size):
+        raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many; take smaller tiles")
+    if part.cloud._known_search_tree is None:
+        part.cloud._adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
+
+
+def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: float, window: Any) -> None:
+    """Raise HaloError unless each wanted point has k points nearer than missing data."""
+    if not np.isfinite(window).any():
+        return  # complete
+    crowded = download(mask_crowded(part.cloud.search_tree(), reach, k)) != 0
+    doubtful = np.flatnonzero(wanted & ~crowded)
+    if not len(doubtful):
+        return
+    places = part.cloud.points[doubtful]
+    edges = np.array(window)
+    free = np.minimum(places[:, :2] - edges[:2], edges[2:] - places[:, :2]).min(axis=1) - part.spread - plan.slack
+    if k > len(part.cloud):
+        raise HaloError(number)
+    found = NearestNeighborSearch(part.cloud).knn_search(places, k)
+    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * REACH_SLACK
+    if not (farthest < free).all():
+        raise HaloError(number)
+
+
+def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
+    """Write a tile's points in the files' scale, unmoved positions exactly; returns the CRC-32."""
+    told = table_of(part.cloud)
+    if part.exact is not None:
+        told.points = part.exact
+    told = with_scan_angle(told)
+    told.unit = None if plan.sources[0]["unit"] is None else told.unit
+    first = file_of(plan.sources[0])
+    header = for_tiles(first.header, first.layout, is_only=len(plan.sources) == 1)
+    scales, offsets = header.scales, offset_of(plan)
+    if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
+        params, told.unit = plan.steps[-1].params, None
+        scales, offsets, header = params["scales"], params["offsets"], with_system(header, params["wkt"])
+    path = tile_path(plan, folder, tile)
+    write_las(path, told, scale=scales, offset=offsets, like=header)
+    return checksum_of(path)
+
+
+def checksum_of(path: Path) -> int:
+    checksum = 0
+    with path.open("rb") as stream:
+        while block := stream.read(1 << 20):
+            checksum = zlib.crc32(block, checksum)
+    return checksum
+
+
+def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
+    iy, ix = divmod(tile, plan.shape[0])
+    return folder / FOLDER / f"{ix}_{iy}.laz"
+
+
+def offset_of(plan: Plan) -> list[float]:
+    """Common offset of all tiles: the first file's, if all files are within its integer range."""
+    first = plan.sources[0]
+    low, high = np.array(plan.told["low"]), np.array(plan.told["high"])
+    if fits_steps(low, high, first["scales"], first["offsets"]):
+        return first["offsets"]
+    return np.round((low + high) / 2).tolist()

@@ -1,0 +1,80 @@
+"""Image files: `check_picture` before the work, `save_picture` after it."""
+
+from __future__ import annotations
+
+import io
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from ...core.atomic import atomic_write, check_writable
+from ...core.errors import FileError
+from ...core.paths import path_of
+from ...io.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
+
+KINDS = (".png", ".webp")
+OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # common requests, without partial transparency
+MOST_WEBP = 16383  # [px] per side
+
+
+def check_picture(path: Any, *, overwrite: bool) -> None:
+    """Check that an image can be written, before any work; raises FileError."""
+    if path_of(path).suffix.lower() not in KINDS:
+        raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
+    check_writable(path, overwrite=overwrite)
+
+
+def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite: bool = True) -> None:
+    """Write an image as PNG or lossless WebP.
+
+    Args:
+        path: A .png or .webp file.
+        image: uint8 of shape (h, w, 3) (RGB), (h, w, 4) (RGBA) or (h, w); for PNG also uint16 (h, w).
+        overwrite: Replace an existing file.
+
+    Raises:
+        FileError: The file exists, has another extension (JPEG, GIF and MP4 have no transparency), or cannot be
+            written.
+        TypeError, ValueError: Unsupported image.
+
+    Example:
+        >>> import numpy as np, pointloom as loom
+        >>> loom.save_picture("grey.png", np.full((48, 64), 128, np.uint8))
+        >>> loom.read_color("grey.png").shape
+        (48, 64, 3)
+    """
+    kind, shape = path_of(path).suffix.lower(), getattr(image, "shape", ())
+    has_opacity = len(shape) == 3 and shape[2] == 4
+    if has_opacity and kind in OPAQUE:
+        remedy = "Write .png or .webp, or draw it before a background of a colour"
+        raise FileError(path, f"{kind} holds no transparency", remedy=remedy)
+    check_writable(path, overwrite=overwrite)
+    if not (has_opacity or kind == ".webp"):
+        write_png(path, image)
+        return
+    pixels = _check_bytes(image)
+    check_picture(path, overwrite=overwrite)
+    if kind == ".png":
+        data = encode_png(pixels)
+    else:
+        if max(pixels.shape[:2]) > MOST_WEBP:
+            raise ValueError(f"image: .webp holds up to {MOST_WEBP} pixels a side, got shape {list(pixels.shape)}")
+        held = io.BytesIO()
+        Image.fromarray(pixels).save(held, "WEBP", lossless=True, exact=True)
+        data = held.getvalue()
+    with atomic_write(path) as file:
+        file.write(data)
+
+
+def _check_bytes(image: Any) -> NDArray[np.uint8]:
+    if not isinstance(image, np.ndarray) or image.dtype != np.uint8:
+        kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
+        raise TypeError(f"image: expected a NumPy array of uint8, got {kind}")
+    if not (image.ndim == 2 or (image.ndim == 3 and image.shape[2] in (3, 4))):
+        raise ValueError(f"image: expected shape [h, w], [h, w, 3] or [h, w, 4], got {list(image.shape)}")
+    if not 0 < image.shape[0] * image.shape[1] <= PIXEL_LIMIT:
+        raise ValueError(f"image: expected 1 to {PIXEL_LIMIT} pixels, got shape {list(image.shape)}")
+    return np.ascontiguousarray(image)

@@ -1,0 +1,46 @@
+"""Calling the command line, and what it answers."""
+
+import json
+from pathlib import Path
+
+from click.testing import CliRunner, Result
+
+from pointloom.cli.shell.cli import cli
+from pointloom.core.devices import resolve_device
+
+
+def run(*words: object) -> Result:
+    return CliRunner().invoke(cli, [str(word) for word in words])
+
+
+def answer(*words: object) -> dict:
+    """The one JSON object of a command that succeeds."""
+    result = run(*words, "--json")
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def unreliable(*words: object) -> dict:
+    """The one JSON object of a command whose result is unreliable; stderr shows the warnings."""
+    result = run(*words, "--json")
+    assert result.exit_code == 3, result.stderr
+    report = json.loads(result.stdout)
+    assert result.stderr == "".join(f"unreliable result: {warning}\n" for warning in report["warnings"])
+    return report
+
+
+def names_in(folder: Path) -> list[str]:
+    return sorted(entry.name for entry in folder.iterdir())
+
+
+def refusal(*words: object) -> str:
+    """What a command says on stderr that ends with an error."""
+    result = run(*words)
+    assert result.exit_code == 1, result.stdout
+    assert result.stdout == ""
+    return result.stderr
+
+
+def chosen_device() -> str:
+    """Where a command works that is not told where: the first GPU, else the CPU."""
+    return str(resolve_device("auto"))

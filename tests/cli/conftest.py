@@ -1,0 +1,94 @@
+"""Small files for the commands to work on."""
+
+import shutil
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.cli.shell import console
+from pointloom.datasets.scenes.room import room_loop_sequence, write_room_sequence
+from pointloom.io.frames.recordings import record_frames
+from pointloom.kernels.language import notices
+
+from ..rgbd.sequences import Part
+
+pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what they compare, as those of tests do
+
+
+@pytest.fixture(autouse=True)
+def no_lines_of_progress(monkeypatch):
+    """A command that compiles its kernels says so, and tells how far it is."""
+    monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
+    monkeypatch.setattr(notices, "PATIENCE", threading.TIMEOUT_MAX)
+
+
+@pytest.fixture
+def cloud(tmp_path, rng) -> Path:
+    """A file of 500 points in a unit cube, with colours and an intensity."""
+    path = tmp_path / "cloud.ply"
+    points, colors = rng.random((500, 3)), rng.integers(0, 256, (500, 3)).astype(np.uint8)
+    loom.write_point_cloud(path, loom.PointCloud(points, colors=colors, intensity=np.arange(500, dtype=np.float32)))
+    return path
+
+
+@pytest.fixture
+def mesh(tmp_path) -> Path:
+    """A file of two triangles with colours."""
+    path = tmp_path / "mesh.ply"
+    square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    loom.write_triangle_mesh(path, loom.TriangleMesh(square, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.ones((4, 3))))
+    return path
+
+
+@pytest.fixture(scope="session")
+def made_frames(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("frames") / "room"
+    write_room_sequence(folder, frame_count=6, width=160, height=120)
+    return folder
+
+
+@pytest.fixture
+def frames(made_frames, tmp_path) -> Path:
+    """A folder of 6 small frames that a test may damage."""
+    return Path(shutil.copytree(made_frames, tmp_path / "frames"))
+
+
+@pytest.fixture(scope="session")
+def walk() -> Part:
+    """The first 8 small frames of a camera that is carried through the room, 1 cm apart, with times."""
+    return Part(room_loop_sequence(600, width=160, height=120), 8)
+
+
+@pytest.fixture(scope="session")
+def recorded_walk(walk, tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("walk") / "walk"
+    record_frames(walk, folder)
+    return folder
+
+
+@pytest.fixture
+def walked(recorded_walk, tmp_path) -> Path:
+    """A folder of the walk's frames, with their poses, that a test may damage."""
+    return Path(shutil.copytree(recorded_walk, tmp_path / "walk"))
+
+
+@pytest.fixture
+def points(rng):
+    """A floor of 600 points, two blobs of 150 and 100 above it, a stray point, a repeated one, one that is NaN."""
+    floor = np.column_stack([rng.random((600, 2)), np.zeros(600)])
+    blobs = [
+        center + 0.05 * rng.random((count, 3)) for center, count in (([0.2, 0.2, 0.5], 150), ([0.8, 0.8, 0.5], 100))
+    ]
+    return np.vstack([floor, *blobs, [[9, 9, 9]], floor[:1], [[np.nan, 0, 0]]])
+
+
+@pytest.fixture
+def scene(tmp_path, points) -> Path:
+    """`points` in float64, with their rows, a time in float64, normals and colours."""
+    path, rows = tmp_path / "scene.npz", np.arange(len(points), dtype=np.int32)
+    normals, colors = np.tile(np.float32([0, 0, 1]), (len(rows), 1)), np.full((len(rows), 3), 0.25, np.float32)
+    np.savez(path, points=points, row=rows, time=rows / 3, normals=normals, colors=colors)
+    return path

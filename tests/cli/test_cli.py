@@ -1,0 +1,406 @@
+"""The command line: what loads, exit codes, what goes to stdout and to stderr, and what stays on disk."""
+
+import json
+import signal
+import subprocess
+import sys
+import warnings
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.cli.jobs.clouds import ConvertReport
+from pointloom.cli.jobs.job import Done
+from pointloom.cli.shell import doctor
+from pointloom.cli.shell.cli import cli
+from pointloom.core import cuda_driver
+from pointloom.core.threads import get_num_threads
+from pointloom.core.wording import format_bytes
+from pointloom.io.pictures.image_files import write_png
+from pointloom.io.points import ply
+
+from .commands import answer, names_in, refusal, run, unreliable
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMANDS = (
+    "change", "clean", "clean-mesh", "cluster", "compare-meshes", "completion", "convert", "crop", "demo", "depth",
+    "docs", "doctor", "downsample", "evaluate", "fuse", "info", "mesh", "multiway", "normals", "odometry", "plane",
+    "reconstruct", "register", "sample-mesh", "simplify", "smooth-mesh", "stations", "texture", "tile",
+    "track", "video", "view",
+)  # fmt: skip
+
+
+def start(program: str, *words: object) -> subprocess.Popen:
+    """A Python of its own that runs a program with these arguments."""
+    setup = f"import sys; sys.path[:0] = [{str(ROOT / 'src')!r}]; sys.argv[1:] = {[str(word) for word in words]!r}\n"
+    return subprocess.Popen(
+        [sys.executable, "-c", setup + program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def test_help_loads_nothing_heavy():
+    program = f"""
+import json
+from pointloom.cli.shell.cli import cli
+for words in ([], *([name] for name in {COMMANDS!r})):
+    try:
+        cli.main([*words, "--help"])
+    except SystemExit as stop:
+        assert not stop.code
+heavy = {{"numpy", "scipy", "warp", "taichi", "PIL", "rich"}}
+print(json.dumps(sorted(heavy & {{name.partition(".")[0] for name in sys.modules}})), file=sys.stderr)
+"""
+    process = start(program)
+    stdout, stderr = process.communicate(timeout=300)
+    assert process.returncode == 0, stderr
+    assert json.loads(stderr) == []
+    assert stdout.count("Usage: pointloom") == 1 + len(COMMANDS)
+
+
+def test_every_command_explains_itself_and_takes_json():
+    assert sorted(cli.commands) == sorted(COMMANDS)
+    listing = run("--help").stdout
+    for name in COMMANDS:
+        assert f"  {name} " in listing
+        shown = run(name, "-h").stdout
+        assert "--json" in shown
+        assert shown.isascii()
+        assert f"\n  pointloom {name}" in shown  # an example
+
+
+def test_the_version_is_the_package_s():
+    assert run("--version").stdout.split()[-1] == loom.__version__
+
+
+def test_no_command_shows_the_help():
+    result = run()
+    assert result.exit_code == 0
+    assert "Commands:" in result.stdout
+    assert result.stderr == ""
+
+
+OLD_NAMES = [
+    ("normals", "--max-nn", "--neighbors"),
+    ("clean", "--ratio", "--deviations"),
+    ("cluster", "--eps", "--radius"),
+    ("cluster", "--min-points", "--neighbors"),
+    ("compare-meshes", "--max", "--max-distance"),
+    ("evaluate", "--align", "--alignment"),
+]
+
+
+@pytest.mark.parametrize(("command", "old", "new"), OLD_NAMES)
+def test_options_go_by_their_old_names_which_no_help_shows(command, old, new):
+    words = run(command, "--help").stdout.split()
+    assert new in words and old not in words
+    said = [run(command, "a.ply", "b.ply", name, "-5").stderr for name in (old, new)]
+    assert said[0] == said[1] and f"invalid value for '{new}'" in said[0]
+
+
+def test_every_command_that_writes_takes_o():
+    for name, command in cli.commands.items():
+        if any(one.name in ("output", "named_output") for one in command.params):
+            assert any({"-o", "--output"} <= set(one.opts) for one in command.params), name
+
+
+def test_an_extension_of_poses_is_one_format_in_every_command():
+    for name in ("fuse", "track", "reconstruct", "multiway", "odometry"):
+        assert ".txt or .tum (TUM), .log (Open3D)" in " ".join(run(name, "--help").stdout.split()), name
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "place"),
+    [
+        ("frame-000003.pose.txt", None, "frame-000003.pose.txt"),
+        ("frame-000004.depth.png", b"\x89PNG\r\n\x1a\n", "frame-000004.depth.png (byte"),
+        ("frame-000002.pose.txt", b"2 0 0 0\n0 2 0 0\n0 0 2 0\n0 0 0 1\n", "frame-000002.pose.txt (line 1)"),
+    ],
+)
+def test_a_damaged_frame_is_named_and_nothing_is_written(frames, tmp_path, name, content, place):
+    (frames / name).unlink()
+    if content is not None:
+        (frames / name).write_bytes(content)
+    said = refusal("fuse", frames, "-o", tmp_path / "out.ply", "--voxel", "0.1")
+    assert said.startswith("error: ") and place in said
+    assert names_in(tmp_path) == ["frames"]
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        (["--layout", "tum"], "depth.txt: missing"),
+        (["--layout", "redwood"], "missing"),
+        (["--device", "cuda:99"], "got 'cuda:99'"),
+        (["--intrinsic", "camera.json"], "camera.json"),
+        (["--voxel", "0.1", "--truncation", "0.01"], "truncation"),
+        (["--picture", "out.jpg"], "ends in .png"),
+    ],
+)
+def test_fuse_says_what_it_cannot_do(frames, tmp_path, options, reason):
+    assert reason in refusal("fuse", frames, "-o", tmp_path / "out.ply", *options)
+    assert names_in(tmp_path) == ["frames"]
+
+
+def test_a_folder_that_is_no_data_set_is_told_what_was_looked_for(tmp_path):
+    said = refusal("fuse", tmp_path, "-o", tmp_path / "out.ply")
+    for mark in ("frame-NNNNNN.depth.png (missing)", "trajectory.log (missing)", "groundtruth.txt (missing)"):
+        assert mark in said
+
+
+def test_existing_outputs_are_kept_unless_forced(scene, mesh, frames, tmp_path):
+    output = tmp_path / "out.ply"
+    commands = (
+        *(["convert", scene], ["downsample", scene, "--voxel", "0.5"], ["normals", scene], ["clean", scene]),
+        *(["cluster", scene, "--radius", "0.2"], ["plane", scene, "--distance", "0.01"]),
+        *(
+            ["crop", scene, "--box", "0", "0", "0", "1", "1", "1"],
+            ["clean-mesh", mesh],
+            ["fuse", frames, "--voxel", "0.1"],
+        ),
+    )
+    for words in commands:
+        output.write_bytes(b"kept")
+        refused = refusal(*words, "-o", output)
+        assert "out.ply: exists already" in refused and "overwrite" not in refused
+        assert "Give another name, or --force to replace it" in refused
+        assert output.read_bytes() == b"kept"
+        forced = run(*words, "-o", output, "--force")
+        assert forced.exit_code == 0, forced.stderr
+        assert output.read_bytes().startswith(b"ply")
+
+
+def test_an_unwritable_place_is_found_before_the_work(cloud, tmp_path, monkeypatch):
+    assert "Make the folder first" in run("convert", "missing.ply", tmp_path / "no" / "out.ply").stderr
+    monkeypatch.setattr("os.access", lambda *_: False)
+    result = run("convert", "missing.ply", tmp_path / "out.ply")
+    assert result.exit_code == 1
+    assert "is not writable" in result.stderr
+
+
+def test_with_json_an_error_is_one_object_too():
+    for words, code in ((["downsample", "no.ply", "out.ply", "--voxel", "1"], 1), (["fuse", "--every", "x"], 2)):
+        result = run(*words, "--json")
+        assert result.exit_code == code
+        report = json.loads(result.stdout)
+        assert report["exit_code"] == code
+        assert f"error: {report['error']}" in result.stderr
+
+
+def fault(error):
+    def raise_it(*_args, **_options):
+        raise error
+
+    return raise_it
+
+
+@pytest.mark.parametrize(
+    ("error", "message"),
+    [
+        (IndexError("list index"), "error: unexpected IndexError: list index. This is a fault of pointloom"),
+        (MemoryError(), "error: out of memory. A larger --voxel"),
+        (OSError(28, "No space left on device", "out.ply"), "error: out.ply: No space left on device"),
+        (ValueError("voxel_size: too small"), "error: voxel_size: too small"),
+        (RuntimeError("POINTLOOM_CPU: expected warp or taichi"), "error: POINTLOOM_CPU: expected"),
+    ],
+)
+def test_whatever_is_raised_becomes_one_line(error, message, monkeypatch):
+    monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", fault(error))
+    monkeypatch.delenv("POINTLOOM_TRACEBACK", raising=False)
+    result = run("convert", "a.ply", "b.ply")
+    assert result.exit_code == 1
+    assert result.stderr.startswith(message)
+    assert len(result.stderr.splitlines()) == 1
+
+
+def test_the_traceback_comes_when_asked_for(monkeypatch):
+    monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", fault(IndexError("list index")))
+    monkeypatch.setenv("POINTLOOM_TRACEBACK", "1")
+    result = run("convert", "a.ply", "b.ply")
+    assert "Traceback (most recent call last)" in result.stderr
+    assert "raise_it" in result.stderr
+
+
+def test_a_warning_is_one_line_on_stderr(cloud, tmp_path, monkeypatch):
+    def warn(*_args, **_options):
+        with warnings.catch_warnings():
+            warnings.simplefilter("always")
+            warnings.warn("one core only", RuntimeWarning, stacklevel=1)
+        return ConvertReport(Done("convert", "a.ply", {}, (), (), ()), "mesh", 0, 0)
+
+    monkeypatch.setattr("pointloom.cli.jobs.clouds.convert_file", warn)
+    result = run("convert", cloud, tmp_path / "out.ply", "--json")
+    assert result.stderr == "warning: one core only\n"
+    assert json.loads(result.stdout)["reliable"]
+
+
+def test_an_interruption_while_writing_leaves_nothing(cloud, tmp_path, monkeypatch):
+    before = names_in(tmp_path)
+    monkeypatch.setattr(ply, "_write_columns", fault(KeyboardInterrupt()))
+    result = run("convert", cloud, tmp_path / "out.ply")
+    assert result.exit_code == 130
+    assert result.stderr.split() == ["interrupted"]
+    assert names_in(tmp_path) == before
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_a_signal_while_writing_leaves_nothing(cloud, tmp_path, number, code):
+    before = names_in(tmp_path)
+    program = """
+import signal
+import time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # "make test &" in a script starts with it ignored
+from pointloom.cli.shell.cli import main
+from pointloom.io.points import ply
+from pointloom.io.pictures.image_files import write_png
+def stall(*_args, **_options):
+    print("writing", file=sys.stderr, flush=True)
+    time.sleep(60)
+ply._write_columns = stall
+main()
+"""
+    process = start(program, "convert", cloud, tmp_path / "out.ply")
+    assert process.stderr is not None
+    with process:
+        assert process.stderr.readline() == "writing\n"
+        assert len(names_in(tmp_path)) == len(before) + 1  # the part under its temporary name
+        process.send_signal(number)
+        stdout, stderr = process.communicate(timeout=300)
+    assert process.returncode == code
+    assert stdout == ""
+    assert "Traceback" not in stderr
+    assert names_in(tmp_path) == before
+
+
+def test_ctrl_c_while_the_command_is_loaded_is_one_line(tmp_path):
+    (tmp_path / "click.py").write_text("import sys, time\nprint('loading', flush=True)\ntime.sleep(60)\n")
+    program = f"""
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.path.insert(0, {str(tmp_path)!r})
+import runpy
+runpy.run_module("pointloom", run_name="__main__", alter_sys=True)
+"""
+    process = start(program, "--version")
+    assert process.stdout is not None
+    with process:
+        assert process.stdout.readline() == "loading\n"
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=300)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_ctrl_c_between_commands_of_click_is_one_line():
+    program = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from pointloom.cli.shell import cli, group
+def interrupt(*_args, **_options):
+    raise KeyboardInterrupt
+group.CompileNotice.__enter__ = interrupt
+cli.main()
+"""
+    process = start(program, "--version")
+    _, stderr = process.communicate(timeout=300)
+    assert (process.returncode, stderr) == (130, "interrupted\n")
+
+
+def test_the_package_runs_as_a_module():
+    process = start('import runpy; runpy.run_module("pointloom", run_name="__main__", alter_sys=True)', "--version")
+    stdout, stderr = process.communicate(timeout=300)
+    assert (process.returncode, stderr) == (0, "")
+    assert stdout.split()[-1] == loom.__version__
+
+
+def test_fuse_says_which_camera_it_used(frames, tmp_path):
+    words = ["fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply", "--force"]
+    given = json.loads((frames / "camera-intrinsics.json").read_text())
+    report = answer(*words)["camera"]
+    K = np.reshape(given["intrinsic_matrix"], (3, 3)).T
+    assert [report[name] for name in ("fx", "fy", "cx", "cy")] == [K[0, 0], K[1, 1], K[0, 2], K[1, 2]]
+    assert report["source"] == "camera-intrinsics.json"
+    other = tmp_path / "other.json"
+    (frames / "camera-intrinsics.json").rename(other)
+    assert answer(*words, "--intrinsic", other)["camera"]["source"] == str(other)
+    np.savetxt(frames / "intrinsics.K.txt", K)
+    shown = run(*words)
+    assert shown.exit_code == 0
+    assert f"from {frames / 'intrinsics.K.txt'}" in shown.stdout
+
+
+def test_a_camera_that_the_pictures_contradict_is_unreliable(frames, tmp_path):
+    (frames / "camera-intrinsics.json").unlink()
+    (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
+    poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
+    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
+    assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
+
+
+def test_fuse_tells_which_frames_have_no_partner(tmp_path):
+    folder = tmp_path / "tum"
+    (folder / "depth").mkdir(parents=True)
+    for time in (1, 2, 3):
+        write_png(folder / "depth" / f"{time}.png", np.full((480, 640), 5000, np.uint16))
+    (folder / "depth.txt").write_text("".join(f"{time} depth/{time}.png\n" for time in (1, 2, 3)))
+    (folder / "groundtruth.txt").write_text("".join(f"{time} 0 0 0 0 0 0 1\n" for time in (1, 3)))
+    result = run("fuse", folder, "-o", tmp_path / "out.ply", "--voxel", "0.05")
+    assert result.exit_code == 0, result.stderr
+    assert "1 left out, the first depth/2.png: no pose within 0.02 s" in result.stdout
+
+
+def test_doctor_runs_a_kernel_and_reports_the_number_of_threads(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "3")
+    loom.set_num_threads(None)
+    report = answer("doctor")
+    assert [t["ok"] for t in report["trials"] if t["device"] == "cpu"] == [True]
+    assert (report["cpu_compiler"], report["why"]) == ("warp", "3 threads (POINTLOOM_CPU_THREADS)")
+    assert report["reliable"]
+    assert "healthy" in run("doctor").stdout
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS")
+    loom.set_num_threads(None)
+    count = get_num_threads()
+    assert answer("doctor")["why"] == ("1 thread" if count == 1 else f"{count} threads")
+
+
+def test_doctor_says_that_threads_are_untried_elsewhere(monkeypatch):
+    monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
+    monkeypatch.setattr(doctor, "get_num_threads", lambda: 1)
+    monkeypatch.setattr(doctor, "sys", SimpleNamespace(platform="darwin"))
+    said = "1 thread, since more are untried on this system; POINTLOOM_CPU_THREADS tries more"
+    assert answer("doctor")["why"] == said
+
+
+def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
+    monkeypatch.setattr(doctor, "pool_code", SimpleNamespace(TESTED="1.19.0", is_usable=lambda: False))
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "warp: one core only, since Warp" in result.stdout
+    assert "does not take cpu_access.h; what it was tried with: pip install warp-lang==1.19.0" in result.stderr
+
+
+def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
+    monkeypatch.setenv("POINTLOOM_CPU_THREADS", "many")
+    loom.set_num_threads(None)
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "CPU kernels do not run: POINTLOOM_CPU_THREADS: expected a whole number" in result.stderr
+
+
+def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
+    (tmp_path / "version").write_text("NVRM version: NVIDIA UNIX x86_64 Kernel Module  470.57.02  Tue Jul 13\n")
+    monkeypatch.setattr(cuda_driver, "PROC", tmp_path / "version")
+    monkeypatch.setattr(doctor, "_gpus", list)
+    result = run("doctor")
+    assert result.exit_code == 3
+    assert "no GPU serves: driver 470.57.02 is too old; Warp" in result.stderr
+    assert "driver       470.57.02, needed for GPUs: " in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("count", "shown"), [(0, "0 B"), (1023, "1023 B"), (1024, "1.0 KiB"), (3 << 19, "1.5 MiB"), (3 << 30, "3.0 GiB")]
+)
+def test_sizes_of_memory_go_by_1024(count, shown):
+    assert format_bytes(count) == shown

@@ -1,0 +1,205 @@
+"""clean-mesh, simplify, smooth-mesh, sample-mesh, compare-meshes: the library's results, and verdicts on them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom import TriangleMesh
+from pointloom.io.pictures.image_files import read_color
+
+from .commands import answer, names_in, refusal, run, unreliable
+
+
+def write(path, mesh: TriangleMesh):
+    loom.write_triangle_mesh(path, mesh)
+    return path
+
+
+@pytest.fixture
+def ball(tmp_path):
+    """A file of a ball of 1,520 triangles."""
+    return write(tmp_path / "ball.ply", TriangleMesh.create_sphere(1.0, 20))
+
+
+@pytest.fixture
+def torn(tmp_path):
+    """A ball without a cap, its triangles partly turned over, some twice, with a small part beside it."""
+    ball = TriangleMesh.create_sphere(1.0, 20)
+    kept = ball.triangles[ball.vertices[ball.triangles].mean(axis=1)[:, 2] < 0.97]
+    triangles = kept.copy()
+    triangles[::5] = triangles[::5, ::-1]
+    corners = len(ball.vertices) + np.arange(3)
+    vertices = np.vstack([ball.vertices, [[3, 0, 0], [3.1, 0, 0], [3, 0.1, 0]]])
+    return write(tmp_path / "torn.ply", TriangleMesh(vertices, np.vstack([triangles, kept[1:5], corners[None]])))
+
+
+def test_a_mesh_is_mended_as_the_library_mends_it(torn, tmp_path, device):
+    options = ("--fill", 0.5, "--min-triangles", 2, "--device", device)
+    report = answer("clean-mesh", torn, tmp_path / "out.ply", *options)
+    mended, done = loom.read_triangle_mesh(torn, device=device).repair(hole_size=0.5)
+    wanted = mended.remove_small_components(min_triangles=2)
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.vertices, wanted.vertices)
+    np.testing.assert_array_equal(written.triangles, wanted.triangles)
+    assert report["filled_holes"] == done.filled_holes == 1 and report["removed_duplicated_triangles"] == 4
+    assert (report["removed_parts"], report["parts"]) == (1, 1)
+    assert report["is_watertight"] and report["boundary_edges"] == 0 and report["self_intersections"] == 0
+    assert report["reliable"] and report["triangles"] == len(wanted)
+
+
+def test_what_is_right_stays_and_the_summary_says_so(ball, tmp_path):
+    result = run("clean-mesh", ball, tmp_path / "out.ply")
+    assert result.exit_code == 0
+    assert "nothing to mend" in result.stdout and "nothing wrong" in result.stdout
+    assert (tmp_path / "out.ply").read_bytes() == ball.read_bytes()
+
+
+def test_merging_most_vertices_is_unreliable(ball, tmp_path):
+    report = unreliable("clean-mesh", ball, tmp_path / "out.ply", "--merge", 0.9)
+    assert "merge_distance below 0.9 m" in str(report["warnings"])
+
+
+def test_a_mesh_that_lost_part_of_its_surface_is_unreliable(tmp_path):
+    box = TriangleMesh.create_box()
+    fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
+    report = unreliable("clean-mesh", write(tmp_path / "fin.ply", fin), tmp_path / "out.ply")
+    assert "of the area is gone" in str(report["warnings"]) and report["is_watertight"] and report["lost_area"] > 1
+
+
+def test_a_strip_with_one_side_is_unreliable(tmp_path):
+    strip = write(tmp_path / "strip.ply", TriangleMesh.create_moebius())
+    assert "one side only" in str(unreliable("clean-mesh", strip, tmp_path / "out.ply")["warnings"])
+
+
+def test_where_nothing_is_left_nothing_is_written(ball, tmp_path):
+    report = unreliable("clean-mesh", ball, tmp_path / "out.ply", "--min-triangles", 100_000)
+    assert "no triangle is left" in str(report["warnings"]) and report["files"] == []
+    assert names_in(tmp_path) == ["ball.ply"]
+
+
+@pytest.mark.parametrize(
+    ("option", "amount", "target"), [("--triangles", 300, 300), ("--ratio", 0.25, 380), ("--voxel", 0.1, None)]
+)
+def test_a_mesh_is_thinned_to_its_target(ball, tmp_path, device, option, amount, target):
+    report = answer("simplify", ball, tmp_path / "out.ply", option, amount, "--device", device)
+    mesh = loom.read_triangle_mesh(ball, device=device)
+    wanted = mesh.simplify_quadric_decimation(target) if target else mesh.simplify_vertex_clustering(0.1, "quadric")
+    written = loom.read_triangle_mesh(tmp_path / "out.ply")
+    np.testing.assert_array_equal(written.triangles, wanted.triangles)
+    assert (report["target"], report["triangles"]) == (target, len(wanted))
+    assert 0 < report["errors"]["rms"] <= report["errors"]["max"] and (target is None or report["errors"]["max"] < 0.03)
+
+
+def test_a_surface_that_moved_far_is_unreliable(ball, tmp_path):
+    report = unreliable("simplify", ball, tmp_path / "out.ply", "--triangles", 8)
+    assert "the surface moved by" in str(report["warnings"])
+
+
+@pytest.mark.parametrize(
+    ("method", "options", "make"),
+    [
+        ("taubin", ["--mu", -0.6], lambda mesh: mesh.filter_smooth_taubin(3, 0.5, -0.6)),
+        ("laplacian", ["--lambda", 0.3], lambda mesh: mesh.filter_smooth_laplacian(3, 0.3)),
+        ("simple", [], lambda mesh: mesh.filter_smooth_simple(3)),
+        ("sharpen", ["--strength", 0.1], lambda mesh: mesh.filter_sharpen(3, 0.1)),
+    ],
+)
+def test_a_mesh_is_smoothed_as_the_library_smooths_it(ball, tmp_path, method, options, make):
+    report = answer("smooth-mesh", ball, tmp_path / "out.ply", "--method", method, "--iterations", 3, *options)
+    wanted = make(loom.read_triangle_mesh(ball))
+    np.testing.assert_array_equal(loom.read_triangle_mesh(tmp_path / "out.ply").vertices, wanted.vertices)
+    assert report["area"] == wanted.get_surface_area() and report["moved"]["max"] > 0
+
+
+def test_a_mesh_that_shrank_is_unreliable(ball, tmp_path):
+    report = unreliable("smooth-mesh", ball, tmp_path / "out.ply", "--method", "simple", "--iterations", 50)
+    assert "of the area was lost" in str(report["warnings"]) and "method='taubin'" in str(report["warnings"])
+
+
+@pytest.mark.parametrize("even", [False, True])
+def test_points_are_drawn_as_the_library_draws_them(ball, tmp_path, even):
+    options = ["--even"] if even else []
+    report = answer("sample-mesh", ball, tmp_path / "out.ply", "--points", 400, "--seed", 3, *options)
+    mesh = loom.read_triangle_mesh(ball)
+    draw = mesh.sample_points_poisson_disk if even else mesh.sample_points_uniformly
+    np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "out.ply").points, draw(400, seed=3).points)
+    assert (report["points"], report["even"], report["seed"]) == (400, even, 3)
+
+
+def test_a_mesh_without_area_gives_no_points(tmp_path):
+    flat = write(tmp_path / "flat.ply", TriangleMesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]))
+    report = unreliable("sample-mesh", flat, tmp_path / "out.ply", "--points", 10)
+    assert "no area" in str(report["warnings"]) and names_in(tmp_path) == ["flat.ply"]
+
+
+@pytest.fixture
+def larger(tmp_path):
+    """The ball, a hundredth larger."""
+    return write(tmp_path / "larger.ply", TriangleMesh.create_sphere(1.01, 20))
+
+
+def test_two_meshes_are_compared_as_the_library_compares_them(ball, larger, tmp_path, device):
+    words = (ball, larger, "--threshold", "0.005,0.02", "--samples", 5000, "--device", device)
+    report = answer("compare-meshes", *words)
+    meshes = [loom.read_triangle_mesh(path, device=device) for path in (ball, larger)]
+    wanted = meshes[0].compute_metrics(meshes[1], [0.005, 0.02], 5000)
+    assert (report["chamfer"], report["hausdorff"]) == (wanted.chamfer, wanted.hausdorff)
+    assert report["fscore"] == {"0.005": wanted.fscore[0], "0.02": wanted.fscore[1]}
+    assert 0.009 < report["hausdorff"] <= report["hausdorff_bound"] < 0.012
+
+
+def test_an_error_map_is_written(ball, larger, tmp_path):
+    report = answer("compare-meshes", ball, larger, "--error-map", tmp_path / "map.ply")
+    colored, _ = loom.read_triangle_mesh(ball).compute_error_map(loom.read_triangle_mesh(larger))
+    written = loom.read_triangle_mesh(tmp_path / "map.ply")
+    assert written.vertex_colors is not None and colored.vertex_colors is not None
+    np.testing.assert_allclose(written.vertex_colors, colored.vertex_colors, atol=1 / 510 + 1e-6)  # 8 bits
+    assert report["files"] == [str(tmp_path / "map.ply")]
+
+
+def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, tmp_path, device):
+    words = ("--picture", tmp_path / "map.png", "--samples", 1000, "--device", device)
+    report = answer("compare-meshes", ball, larger, *words)
+    assert report["files"] == [str(tmp_path / "map.png")] and report["seconds"]["picture"] > 0
+    picture = read_color(tmp_path / "map.png").astype(int)
+    assert picture.shape == (900, 1600, 3)
+    mesh, bars = picture[:, :860], picture[:, 1000:]
+    assert (np.ptp(mesh, axis=2) > 40).mean() > 0.3  # the ball in colours, on a grey ground
+    assert (np.ptp(bars, axis=2) > 40).sum() > 1000 and (bars[:, -3:] == 255).all()
+
+
+def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_path):
+    missing = tmp_path / "none.ply"  # which would be an error too, later
+    assert "written as .png" in refusal("compare-meshes", missing, ball, "--picture", tmp_path / "map.jpg")
+    (tmp_path / "mine.png").write_text("mine")
+    both = ("--picture", tmp_path / "mine.png", "--error-map", tmp_path / "map.ply")
+    assert "--force" in refusal("compare-meshes", ball, ball, *both)
+    assert (tmp_path / "mine.png").read_text() == "mine" and not (tmp_path / "map.ply").exists()
+    assert answer("compare-meshes", ball, ball, *both, "--force")["files"] == [
+        str(tmp_path / "map.ply"),
+        str(tmp_path / "mine.png"),
+    ]
+
+
+def test_surfaces_farther_apart_than_asked_are_unreliable(ball, larger, tmp_path):
+    assert "more than 0.001 m" in str(unreliable("compare-meshes", ball, larger, "--max-distance", 0.001)["warnings"])
+    assert answer("compare-meshes", ball, larger, "--max-distance", 0.1)["reliable"]
+
+
+@pytest.mark.slow
+def test_meshes_of_other_units_are_unreliable(ball, tmp_path):
+    other = write(tmp_path / "mm.ply", TriangleMesh.create_sphere(1000.0, 20))
+    assert "other units" in str(unreliable("compare-meshes", ball, other)["warnings"])
+
+
+@pytest.mark.parametrize(
+    "words", [("clean-mesh",), ("simplify", "--ratio", 0.5), ("smooth-mesh",), ("sample-mesh", "--points", 5)]
+)
+def test_files_that_are_no_meshes_are_named(tmp_path, words):
+    (tmp_path / "broken.ply").write_bytes(b"ply\nformat ascii 1.0\nelement vertex 3\n")
+    loom.write_point_cloud(tmp_path / "cloud.ply", loom.PointCloud([[0, 0, 0]]))
+    for name in ("broken.ply", "cloud.ply", "missing.ply"):
+        assert name in refusal(words[0], tmp_path / name, tmp_path / "out.ply", *words[1:])
+    assert names_in(tmp_path) == ["broken.ply", "cloud.ply"]

@@ -1,0 +1,157 @@
+"""odometry: the path of a drive, its errors, and what the command refuses."""
+
+import dataclasses
+import io
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.cameras.trajectory import Trajectory, read_trajectory, write_trajectory
+from pointloom.cli.shell import console
+from pointloom.registration import LidarOdometry
+
+from .commands import answer, names_in, refusal, run, unreliable
+from .surface_poses import moved, path_of
+
+
+@pytest.fixture
+def drive(tmp_path, rng) -> Path:
+    """A folder of 5 scans of a room, .bin as KITTI has them, whose names have numbers without leading zeros."""
+    room = rng.uniform(-8, 8, (5000, 3)) * [1, 1, 0.3]
+    room[np.arange(5000), np.arange(5000) % 3] = np.where(rng.random(5000) < 0.5, -1, 1) * 8.0
+    folder = tmp_path / "drive"
+    folder.mkdir()
+    for number, T in zip((8, 9, 10, 11, 100), path_of(5), strict=True):
+        points = moved(room, np.linalg.inv(T))
+        np.column_stack([points, np.ones(len(points))]).astype(np.float32).tofile(folder / f"scan{number}.bin")
+    return folder
+
+
+INDOORS = ["--max-range", 30, "--min-range", 0.5]
+
+
+def test_odometry_writes_the_path_and_its_errors(drive, tmp_path, device):
+    poses, truth = tmp_path / "poses.txt", tmp_path / "truth.tum"
+    write_trajectory(truth, Trajectory(path_of(5)))
+    report = answer("odometry", drive, "-o", poses, *INDOORS, "--truth", truth, "--device", device)
+    found = read_trajectory(poses)
+    np.testing.assert_allclose(found.poses, path_of(5), atol=0.02)
+    expected = loom.registration.run_odometry(drive, max_range=30, min_range=0.5)
+    np.testing.assert_allclose(found.poses, expected.poses, atol=1e-5)
+    assert (report["scans"], report["points"], report["predicted"]) == (5, 25000, [])
+    assert report["errors"]["absolute"]["m"]["rmse"] < 0.01
+    error = loom.registration.evaluate_trajectory(found, Trajectory(path_of(5)))
+    assert report["errors"]["relative"]["m"]["rmse"] == pytest.approx(error.relative_translation.rmse, rel=1e-6)
+    assert report["files"] == [str(poses)]
+
+
+@pytest.mark.slow
+def test_odometry_writes_each_format_and_sums_up(drive, tmp_path):
+    shown = run("odometry", drive, "-o", tmp_path / "poses.txt", *INDOORS)
+    assert shown.exit_code == 0, shown.stderr
+    assert "5, 25,000 points, " in shown.stdout and "scans/s" in shown.stdout and "ATE" not in shown.stdout
+    tum = read_trajectory(tmp_path / "poses.txt")
+    assert tum.timestamps.tolist() == [0, 1, 2, 3, 4]
+    words = ["odometry", drive, *INDOORS, "-o"]
+    for name, more, format in (
+        ("poses.kitti", [], "kitti"),
+        ("00.txt", ["--format", "kitti"], "kitti"),
+        ("a.log", [], "log"),
+    ):
+        assert answer(*words, tmp_path / name, *more)["format"] == format
+    assert (tmp_path / "00.txt").read_bytes() == (tmp_path / "poses.kitti").read_bytes()
+    for name in ("poses.kitti", "a.log"):
+        np.testing.assert_allclose(read_trajectory(tmp_path / name).poses, tum.poses, atol=1e-12)
+
+
+def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
+    stray = np.column_stack([rng.uniform(20, 25, (500, 3)), np.ones(500)]).astype(np.float32)
+    stray.tofile(drive / "scan10.bin")
+    report = unreliable("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
+    assert report["predicted"] == [2]
+    assert "1 of 5 scans" in str(report["warnings"])
+    assert "torn at scan 2" in str(report["warnings"])
+    assert len(read_trajectory(tmp_path / "poses.txt")) == 5
+    shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
+    assert "predicted  1: scan 2" in shown.stdout
+
+
+@pytest.mark.slow
+def test_a_path_that_was_lost_is_unreliable_and_names_the_scans(real_file, tmp_path):
+    folder = tmp_path / "submaps"
+    folder.mkdir()
+    for number in range(5):  # submaps of a drive, 3 to 12 m apart
+        points = np.fromfile(real_file(f"reg-gtsam-points/kitti_07_dump/{number:06}/points.bin"), "<f4")
+        loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
+    report = unreliable("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
+    assert report["strayed"][0] == 3  # the first two are turned by 32 and 49 degrees, and found
+    assert "scans lie beside the map of those before them (scan 3" in str(report["warnings"])
+    assert "likely lost from scan 3 on" in str(report["warnings"])
+
+
+def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
+    steps = iter([False, True, True, False, True, True])
+
+    def restless(self, *args, **kwargs):
+        step = found(self, *args, **kwargs)
+        return dataclasses.replace(step, reason="max_iteration", converged=False) if next(steps) else step
+
+    found = LidarOdometry._match
+    monkeypatch.setattr(LidarOdometry, "_match", restless)
+    report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
+    assert report["unsettled"] == [1, 2, 4]
+    assert report["warnings"] == ["3 of 5 scans did not come to rest on the map (scan 1-2, 4)"]
+    steps = iter([False, False, True, False, False])
+    shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
+    assert shown.exit_code == 3  # a quarter of four
+
+
+def test_scans_out_of_range_write_nothing(drive, tmp_path):
+    truth = tmp_path / "truth.txt"
+    write_trajectory(truth, Trajectory(path_of(5)), format="kitti")
+    report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", "--min-range", 90, "--truth", truth)
+    assert "no scan has points in range" in str(report["warnings"])
+    assert (report["files"], report["errors"]) == ([], None)
+    assert not (tmp_path / "a.txt").exists()
+
+
+def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
+    poses, truth = tmp_path / "poses.txt", tmp_path / "truth.txt"
+    assert "poses are not written to .json" in refusal("odometry", drive, "-o", tmp_path / "a.json")
+    assert "poses as tum are not written to .kitti" in refusal(
+        "odometry", drive, "-o", tmp_path / "a.kitti", "--format", "tum"
+    )
+    assert "does not exist" in refusal("odometry", tmp_path / "none", "-o", poses)
+    write_trajectory(truth, Trajectory(path_of(4)), format="kitti")
+    assert "has 4 poses, and " in refusal("odometry", drive, "-o", poses, "--truth", truth)
+    poses.write_text("kept")
+    assert "exists already" in refusal("odometry", drive, "-o", poses)
+    for path in sorted(drive.iterdir())[1:]:
+        path.unlink()
+    assert "holds one scan, scan10.bin; odometry needs two" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
+    (drive / "scan9.bin").write_bytes(b"12345")
+    assert "scan9.bin (byte 0): 5 bytes" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
+    assert names_in(tmp_path) == ["drive", "poses.txt", "truth.txt"]
+
+
+def test_progress_tells_the_rate(monkeypatch, capsys):
+    monkeypatch.setattr(console, "LINE_INTERVAL", 0.0)
+    with console.Progress(rates=True) as progress:
+        progress("scans", 3, 10)
+    assert "scans: 3 of 10 " in (line := capsys.readouterr().err)
+    assert line.endswith(" scans/s\n")
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    monkeypatch.setattr(sys, "stderr", screen := Terminal())
+    monkeypatch.setenv("TERM", "xterm")
+    with console.Progress(rates=True) as progress:
+        progress("scans", 3, 10)
+        progress("scans", 10, 10)
+    assert "10/10" in screen.getvalue()
+    assert " scans/s" in screen.getvalue()

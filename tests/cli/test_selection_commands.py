@@ -1,0 +1,297 @@
+"""clean, cluster, crop, plane and downsample: each command by itself."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.cli.jobs.cluster import TAB20
+
+from .commands import answer, names_in, refusal, run, unreliable
+from .toolbox_scene import FIRST_BLOB, FLOOR, NOT_FINITE, REPEATED, SECOND_BLOB, STRAY, rows_of
+
+
+def test_clean_removes_what_is_not_finite_and_statistical_outliers(scene, tmp_path, points, device):
+    report = answer("clean", scene, tmp_path / "out.npz", "--device", device)
+    finite = loom.PointCloud(points, device=device).remove_non_finite_points()
+    _, expected = finite.remove_statistical_outlier(20, 2.0)
+    assert rows_of(tmp_path / "out.npz") == expected.tolist()  # the point that is not finite is the last
+    removed = len(finite) - len(expected)
+    statistical = {"removed": removed, "neighbors": 20, "ratio": 2.0}
+    assert report["filters"] == {"non_finite": {"removed": 1}, "statistical": statistical}
+    assert STRAY not in expected
+    assert removed >= 1
+
+
+@pytest.mark.parametrize(
+    ("options", "filters", "gone"),
+    [
+        (["--non-finite"], {"non_finite": 1}, {NOT_FINITE}),
+        (["--duplicates"], {"non_finite": 1, "duplicate": 1}, {NOT_FINITE, REPEATED}),
+        (["--radius", "0.3", "--min-neighbors", "1"], {"non_finite": 1, "radius": 1}, {NOT_FINITE, STRAY}),
+        (
+            ["--duplicates", "--radius", "0.3", "--min-neighbors", "1", "--deviations", "20"],
+            {"non_finite": 1, "duplicate": 1, "statistical": 1, "radius": 0},
+            {NOT_FINITE, REPEATED, STRAY},
+        ),
+    ],
+)
+def test_clean_runs_the_filters_that_are_asked_for(scene, points, tmp_path, options, filters, gone):
+    output, removed = tmp_path / "out.npz", tmp_path / "removed.npz"
+    report = answer("clean", scene, output, *options, "--removed", removed)
+    assert {name: figures["removed"] for name, figures in report["filters"].items()} == filters
+    assert rows_of(output) == [row for row in range(len(points)) if row not in gone]
+    assert rows_of(removed) == sorted(gone)
+    assert report["files"] == [str(removed), str(output)]
+    shown = run("clean", scene, output, *options, "--force").stdout
+    assert "1 non-finite" in shown
+    assert ("(radius 0.3, min neighbors 1)" in shown) == ("radius" in filters)
+
+
+def test_clean_writes_no_file_of_removed_points_where_none_is(cloud, tmp_path):
+    report = answer("clean", cloud, tmp_path / "out.ply", "--non-finite", "--removed", tmp_path / "gone.ply")
+    assert report["files"] == [str(tmp_path / "out.ply")]
+    assert names_in(tmp_path) == ["cloud.ply", "out.ply"]
+
+
+def test_clean_checks_the_file_of_removed_points_first(cloud, tmp_path):
+    (tmp_path / "gone.ply").write_bytes(b"kept")
+    assert "gone.ply: exists already" in refusal(
+        "clean", cloud, tmp_path / "out.ply", "--removed", tmp_path / "gone.ply"
+    )
+    assert names_in(tmp_path) == ["cloud.ply", "gone.ply"]
+
+
+def test_a_radius_that_removes_most_points_is_unreliable(cloud, tmp_path):
+    words = ["clean", cloud, tmp_path / "out.ply", "--min-neighbors", "3", "--radius"]
+    report = unreliable(*words, "0.05")
+    assert "have fewer than 3 others within 0.05 m" in str(report["warnings"])
+    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
+    assert answer(*words, better, "--force")["points"] >= 250
+    report = unreliable(*words, "0.0001", "--force")
+    assert (report["points"], report["files"]) == (0, [])
+    assert "nothing was written" in str(report["warnings"])
+
+
+def test_cluster_labels_are_the_library_s(scene, points, tmp_path, device):
+    output = tmp_path / "out.npz"
+    report = answer("cluster", scene, output, "--radius", "0.2", "--device", device)
+    labels = loom.read_point_cloud(output)["label"]
+    assert labels.dtype == np.int32
+    np.testing.assert_array_equal(labels, loom.PointCloud(points).cluster_dbscan(0.2, 10))
+    assert [np.unique(labels[part]).tolist() for part in (FLOOR, FIRST_BLOB, SECOND_BLOB)] == [[0], [1], [2]]
+    assert (report["clusters"], report["noise"], report["replaced"]) == (3, 2, [])
+    sizes = [(cluster["label"], cluster["points"]) for cluster in report["largest"]]
+    assert sizes == [(0, 601), (1, 150), (2, 100)]
+    shown = run("cluster", scene, output, "--radius", "0.2", "--force").stdout
+    assert "601 (label 0), 150 (label 1), 100 (label 2)" in shown
+    assert "2 of 853 points, 0.2%" in shown
+
+
+def test_cluster_keeps_the_largest_under_their_own_labels(scene, tmp_path):
+    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--largest", "2")
+    assert report["points"] == 751
+    found = loom.read_point_cloud(tmp_path / "out.npz")
+    assert np.unique(found["label"]).tolist() == [0, 1]
+    assert found["row"].tolist() == [*FLOOR, *FIRST_BLOB, REPEATED]
+    # the largest are those of the most points, whatever their labels
+    words = [
+        "cluster",
+        tmp_path / "out.npz",
+        tmp_path / "b.npz",
+        "--radius",
+        "0.2",
+        "--neighbors",
+        "1",
+        "--largest",
+        "1",
+    ]
+    assert answer("crop", scene, tmp_path / "out.npz", "--force", "--box", 0, 0, 0.1, 1, 1, 9)["points"] == 250
+    loom.write_point_cloud(
+        tmp_path / "out.npz", loom.read_point_cloud(tmp_path / "out.npz").select_by_index(range(249, -1, -1))
+    )
+    assert answer(*words)["largest"][0] == {"label": 1, "points": 150}
+    assert sorted(rows_of(tmp_path / "b.npz")) == [*FIRST_BLOB]
+
+
+def test_cluster_paints_labels_and_noise(scene, tmp_path):
+    report = answer("cluster", scene, tmp_path / "out.npz", "--radius", "0.2", "--paint")
+    assert report["replaced"] == ["colors"]
+    found = loom.read_point_cloud(tmp_path / "out.npz")
+    expected = np.vstack([TAB20 / 255, np.zeros(3)]).astype(np.float32)[found["label"]]
+    np.testing.assert_array_equal(found.colors, expected)
+    assert not found.colors[STRAY].any()
+    assert len(np.unique(TAB20, axis=0)) == 20
+    shown = run("cluster", tmp_path / "out.npz", tmp_path / "b.xyzrgb", "--radius", "0.2", "--paint").stdout
+    assert "colors, label of the input" in shown
+    assert len(loom.read_point_cloud(tmp_path / "b.xyzrgb")) == 853
+
+
+def test_cluster_wants_a_format_that_holds_what_it_finds(scene, tmp_path):
+    for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colours")):
+        assert reason in refusal("cluster", scene, tmp_path / f"out{suffix}", "--radius", "0.2", *options)
+
+
+def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
+    words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
+    report = unreliable(*words, "0.0001")
+    assert (report["clusters"], report["noise"], report["points"]) == (0, 853, 853)
+    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
+    report = answer(*words, better, "--force")
+    assert report["noise"] < 427  # half of the points are cores then
+    report = unreliable(*words, "0.0001", "--largest", "1", "--force")
+    assert (report["points"], report["files"]) == (0, [])
+    assert "fewer --neighbors" in str(unreliable(*words, "0.2", "--neighbors", "900", "--force")["warnings"])
+
+
+def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_path):
+    words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
+    report = unreliable(*words, "100")
+    assert report["files"] == [str(tmp_path / "out.npz")]
+    assert "one cluster holds all 852 finite points" in str(report["warnings"])
+    better = "; ".join(report["warnings"]).split("such as ")[1]
+    assert answer(*words, better, "--force")["clusters"] == 3
+
+
+def test_crop_keeps_what_lies_in_the_box(scene, tmp_path, device):
+    words = ["crop", scene, tmp_path / "out.npz", "--force", "--device", device, "--box"]
+    answer(*words, 0, 0, 0.1, 0.5, 0.5, 1)
+    assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB]
+    answer(*words, "-inf", "-inf", 0.1, "inf", "inf", "inf")
+    assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB, *SECOND_BLOB, STRAY]
+    answer(*words, "-inf", "-inf", 0.1, "inf", "inf", "inf", "--invert")
+    assert rows_of(tmp_path / "out.npz") == [*FLOOR, REPEATED, NOT_FINITE]
+
+
+def test_crop_takes_a_polygon_of_open3d(scene, points, tmp_path, device):
+    corners = [[0.5, 0.5, 0], [1, 0.5, 0], [1, 1, 0], [0.5, 1, 0]]
+    volume = loom.SelectionPolygonVolume(corners, "Z", axis_min=0.1, axis_max=1)
+    volume.to_json(tmp_path / "volume.json")
+    words = ["crop", scene, tmp_path / "out.npz", "--polygon", tmp_path / "volume.json", "--device", device, "--force"]
+    answer(*words)
+    assert rows_of(tmp_path / "out.npz") == [*SECOND_BLOB]
+    assert answer(*words, "--invert")["points"] == len(points) - 100
+    (tmp_path / "volume.json").write_text("{}")
+    assert refusal(*words).startswith(f"error: {tmp_path / 'volume.json'}")
+
+
+def test_a_crop_that_leaves_nothing_is_unreliable(scene, tmp_path):
+    report = unreliable("crop", scene, tmp_path / "out.npz", "--box", 20, 20, 20, 30, 30, 30)
+    assert report["files"] == []
+    assert "to [9.0000, 9.0000, 9.0000]" in str(report["warnings"])  # where the points are
+    assert names_in(tmp_path) == ["scene.npz"]
+
+
+def test_plane_writes_what_lies_on_it(scene, points, tmp_path, device):
+    words = ["plane", scene, tmp_path / "out.npz", "--distance", "0.01", "--device", device]
+    report = answer(*words)
+    (found,) = report["planes"]
+    model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, num_iterations=1000)
+    assert rows_of(tmp_path / "out.npz") == inliers.tolist() == [*FLOOR, REPEATED]
+    np.testing.assert_array_equal(found["model"], model)
+    np.testing.assert_allclose(model, [0, 0, 1, 0], atol=1e-12)
+    assert (report["points"], found["points"], found["share"]) == (601, 601, 601 / 852)
+    answer(*words, "--invert", "--force")
+    assert rows_of(tmp_path / "out.npz") == [*FIRST_BLOB, *SECOND_BLOB, STRAY, NOT_FINITE]
+    shown = run(*words, "--force").stdout
+    assert "0.000000000 0.000000000 1.000000000 0.000000: 601 points, 70.5%" in shown
+
+
+def test_plane_labels_several(tmp_path, rng):
+    floor = np.column_stack([rng.random((500, 2)), np.zeros(500)])
+    wall = np.column_stack([np.zeros(300), rng.random((300, 2)) + 0.1])
+    points = np.vstack([floor, wall, rng.random((40, 3)) + 0.2]) + np.array([5e5, 5e6, 100])
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, plane=np.ones(840)))
+    words = ["plane", tmp_path / "a.ply", tmp_path / "b.ply", "--distance", "0.005", "--planes", "5"]
+    report = answer(*words)
+    labels = loom.read_point_cloud(tmp_path / "b.ply")["plane"]
+    assert labels.dtype == np.int32
+    assert [(labels == label).sum() >= count for label, count in ((0, 500), (1, 300), (-1, 30))] == [True] * 3
+    assert report["replaced"] == ["plane"]
+    assert report["on_none"] == (labels == -1).sum()
+    assert [plane["points"] for plane in report["planes"]] == np.bincount(labels[labels >= 0]).tolist()
+    for plane, part in zip(report["planes"], (points[:500], points[500:800]), strict=True):
+        a, b, c, d = plane["model"]
+        assert np.abs(part @ [a, b, c] + d).max() < 0.005  # in the coordinates of the file
+    assert len(answer(*words, "--min-points", "400", "--force")["planes"]) == 1
+    assert len(answer(*words[:-1], "1", "--force")["planes"]) == 1
+    shown = run(*words, "--force").stdout
+    assert f"840, {report['on_none']} of them on no plane" in shown
+    assert "plane of the input" in shown
+
+
+def test_the_seed_of_planes_chooses_the_samples(cloud, tmp_path):
+    words = ["plane", cloud, tmp_path / "out.ply", "--distance", "0.02", "--iterations", "20", "--force"]
+    models = [answer(*words, "--seed", seed)["planes"][0]["model"] for seed in (1, 1, 2)]
+    assert models[0] == models[1] != models[2]
+
+
+def test_a_cloud_without_a_plane_is_unreliable(cloud, tmp_path):
+    report = unreliable("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6")
+    assert "the largest plane has only" in str(report["warnings"])
+    assert report["points"] == len(loom.read_point_cloud(tmp_path / "out.ply"))
+    report = unreliable("plane", cloud, tmp_path / "out.ply", "--distance", "1e-6", "--planes", "2", "--force")
+    assert "no plane has 100 points within 1e-06 m" in str(report["warnings"])
+    assert (loom.read_point_cloud(tmp_path / "out.ply")["plane"] == -1).all()
+    report = unreliable("plane", cloud, tmp_path / "b.ply", "--distance", "9", "--invert")
+    assert "all points lie on the plane" in str(report["warnings"])
+    line = np.column_stack([np.arange(50), np.zeros((50, 2))])
+    loom.write_point_cloud(tmp_path / "line.ply", loom.PointCloud(line))
+    assert "lie on lines" in str(
+        unreliable("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")["warnings"]
+    )
+    assert "b.ply" not in names_in(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("options", "choose"),
+    [
+        (["--every", "7"], lambda cloud: cloud.uniform_down_sample(7)),
+        (["--ratio", "0.25"], lambda cloud: cloud.random_down_sample(0.25)),
+        (["--ratio", "0.25", "--seed", "5"], lambda cloud: cloud.random_down_sample(0.25, seed=5)),
+        (["--farthest", "20"], lambda cloud: cloud.farthest_point_down_sample(20)),
+        (["--voxel", "0.3", "--nearest"], lambda cloud: cloud.voxel_down_sample(0.3, "nearest")),
+    ],
+)
+def test_downsample_chooses_as_the_library_does(scene, points, tmp_path, device, options, choose):
+    report = answer("downsample", scene, tmp_path / "out.npz", *options, "--device", device)
+    expected = choose(loom.PointCloud(points, device=device, row=np.arange(len(points))))["row"].tolist()
+    assert rows_of(tmp_path / "out.npz") == expected
+    assert report["points"] == len(expected)
+
+
+def test_downsample_writes_the_means_of_voxels(scene, tmp_path, device):
+    report = answer("downsample", scene, tmp_path / "out.npz", "--voxel", "0.3", "--device", device)
+    expected = loom.read_point_cloud(scene, device=device).voxel_down_sample(0.3)
+    found = loom.read_point_cloud(tmp_path / "out.npz")
+    assert report["points"] == len(expected)
+    for name in ("points", "colors", "normals", "time"):
+        np.testing.assert_array_equal(found[name], expected[name])
+
+
+@pytest.mark.parametrize(
+    ("options", "way"),
+    [
+        ("--every 2", "427 of 853, one in 2"),
+        ("--ratio 0.5 --seed 3", "426 of 853, a share of 0.5 at random, seed 3"),
+        ("--farthest 5", "5 of 853, the farthest from each other"),
+        ("--voxel 90", "1 of 853, one a voxel of 90 m, the mean"),
+        ("--voxel 90 --nearest", "1 of 853, one a voxel of 90 m, the nearest to the mean"),
+    ],
+)
+def test_downsample_says_how_it_chose(scene, tmp_path, options, way):
+    assert way in run("downsample", scene, tmp_path / "out.ply", *options.split()).stdout
+
+
+def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(tmp_path):
+    points = [[np.nan, 0, 0], [0, 0, 0], [1, 0, 0], [5, 0, 0]]
+    loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, row=np.arange(4, dtype=np.int32)))
+    words = ["downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--force", "--farthest"]
+    answer(*words, 2)
+    assert rows_of(tmp_path / "b.ply") == [1, 3]
+    assert answer(*words, 3)["points"] == 3
+    assert "a.ply: has 3 finite points, of which 4 cannot be chosen" in refusal(*words, 4)
+
+
+def test_a_share_below_one_point_is_unreliable(cloud, tmp_path):
+    assert unreliable("downsample", cloud, tmp_path / "out.ply", "--ratio", "1e-6")["files"] == []
+    assert names_in(tmp_path) == ["cloud.ply"]

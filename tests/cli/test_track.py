@@ -1,0 +1,166 @@
+"""track: the path of a camera, its errors, what is told of frames that were lost, and what the command refuses."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointloom.cameras.trajectory import read_trajectory
+from pointloom.cli.jobs.track import track_folder
+from pointloom.io.pictures.image_files import read_depth, write_png
+from pointloom.rgbd.slam import tracking
+from pointloom.rgbd.slam.dense_slam import StreamCheck
+from pointloom.rgbd.slam.results import TrackingResult
+
+from .commands import answer, names_in, refusal, run, unreliable
+
+
+class Guided:
+    """A tracker that was told the path: what the command makes of its verdicts is to be seen, not how it finds them."""
+
+    def __init__(self, fates: dict[int, str] | None = None):
+        self.fates, self.seen, self.folded = fates or {}, 0, []
+        self.results, self.joins, self.stream = [], [], StreamCheck()
+
+    def join_maps(self):
+        return []
+
+    def step(self, frame):
+        self.results.append(self.judge(frame))
+
+    def judge(self, frame):
+        number = self.seen
+        self.seen += 1
+        fate = self.fates.get(number, "tracked")
+        if not (np.asarray(frame.depth) > 0).any():
+            fate = "lost"
+        if fate == "lost":
+            return TrackingResult(None, fate, "no depth in reach")
+        if fate == "tracked":
+            self.folded.append(frame.name)
+        pose = np.linalg.inv(self.start(frame)) @ frame.T_world_camera
+        return TrackingResult(pose, fate, inlier_rmse=0.002, fitness=0.9, iterations=int(number > 0))
+
+    def start(self, frame):
+        if not hasattr(self, "first"):
+            self.first = frame.T_world_camera
+        return self.first
+
+
+@pytest.fixture
+def guided(monkeypatch):
+    """Makes trackers that know the path, with the fates of some frames."""
+
+    def use(fates=None):
+        tracker = Guided(fates)
+        monkeypatch.setattr(tracking, "make_slam", lambda *_, **__: tracker)
+        return tracker
+
+    use()
+    monkeypatch.setattr(
+        "pointloom.cli.jobs.track.check_focal", lambda *_, **__: None
+    )  # src/pointloom/rgbd/slam has its tests
+    return use
+
+
+def without_poses(frames: Path) -> Path:
+    for path in frames.glob("*.pose.txt"):
+        path.unlink()
+    return frames
+
+
+def test_track_writes_the_path_and_its_errors(guided, frames, tmp_path):
+    tracker = guided()
+    report = answer("track", frames, "-o", tmp_path / "poses.log")
+    found = read_trajectory(tmp_path / "poses.log")
+    truth = np.array([np.loadtxt(path) for path in sorted(frames.glob("*.pose.txt"))])
+    np.testing.assert_allclose(found.poses, np.linalg.inv(truth[0]) @ truth, atol=1e-12)
+    assert found.ids[:, 0].tolist() == [0, 1, 2, 3, 4, 5]
+    assert (report["frames"], report["tracked"], report["lost"], report["uncertain"]) == (6, 6, [], [])
+    assert report["errors"]["absolute"]["m"]["rmse"] < 1e-9
+    assert report["files"] == [str(tmp_path / "poses.log")]
+    assert tracker.folded == [f"frame-{i:06d}" for i in range(6)]
+
+
+def test_a_lost_frame_has_no_pose_and_is_told(guided, frames, tmp_path):
+    tracker = guided({2: "lost", 3: "lost", 5: "uncertain"})
+    report = unreliable("track", frames, "-o", tmp_path / "poses.log")
+    assert [entry["frame"] for entry in report["lost"]] == [2, 3]
+    assert report["uncertain"] == [5]
+    assert "2 of 6 frames were lost (frame 2-3) and are left out: no depth in reach" in str(report["warnings"])
+    found = read_trajectory(tmp_path / "poses.log")
+    assert found.ids[:, 0].tolist() == [0, 1, 4, 5]
+    assert report["errors"]["compared"] == 4
+    assert report["errors"]["absolute"]["m"]["rmse"] < 1e-9  # each pose beside its own truth
+    assert "frame-000002" not in tracker.folded
+    guided({2: "lost", 3: "lost", 5: "uncertain"})
+    shown = run("track", frames, "-o", tmp_path / "again.txt")
+    assert shown.exit_code == 3
+    for part in ("ATE", "RPE", "frames/s", "off the model", "lost       2: frame 2-3", "uncertain  1: frame 5"):
+        assert part in shown.stdout
+
+
+def test_a_broken_picture_in_the_middle_is_left_out_and_named(guided, frames, tmp_path):
+    path = frames / "frame-000003.depth.png"
+    path.write_bytes(path.read_bytes()[:-200])
+    report = unreliable("track", frames, "-o", tmp_path / "poses.log")
+    assert [entry["frame"] for entry in report["unreadable"]] == [3]
+    assert "1 of 6 frames cannot be read and are left out: " in str(report["warnings"])
+    assert "frame-000003.depth.png (byte" in str(report["warnings"])
+    assert read_trajectory(tmp_path / "poses.log").ids[:, 0].tolist() == [0, 1, 2, 4, 5]
+
+
+def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
+    (frames / "frame-000004.color.png").unlink()
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
+    assert report["frames"] == 5
+    assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in str(report["warnings"])
+
+
+def test_frames_out_of_reach_are_unreliable(guided, frames, tmp_path):
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt", "--depth-max", "0.1")
+    assert "raise depth_max" in str(report["warnings"])
+
+
+def test_a_covered_lens_all_along_writes_nothing(guided, frames, tmp_path):
+    for path in frames.glob("*.depth.png"):
+        write_png(path, np.zeros_like(read_depth(path)))
+    report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
+    assert (report["tracked"], report["files"], report["errors"]) == (0, [], None)
+    assert names_in(tmp_path) == ["frames"]
+
+
+def test_track_refuses_what_cannot_be_done_before_the_work(guided, frames, tmp_path):
+    poses = tmp_path / "poses.txt"
+    assert "poses are not written to .ply" in refusal("track", frames, "-o", tmp_path / "a.ply")
+    assert "does not exist" in refusal("track", tmp_path / "none", "-o", poses)
+    assert "Make the folder first" in refusal("track", frames, "-o", tmp_path / "no" / "a.txt")
+    poses.write_text("kept")
+    assert "Give another name, or --force" in refusal("track", frames, "-o", poses)
+    assert poses.read_text() == "kept"
+    assert answer("track", frames, "-o", poses, "--force")["tracked"] == 6
+    assert "holds one frame; tracking needs two" in refusal("track", frames, "-o", poses, "--force", "--every", 10)
+    for path in frames.glob("*.png"):
+        path.write_bytes(path.read_bytes()[:-200])
+    assert "frame-000000.depth.png (byte" in refusal("track", frames, "-o", tmp_path / "b.txt")
+    assert names_in(tmp_path) == ["frames", "poses.txt"]
+
+
+def test_a_camera_of_another_size_is_told_by_the_option(guided, frames, tmp_path):
+    camera = tmp_path / "camera.json"
+    content = json.loads((frames / "camera-intrinsics.json").read_text())
+    camera.write_text(json.dumps(content | {"width": 640, "height": 480}))
+    said = refusal("track", frames, "-o", tmp_path / "a.txt", "--intrinsic", camera)
+    assert "is 160 x 120, but the intrinsic given is for 640 x 480" in said
+    assert "Give --intrinsic of these pictures" in said
+
+
+def test_an_interruption_leaves_nothing(guided, frames, tmp_path):
+    def interrupt(stage, done, total):
+        if done == 3:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        track_folder(frames, tmp_path / "poses.txt", progress=interrupt)
+    assert names_in(tmp_path) == ["frames"]

@@ -1,0 +1,248 @@
+"""view: pictures and pages of files, and the viewer's server from a terminal."""
+
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import pointloom as loom
+from pointloom.cli.shell.cli import cli
+from pointloom.visualization.viewer.detail_tree import DetailTree
+
+from .commands import answer, names_in, refusal, run
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def trajectory(tmp_path):
+    poses = np.tile(np.eye(4), (4, 1, 1))
+    poses[:, 0, 3] = np.arange(4) / 4
+    loom.write_trajectory(tmp_path / "poses.log", loom.Trajectory(poses))
+    return tmp_path / "poses.log"
+
+
+# A job that a script puts in the background begins with Ctrl-C ignored, and so would what it starts.
+VIEW = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from pointloom.__main__ import main
+main()
+"""
+
+
+def start(*words):
+    return subprocess.Popen(
+        [sys.executable, "-c", VIEW, "view", *map(str, words)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=os.environ | {"PYTHONPATH": str(ROOT / "src"), "SSH_CONNECTION": "10.0.0.1 5 10.0.0.2 22"},
+    )
+
+
+def red_pixels(path):
+    red, green, blue = np.moveaxis(loom.read_color(path).astype(int), 2, 0)
+    return ((red - green > 60) & (red - blue > 60)).sum()
+
+
+@pytest.mark.slow
+def test_what_is_up_is_told_or_that_of_the_file(tmp_path):
+    cone = loom.TriangleMesh.create_cone(0.5, 3.0)
+    loom.write_triangle_mesh(tmp_path / "cone.glb", cone, up="z")
+    loom.write_triangle_mesh(tmp_path / "cone.ply", loom.read_triangle_mesh(tmp_path / "cone.glb"))
+    spans = {}
+    for name, words in (("cone.glb", []), ("cone.ply", ["--up", "y"]), ("cone.ply", []), ("cone.glb", ["--up", "z"])):
+        files = ["--screenshot", tmp_path / "a.png", "--save-html", tmp_path / "a.html", "--force"]
+        answer("view", tmp_path / name, *words, *files)
+        rows, columns = np.nonzero((loom.read_color(tmp_path / "a.png") != 255).any(axis=2))
+        spans[name, *words] = np.ptp(rows) > 1.8 * np.ptp(columns)
+    assert list(spans.values()) == [True, True, False, False]
+
+
+def test_a_screenshot_needs_no_browser(cloud, mesh, trajectory, tmp_path):
+    report = answer("view", cloud, mesh, trajectory, "--screenshot", tmp_path / "out.png")
+    assert report["files"] == [str(tmp_path / "out.png")]
+    kinds = {one["name"]: one["kind"] for one in report["geometries"]}
+    assert kinds == {"cloud.ply": "PointCloud", "mesh.ply": "TriangleMesh", "poses.log": "Trajectory"}
+    picture = loom.read_color(tmp_path / "out.png")
+    assert picture.shape == (960, 1280, 3)
+    assert (picture < 250).any(axis=2).sum() > 10_000
+
+
+@pytest.mark.slow
+def test_pictures_and_pages_need_no_server(cloud, tmp_path):
+    program = (
+        "import sys; sys.modules['websockets'] = None\n"
+        "from pointloom.cli.shell.cli import main\n"
+        f"sys.argv = ['pointloom', 'view', {str(cloud)!r}, '--screenshot', 'a.png', '--save-html', 'a.html']\n"
+        "main()\n"
+    )
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    assert {"a.png", "a.html"} <= set(names_in(tmp_path))
+
+
+def test_a_page_of_its_own_is_written(cloud, tmp_path):
+    result = run("view", cloud, "--save-html", tmp_path / "out.html")
+    assert result.exit_code == 0
+    assert f"files    {tmp_path / 'out.html'}" in result.stdout
+    assert (tmp_path / "out.html").read_text().startswith("<!doctype html>")
+
+
+def test_colors_and_view_change_the_picture(cloud, tmp_path):
+    bounds = ([0, 0, 0], [1, 1, 1])
+    loom.write_view(tmp_path / "view.json", loom.View.from_open3d(bounds, front=[0, 0, 1], up=[0, 1, 0]), bounds)
+    pictures = []
+    for k, words in enumerate(([], ["--color-by", "height", "--colormap", "jet"], ["--view", tmp_path / "view.json"])):
+        answer("view", cloud, "--screenshot", tmp_path / f"{k}.png", *words)
+        pictures.append(loom.read_color(tmp_path / f"{k}.png").tobytes())
+    assert len(set(pictures)) == 3
+
+
+def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
+    words = ["view", "-", "--from", "ply", "--color-by", "height", "--save-html", tmp_path / "a.html"]
+    words += ["--screenshot", tmp_path / "a.png"]
+    result = CliRunner().invoke(cli, [*map(str, words), "--json"], input=cloud.read_bytes())
+    report = json.loads(result.stdout)
+    assert report["inputs"] == ["standard input"]
+    assert report["geometries"] == [{"name": "standard input", "kind": "PointCloud", "points": 500}]
+    assert "standard input" in (tmp_path / "a.html").read_text()
+    answer("view", cloud, "--color-by", "height", "--screenshot", tmp_path / "b.png")
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    result = CliRunner().invoke(cli, [*map(str, words), "--force"], input=cloud.read_bytes()[:500])
+    assert "error: standard input" in result.stderr
+    assert "truncated" in result.stderr
+
+
+def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_path, monkeypatch):
+    for name in [
+        name for name in sys.modules if name.startswith(("websockets", "pointloom.visualization.viewer.link"))
+    ]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "websockets", None)
+    (tmp_path / "broken.ply").write_text("ply\n")
+    assert refusal("view", tmp_path / "broken.ply") == (
+        'error: the viewer needs the package websockets: pip install "pointloom[viewer]"\n'
+    )
+
+
+def test_volumes_and_polygons_are_shown(tmp_path, mesh):
+    volume = loom.TSDFVolume(voxel_size=0.1)
+    camera = loom.PinholeCameraIntrinsic(32, 24, 30, 30, 15.5, 11.5)
+    volume.integrate(np.ones((24, 32), np.float32), camera, np.eye(4))
+    volume.save(tmp_path / "volume.npz")
+    polygon = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [1, 1, 0]], "Z", axis_min=0, axis_max=1)
+    polygon.to_json(tmp_path / "cropped.json")
+    files = tmp_path / "volume.npz", tmp_path / "cropped.json", mesh
+    report = answer("view", *files, "--screenshot", tmp_path / "out.png")
+    assert [one["kind"] for one in report["geometries"]] == ["TSDFVolume", "SelectionPolygonVolume", "TriangleMesh"]
+
+
+def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
+    points, colors = rng.random((30_000, 3)), np.tile([[1.0, 0, 0]], (30_000, 1))
+    loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(points, colors=colors, intensity=points[:, 0]))
+    words = ["view", tmp_path / "large.ply", "--max-points", 10_000, "--force", "--screenshot", tmp_path / "out.png"]
+    assert answer(*words, "--save-html", tmp_path / "out.html")["geometries"][0]["points"] == 30_000
+    assert red_pixels(tmp_path / "out.png") > 10_000 and (tmp_path / "out.html").stat().st_size < 600_000
+    answer(*words, "--color-by", "intensity")
+    assert red_pixels(tmp_path / "out.png") == 0
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["missing.ply"], "missing.ply: does not exist"),
+        (["notes.md"], "notes.md: unknown kind of file '.md'. Shown are .ply"),
+        (["."], "is a folder. Give its files"),
+        (["broken.ply"], "broken.ply"),
+        (["other.json"], "holds Other, which is no geometry"),
+        (["cloud.ply", "--color-by", "ring"], "no cloud here has 'ring'; there are rgb, height, x, y, intensity"),
+        (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; and there is no cloud"),
+        (["cloud.ply", "--view", "other.json"], "other.json"),
+        (["cloud.ply", "--save-html", "out.txt"], "ends in .html"),
+        (["cloud.ply", "--screenshot", "cloud.png"], "cloud.png: exists already"),
+        (["cloud.ply", "--screenshot", "no/such/out.png"], "no/such"),
+    ],
+)
+def test_errors_are_one_line_and_nothing_is_written(cloud, mesh, tmp_path, monkeypatch, words, reason):
+    monkeypatch.chdir(tmp_path)
+    Path("notes.md").write_text("notes")
+    Path("broken.ply").write_text("ply\nformat ascii 1.0\n")
+    Path("other.json").write_text('{"class_name": "Other"}')
+    Path("cloud.png").write_text("kept")
+    before = names_in(tmp_path)
+    output = [] if any(word.startswith("--s") for word in words) else ["--screenshot", "out.png"]
+    told = refusal("view", *words, *output)
+    assert told.startswith("error: ")
+    assert told.count("\n") == 1
+    assert reason in told
+    assert names_in(tmp_path) == before
+    assert Path("cloud.png").read_text() == "kept"
+
+
+@pytest.mark.slow
+def test_the_page_is_told_on_stderr_and_ctrl_c_frees_the_port(cloud):
+    with socket.create_server(("127.0.0.1", 0)) as line:
+        port = line.getsockname()[1]
+    process = start(cloud, "--port", port)
+    assert process.stderr is not None
+    told = process.stderr.readline()
+    assert re.fullmatch(rf"viewer: http://127\.0\.0\.1:{port}/\?token=[\w-]+ \(Ctrl-C ends it\)\n", told)
+    assert f"ssh -L {port}:127.0.0.1:{port} " in process.stderr.readline()
+    with socket.create_connection(("127.0.0.1", port), timeout=5):
+        pass
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=300)
+    assert (process.returncode, out, err.strip()) == (130, "", "interrupted")
+    with socket.create_server(("127.0.0.1", port)):
+        pass
+
+
+def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
+    loom.write_point_cloud(tmp_path / "large.ply", loom.PointCloud(rng.random((30_000, 3))))
+    shown, waited = [], []
+
+    def look(viewer, **options):
+        shown.append({name: len(item.cloud) for name, item in viewer.items.items()})
+        waited.append(options)
+
+    add_named, open_tree = loom.Viewer.add_named, DetailTree.from_file
+    viewers = []
+    monkeypatch.setattr(loom.Viewer, "add_named", lambda self, *given: (viewers.append(self), add_named(self, *given)))
+    monkeypatch.setattr(
+        DetailTree, "from_file", lambda *given, **more: (look(viewers[0]), open_tree(*given, **more))[1]
+    )
+    monkeypatch.setattr(loom.Viewer, "wait", look)
+    result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--linger", 5)
+    assert waited == [{}, {"linger": 5.0}]
+    assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
+    assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
+
+
+@pytest.mark.slow
+def test_json_tells_the_address_and_nothing_else(cloud):
+    process = start(cloud, "--port", 0, "--json")
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("viewer: ")
+    assert process.stdout is not None
+    lines = [process.stdout.readline()]  # while it serves: whoever started it reads the address
+    while lines[-1].rstrip() != "}":
+        lines.append(process.stdout.readline())
+    process.send_signal(signal.SIGTERM)
+    assert process.communicate(timeout=300)[0] == ""
+    report = json.loads("".join(lines))
+    assert report["url"].startswith("http://127.0.0.1:")
+    assert report["geometries"] == [{"name": "cloud.ply", "kind": "PointCloud", "points": 500}]

@@ -1,0 +1,96 @@
+"""What loom.datasets hands out is what its docstrings say: true poses, true labels, the same bits each time."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.datasets import kept as module
+from pointloom.datasets.scenes.room import surface_errors
+
+
+@pytest.fixture
+def nothing_kept(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "never"))
+    monkeypatch.setattr(module, "LEAST_SECONDS", np.inf)
+
+
+def test_exact_frames_lie_on_the_room_and_noisy_ones_near_it(nothing_kept):
+    for noise, limit in ((False, 1e-5), (True, 0.02)):
+        frame = loom.datasets.room_frames(2, width=64, height=48, noise=noise)[1]
+        assert frame.depth.dtype == np.float32 and frame.color.shape == (48, 64, 3)
+        image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=9.0)
+        cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic, np.linalg.inv(frame.T_world_camera))
+        assert len(cloud) > 2000 and np.median(surface_errors(cloud.points)) < limit
+
+
+def test_frames_are_the_same_bits_each_time_and_the_first_of_more(nothing_kept):
+    first, second = loom.datasets.room_frames(1, width=64, height=48), loom.datasets.room_frames(2, width=64, height=48)
+    assert np.array_equal(first[0].depth, second[0].depth) and np.array_equal(first[0].color, second[0].color)
+    assert not np.array_equal(second[0].color, second[1].color)
+    other = loom.datasets.room_frames(1, width=64, height=48, seed=1)[0]
+    assert not np.array_equal(other.depth, first[0].depth)
+
+
+@pytest.mark.slow
+def test_the_rooms_cloud_and_mesh_lie_on_the_room_and_normals_point_into_it():
+    cloud, mesh = loom.datasets.room_cloud(voxel_size=0.1), loom.datasets.room_mesh()
+    assert np.median(surface_errors(mesh.vertices)) < 0.002
+    outwards = surface_errors(cloud.points + 0.03 * cloud.normals)
+    assert np.abs(np.linalg.norm(cloud.normals, axis=1) - 1).max() < 1e-5
+    assert np.mean(outwards > surface_errors(cloud.points)) > 0.8  # less in corners, where another wall is near
+
+
+@pytest.mark.slow
+def test_scans_of_the_street_fit_once_they_are_deskewed_and_posed():
+    drive = loom.datasets.street_scans(2)
+    step = np.linalg.inv(drive.poses[0]) @ drive.poses[1]
+    placed = [loom.registration.deskew_point_cloud(scan, step).transform(pose)
+              for scan, pose in zip(drive.scans, drive.poses, strict=True)]  # fmt: skip
+    road = [cloud.select_by_mask(cloud["label"] == 1) for cloud in placed]
+    assert max(np.abs(cloud.points[:, 2]).max() for cloud in road) < 0.05
+    houses = [cloud.select_by_mask(cloud["label"] == 4) for cloud in placed]
+    assert np.median(houses[0].compute_point_cloud_distance(houses[1])) < 0.12
+    times = drive.scans[1]["time"]
+    assert times.min() > 0.1 and times.max() <= 0.2 + 1e-12 and drive.scans[1]["ring"].max() == 31
+
+
+@pytest.mark.slow
+def test_the_figure_is_closed_and_its_exact_scans_lie_on_it():
+    mesh, scans = loom.datasets.object_mesh(), loom.datasets.object_scans(3, noise=False)
+    assert mesh.is_watertight() and mesh.is_edge_manifold() and mesh.is_vertex_manifold()
+    assert 20_000 < len(mesh) < 100_000 and len(np.unique(mesh.cluster_connected_triangles()[0])) == 1
+    low, high = mesh.get_min_bound(), mesh.get_max_bound()
+    assert high[2] - low[2] == pytest.approx(0.3, abs=0.005) and np.abs(low + high).max() < 0.005
+    scene = loom.RaycastingScene()
+    scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
+    for k in range(3):
+        assert scene.compute_distance(scans.in_world(k).points.astype(np.float32)).max() < 1e-5
+        assert (scans.scans[k].points[:, 2] > 0).all()
+
+
+@pytest.mark.slow
+def test_photographs_show_the_figure_where_the_poses_say():
+    shots, mesh = loom.datasets.photographs(2), loom.datasets.object_mesh()
+    for pose, depth in zip(shots.poses, shots.depths, strict=True):
+        cloud = loom.PointCloud.create_from_depth_image(depth, shots.intrinsic, np.linalg.inv(pose))
+        figure = cloud.points[cloud.points[:, 2] > mesh.get_min_bound()[2] + 0.003].astype(np.float32)
+        scene = loom.RaycastingScene()
+        scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
+        assert len(figure) > 10_000 and scene.compute_distance(figure).max() < 1e-4
+
+
+@pytest.mark.slow
+def test_the_airborne_scan_has_its_classes_and_returns():
+    cloud = loom.datasets.terrain()
+    assert set(np.unique(cloud["classification"])) == {2, 5, 6}
+    assert (cloud["return_number"] <= cloud["number_of_returns"]).all()
+    second = cloud["return_number"] == 2
+    assert 0 < second.sum() < len(cloud) / 10 and not (cloud["classification"][second] == 5).any()
+    assert np.allclose(np.ptp(cloud.points[:, :2], axis=0), 200, atol=0.1) and cloud.points[:, 0].min() > 400_000
+
+
+@pytest.mark.parametrize("make", [loom.datasets.room_frames, loom.datasets.street_scans, loom.datasets.object_scans])
+@pytest.mark.parametrize(("count", "error"), [(0, ValueError), (-1, ValueError), (1.5, TypeError), ("2", TypeError)])
+def test_counts_that_are_none_are_refused(make, count, error):
+    with pytest.raises(error, match="count"):
+        make(count)

@@ -1,0 +1,123 @@
+"""The furnished room: depth lies on its surface, noise follows its model, and the folder on disk is a data set."""
+
+import numpy as np
+import pytest
+
+from pointloom.core.errors import FileError
+from pointloom.datasets.scenes.furniture import SIZE, furnished_room
+from pointloom.datasets.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
+from pointloom.io.frames.datasets import open_dataset
+from pointloom.kernels.scenes.primitives import CYLINDER
+
+SMALL = {"width": 160, "height": 120}
+
+
+def back_project(frame, depth):
+    """World points [n, 3] of the pixels with depth [m]."""
+    v, u = np.nonzero(depth)
+    z = depth[v, u].astype(np.float64)
+    camera = frame.intrinsic
+    points = np.column_stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z])
+    return points @ frame.T_world_camera[:3, :3].T + frame.T_world_camera[:3, 3]
+
+
+def test_exact_depth_lies_on_the_true_surface(device):
+    sequence = room_sequence(7, **SMALL, noise=False, device=device)
+    for frame in sequence:
+        assert frame.depth.dtype == np.float32 and frame.depth.min() > 0.3
+        assert surface_errors(back_project(frame, frame.depth), device=device).max() < 2e-6
+
+
+def test_the_distance_of_the_room_is_the_least_over_its_solids(device):
+    room = furnished_room()
+    points = np.random.default_rng(0).uniform(-0.1, np.array(SIZE) + 0.1, (500, 3))
+    least = np.full(500, np.inf)
+    for kind, R, center, extent in zip(room.kinds, room.rotations, room.centers, room.extents, strict=True):
+        q = (points - center) @ R.T
+        if kind == CYLINDER:
+            q = np.column_stack([np.hypot(q[:, 0], q[:, 1]), np.zeros(500), q[:, 2]])
+        a = np.abs(q) - extent[:3]
+        a = np.delete(a, 1, axis=1) if kind == CYLINDER else a
+        distance = np.linalg.norm(np.maximum(a, 0), axis=1) + np.minimum(a.max(axis=1), 0) - extent[3]
+        least = np.minimum(least, distance)
+    assert np.abs(surface_errors(points, device=device) - np.abs(least)).max() < 1e-12
+
+
+@pytest.mark.slow
+def test_noise_follows_its_model(device):
+    noisy, exact = room_sequence(6, device=device), room_sequence(6, noise=False, device=device)
+    scaled = []
+    for i in range(6):
+        depth, true = noisy.read(i).depth, exact.read(i).depth.astype(np.float64)
+        assert depth.dtype == np.uint16
+        kept = depth > 0
+        assert 0.85 < kept.mean() < 1.0
+        sigma = 0.0012 + 0.0019 * (true - 0.4) ** 2
+        rounding = 0.001**2 / 12
+        scaled.append(((depth / 1000.0 - true) / np.sqrt(sigma**2 + rounding))[kept])
+    scaled = np.concatenate(scaled)
+    assert abs(scaled.mean()) < 0.01
+    assert abs(scaled.std() - 1) < 0.01
+    assert np.abs(scaled).max() < 6.5
+
+
+def test_grazing_surfaces_and_edges_lose_their_depth(device):
+    noisy, exact = (room_sequence(12, **SMALL, noise=noise, device=device).read(4) for noise in (True, False))
+    true = exact.depth
+    jump = np.zeros_like(true)
+    for axis in (0, 1):
+        for shift in (-1, 1):
+            jump = np.maximum(jump, np.abs(np.roll(true, shift, axis) - true))
+    beside_edge = jump[1:-1, 1:-1] > 0.05 * true[1:-1, 1:-1]
+    lost = noisy.depth[1:-1, 1:-1] == 0
+    assert lost[beside_edge].mean() > 0.6
+    assert lost[~beside_edge].mean() < 0.1
+
+
+def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():
+    poses = np.array([room_pose(i / 120) for i in range(121)])
+    assert surface_errors(poses[:, :3, 3]).min() > 0.35
+    assert np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).max() < 0.35
+    turns = np.einsum("nji,njk->nik", poses[:-1, :3, :3], poses[1:, :3, :3])
+    angles = np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)))
+    assert angles.max() < 16
+    assert np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
+
+
+def test_the_round_for_a_film_is_one_turn_as_smooth_as_a_hand():
+    poses = np.array([film_pose(k / 240) for k in range(240)])
+    forward, eyes = poses[:, :3, 2], poses[:, :3, 3]
+    turn = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
+    assert turn.min() > 0.8 and turn.max() < 2.2
+    assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06
+    assert surface_errors(eyes).min() > 0.35
+    yaw = np.unwrap(np.arctan2(forward[:, 1], forward[:, 0]))
+    assert np.degrees(yaw[-1] - yaw[0]) == pytest.approx(358.5, abs=0.5)
+
+
+def test_the_written_folder_is_a_data_set(tmp_path):
+    folder = tmp_path / "room"
+    write_room_sequence(folder, frame_count=3, **SMALL)
+    dataset, sequence = open_dataset(folder), room_sequence(3, **SMALL)
+    assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, sequence.depth_scale)
+    assert dataset.intrinsic == sequence.intrinsic
+    for read, made in zip(dataset, sequence, strict=True):
+        assert np.array_equal(read.depth, made.depth)
+        assert np.array_equal(read.color, made.color)
+        assert np.array_equal(read.T_world_camera, made.T_world_camera)
+    assert [path.name for path in tmp_path.iterdir()] == ["room"]
+
+
+def test_options_out_of_range_are_refused():
+    for name, value in (("width", 0), ("frame_count", 0), ("seed", -1)):
+        with pytest.raises(ValueError, match=name):
+            room_sequence(**{name: value})
+    with pytest.raises(IndexError):
+        room_sequence(2, **SMALL).read(2)
+
+
+def test_a_folder_that_exists_is_left_alone(tmp_path):
+    with pytest.raises(FileError, match="exists already"):
+        write_room_sequence(tmp_path, frame_count=1, **SMALL)
+    with pytest.raises(FileError, match="/b:"):
+        write_room_sequence(tmp_path / "a" / "b", frame_count=1, **SMALL)

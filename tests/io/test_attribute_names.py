@@ -1,0 +1,94 @@
+"""Attributes whose names a format cannot hold are written under others, with a warning."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.io.attribute_names import NameRules, is_word, new_names
+from pointloom.io.meshes.tables import write_cloud_table
+from pointloom.io.points.ply import read_ply
+from pointloom.io.table import PointTable
+
+WORDS = {"Pulse width": "Pulse_width", "größe": "gr__e", "": "_", "a\tb": "a_b"}
+LONG = "Reflectance of the second return 2"  # 34 bytes
+
+
+@pytest.mark.parametrize(
+    ("suffix", "names"),
+    [
+        (".ply", WORDS | {"x": "x_2"}),
+        (".pcd", WORDS | {"x": "x_2", "": "__2", "_": "__2", "rgb": "rgb_2"}),
+        (".npz", {"a/b": "a_b", "": "_", "new\nline": "new_line", "grid": "grid_2"}),
+        (".las", {LONG: LONG[:32], "": "_", "new\nline": "new_line", "X": "X_2", "red": "red_2"}),
+        (".copc.laz", {LONG: LONG[:32]}),
+    ],
+)  # fmt: skip
+def test_a_name_that_a_format_cannot_hold_is_another(suffix, names, tmp_path):
+    for old, new in names.items():
+        cloud = loom.PointCloud(np.eye(3), **{old: np.array([1.5, -2, 3], np.float32)})
+        with pytest.warns(UserWarning, match="under other names"):
+            loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+        assert loom.read_point_cloud(tmp_path / f"a{suffix}")[new].tolist() == [1.5, -2, 3]
+
+
+@pytest.mark.parametrize(
+    ("suffix", "names", "found"),
+    [
+        (".ply", ["a b", "a_b", "a\tb"], ["a_b_2", "a_b", "a_b_3"]),
+        (".ply", ["nx", "ny", "nz"], ["nx", "ny", "nz_2"]),  # no normals
+        (".ply", ["red", "green", "blue"], ["red", "green", "blue_2"]),
+        (".pcd", ["normal x", "normal_y", "normal_z"], ["normal_x_2", "normal_y", "normal_z"]),
+        (".las", [LONG, LONG + "b", "b" * 32], [LONG[:32], LONG[:30] + "_2", "b" * 32]),
+    ],
+)
+def test_names_that_would_become_one_stay_apart(suffix, names, found, tmp_path):
+    cloud = loom.PointCloud(np.eye(3), **{name: np.full(3, k, np.int16) for k, name in enumerate(names)})
+    with pytest.warns(UserWarning, match="under other names"):
+        loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
+    read = loom.read_point_cloud(tmp_path / f"a{suffix}")
+    assert [read[name].tolist() for name in found] == [[k] * 3 for k in range(3)]
+    assert not read.has_normals and not read.has_colors
+
+
+def test_components_take_names_too():
+    pairs = np.zeros((2, 2))
+    assert new_names({"a": pairs, "a_1": pairs[0]}, NameRules(is_word)) == {"a_1": "a_1_2"}
+    assert new_names({"b c": pairs}, NameRules(is_word, max_bytes=4)) == {"b c": "b_"}
+
+
+@pytest.mark.parametrize("suffix", [".las", ".laz"])
+def test_values_that_a_standard_dimension_cannot_hold_have_one_of_their_own(suffix, tmp_path):
+    columns = {"intensity": np.array([0.0, 0.1, 0.9]), "classification": np.array([-1, 0, 300])}
+    with pytest.warns(
+        UserWarning, match="'intensity' as 'intensity_value', 'classification' as 'classification_value'"
+    ):
+        loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(np.eye(3), **columns))
+    read = loom.read_point_cloud(tmp_path / f"a{suffix}")
+    for name, values in columns.items():
+        np.testing.assert_array_equal(read[f"{name}_value"], values)
+
+
+def test_attributes_of_a_mesh_have_names_that_ply_holds(tmp_path):
+    values = np.arange(3, dtype=np.float32)
+    mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_attributes={"a b": values, "x": values})
+    mesh.triangle_attributes["vertex_indices"] = values[:1]
+    with pytest.warns(UserWarning, match=r"/a\.ply:"):
+        loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
+    read = loom.read_triangle_mesh(tmp_path / "a.ply")
+    assert sorted(read.vertex_attributes) == ["a_b", "x_2"]
+    assert [*read.triangle_attributes] == ["vertex_indices_2"]
+
+
+@pytest.mark.parametrize(
+    ("values", "kind"),
+    [([2**31 - 1, -1], "i4"), ([2**32 - 1, 0], "u4"), ([2**53, -1], "f8"), ([2**53 + 1, 0], None), ([], "i4")],
+)
+def test_convert_writes_64_bit_integers_to_ply_if_none_changes(values, kind, tmp_path):
+    table = PointTable(np.zeros((len(values), 3)), attributes={"label": np.array(values, np.int64)})
+    assert write_cloud_table(tmp_path / "a.ply", table) == ([] if kind else ["label"])
+    found = read_ply(tmp_path / "a.ply").attributes
+    assert {name: (column.dtype, column.tolist()) for name, column in found.items()} == (
+        {"label": (np.dtype(kind), values)} if kind else {}
+    )

@@ -1,0 +1,428 @@
+"""Recordings made by the writers of rosbags are read back, whole and damaged, with the layouts of the drivers."""
+
+import bz2
+import contextlib
+import itertools
+import json
+import sqlite3
+import struct
+import tracemalloc
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import pointloom as loom
+from pointloom.cli.shell.cli import cli
+from pointloom.core.errors import FileError
+from pointloom.io.bags.pieces import RecordingWarning, unpack
+
+pytest.importorskip("rosbags")
+
+from rosbags import rosbag1, rosbag2
+from rosbags.typesys import Stores, get_typestore
+
+CLOUD = "sensor_msgs/msg/PointCloud2"
+CODES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
+XYZ = [("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8)]
+DRIVERS = {  # fields, bytes a row, the field of time and a tenth of a second in its unit
+    "velodyne": ([*XYZ, ("intensity", "f4", 12), ("ring", "u2", 16), ("time", "f4", 18)], 22, "time", 0.1, 0),
+    "ouster": ([*XYZ, ("intensity", "f4", 16), ("t", "u4", 20), ("reflectivity", "u2", 24), ("ring", "u2", 26),
+                ("ambient", "u2", 28), ("range", "u4", 32)], 48, "t", 10**8, 0),
+    "livox": ([*XYZ, ("intensity", "f4", 12), ("tag", "u1", 16), ("line", "u1", 17), ("timestamp", "f8", 18)],
+              26, "timestamp", 1e8, 1.7e18),
+    "hesai": ([*XYZ, ("intensity", "f4", 12), ("timestamp", "f8", 16), ("ring", "u2", 24)], 26, "timestamp", 0.1,
+              1.7e9),
+    "robosense": ([*XYZ, ("intensity", "f4", 12), ("ring", "u2", 16), ("timestamp", "f8", 18)], 26, "timestamp", 0.1,
+                  1.7e9),
+}  # fmt: skip
+
+
+def points_of(scan, count=240):
+    v = np.arange(count)
+    return np.stack([10 + 0.01 * v + scan, np.sin(v), 0.1 * v], axis=1).astype(np.float32)
+
+
+def cloud_message(store, driver, scan=0, *, big=False, height=1, padding=0):
+    fields, step, named, tenth, start = DRIVERS[driver]
+    order, points = ">" if big else "<", points_of(scan)
+    kind = np.dtype({
+        "names": [f[0] for f in fields], "formats": [order + f[1] for f in fields],
+        "offsets": [f[2] for f in fields], "itemsize": step,
+    })  # fmt: skip
+    rows = np.zeros(len(points), kind)
+    rows["x"], rows["y"], rows["z"] = points.T
+    rows["intensity"] = np.arange(len(points))
+    rows[named] = start + np.linspace(0, 1, len(points)) * tenth
+    width = len(points) // height
+    data = np.frombuffer(rows.tobytes(), np.uint8).reshape(height, width * step)
+    data = np.pad(data, ((0, 0), (0, padding))).reshape(-1)
+    types, time = store.types, store.types["builtin_interfaces/msg/Time"](sec=5, nanosec=0)
+    header = types["std_msgs/msg/Header"]
+    header = (
+        header(seq=0, stamp=time, frame_id="lidar") if "seq" in header.__dataclass_fields__ else header(time, "lidar")
+    )
+    told = [types["sensor_msgs/msg/PointField"](name, at, CODES[code], 1) for name, code, at in fields]
+    return types[CLOUD](header, height, width, told, big, step, width * step + padding, data, True)
+
+
+def write(folder, form, messages=None, driver="velodyne", topics=("/points",), count=6, compress=None, **layout):
+    """A recording of some scans on each topic, a second apart."""
+    if form == "bag1":
+        path, store = folder / "run.bag", get_typestore(Stores.ROS1_NOETIC)
+        writer, encode = rosbag1.Writer(path), store.serialize_ros1
+        writer.chunk_threshold = 20_000
+        if compress:
+            writer.set_compression(writer.CompressionFormat[compress])
+    else:
+        path, store = folder / "run", get_typestore(Stores.ROS2_HUMBLE)
+        plugin = rosbag2.StoragePlugin.MCAP if form == "mcap" else rosbag2.StoragePlugin.SQLITE3
+        writer, encode = rosbag2.Writer(path, version=9, storage_plugin=plugin), store.serialize_cdr
+    with writer:
+        connections = [writer.add_connection(topic, CLOUD, typestore=store) for topic in topics]
+        for scan in range(count):
+            for connection in connections:
+                message = cloud_message(store, driver, scan, **layout)
+                writer.write(connection, (scan + 1) * 10**9, encode(message, CLOUD))
+    return path
+
+
+def file_of(path):
+    return path if path.is_file() else next(p for p in path.iterdir() if p.suffix in (".mcap", ".db3"))
+
+
+def in_small_chunks(path):
+    """The same MCAP file in chunks of some 20 kB, by the writer of `mcap`."""
+    from mcap.reader import make_reader
+    from mcap.writer import Writer
+
+    other = path.with_name("chunks.mcap")
+    with path.open("rb") as source, other.open("wb") as file:
+        writer, channels = Writer(file, chunk_size=20_000), {}
+        writer.start(profile="ros2")
+        for schema, channel, message in make_reader(source).iter_messages():
+            if channel.topic not in channels:
+                known = writer.register_schema(schema.name, schema.encoding, schema.data)
+                channels[channel.topic] = writer.register_channel(channel.topic, channel.message_encoding, known)
+            writer.add_message(channels[channel.topic], message.log_time, message.data, message.publish_time)
+        writer.finish()
+    return other
+
+
+FORMS = ["bag1", "mcap", "db3"]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_scans_come_in_order_of_time_with_all_their_bits(tmp_path, form):
+    path = write(tmp_path, form)
+    recording = loom.open_recording(path)
+    (topic,) = recording.topics
+    assert (topic.name, topic.type, topic.count, topic.frame_id) == ("/points", CLOUD, 6, "lidar")
+    assert (topic.first, topic.last) == pytest.approx((1.0, 6.0)) and recording.damage is None
+    scans = list(recording.scans())
+    for scan, cloud in enumerate(scans):
+        np.testing.assert_array_equal(cloud.points.astype(np.float32), points_of(scan))
+        np.testing.assert_allclose(cloud["time"], np.linspace(0, 0.1, len(cloud)), atol=1e-7)
+    assert len(scans) == 6
+
+
+@pytest.mark.parametrize("driver", DRIVERS)
+@pytest.mark.parametrize("layout", [{}, {"big": True}, {"height": 4, "padding": 7}], ids=["rows", "big", "grid"])
+def test_drivers_layouts_give_points_and_seconds(tmp_path, driver, layout):
+    cloud = next(loom.open_recording(write(tmp_path, "mcap", driver=driver, count=1, **layout)).scans())
+    np.testing.assert_array_equal(cloud.points.astype(np.float32), points_of(0))
+    np.testing.assert_array_equal(cloud["intensity"], np.arange(len(cloud)))
+    np.testing.assert_allclose(cloud["time"], np.linspace(0, 0.1, len(cloud)), atol=1e-6)
+    assert cloud.grid == ((4, 60) if layout.get("height") else None)
+
+
+@pytest.mark.parametrize("compress", ["BZ2", "LZ4"])
+def test_packed_chunks_are_unpacked(tmp_path, compress):
+    assert len(list(loom.open_recording(write(tmp_path, "bag1", compress=compress)).scans())) == 6
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_what_is_cut_off_is_read_up_to_there_and_said(tmp_path, form):
+    path = file_of(write(tmp_path, form, count=20))
+    if form == "mcap":
+        path = in_small_chunks(path)
+    data, seen = path.read_bytes(), set()
+    for share in (0.3, 0.6, 0.9):
+        short = tmp_path / f"short{share}{path.suffix}"
+        short.write_bytes(data[: int(len(data) * share)])
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            try:
+                recording = loom.open_recording(short)
+                for scan, cloud in enumerate(recording.scans()):
+                    np.testing.assert_array_equal(cloud.points.astype(np.float32), points_of(scan))
+                    seen.add(scan)
+            except FileError:
+                continue
+        assert recording.damage and [w.category for w in told] == [RecordingWarning]
+    assert 5 < len(seen) < 20
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_flipped_bits_give_clouds_or_named_errors(tmp_path, form):
+    path = file_of(write(tmp_path, form, count=2))
+    data, rng = bytearray(path.read_bytes()), np.random.default_rng(3)
+    for turn in range(15):
+        at, bit = int(rng.integers(len(data))), 1 << int(rng.integers(8))
+        data[at] ^= bit
+        flipped = tmp_path / f"flip{turn}{path.suffix}"
+        flipped.write_bytes(data)
+        data[at] ^= bit
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RecordingWarning)
+            try:
+                for _ in loom.open_recording(flipped).scans():
+                    pass
+            except FileError:
+                pass
+
+
+def test_topics_that_do_not_fit_are_named(tmp_path):
+    recording = loom.open_recording(write(tmp_path, "mcap", topics=("/left", "/right"), count=1))
+    with pytest.raises(FileError, match=r"/run:.*2"):
+        recording.scans()
+    with pytest.raises(FileError, match="/run:"):
+        recording.scans("/up")
+    with pytest.raises(ValueError, match="/left, /right"):
+        recording.messages("/up")
+    assert len(list(recording.scans("/right"))) == 1
+    other = tmp_path / "run.bag"
+    other.write_bytes(b"#ROSBAG V1.2\n")
+    with pytest.raises(FileError, match=r"/run\.bag \(byte 0\):.*1"):
+        loom.open_recording(other)
+
+
+def test_info_lists_topics_and_odometry_wants_one(tmp_path):
+    path = write(tmp_path, "db3", topics=("/a", "/b"), count=3)
+    told = CliRunner().invoke(cli, ["info", "--json", str(path)])
+    topics = json.loads(told.stdout)["files"][0]["topics"]
+    assert [(topic["name"], topic["count"]) for topic in topics] == [("/a", 3), ("/b", 3)]
+    arguments = ["odometry", str(path), "-o", str(tmp_path / "poses.txt"), "--device", "cpu"]
+    assert CliRunner().invoke(cli, arguments).exit_code != 0  # two topics of clouds
+
+
+def test_a_bag_that_is_zeroed_in_the_middle_keeps_what_was_before(tmp_path):
+    path = write(tmp_path, "bag1", count=20)
+    data = bytearray(path.read_bytes())
+    middle = len(data) // 2
+    data[middle : middle + 60_000] = bytes(min(60_000, len(data) - middle))
+    path.write_bytes(data)
+    with pytest.warns(RecordingWarning, match="damaged"):
+        recording = loom.open_recording(path)
+    scans = recording.scans("/points")
+    for scan in range(5):
+        np.testing.assert_array_equal(next(scans).points.astype(np.float32), points_of(scan))
+
+
+def bomb_of(kind, size):
+    import lz4.frame
+
+    if kind == "zstd":
+        try:
+            from compression import zstd
+        except ImportError:
+            from backports import zstd
+        return zstd.compress(bytes(size))
+    return {"bz2": bz2, "lz4": lz4.frame}[kind].compress(bytes(size))
+
+
+@pytest.mark.parametrize("kind", ["bz2", "lz4", "zstd"])
+@pytest.mark.parametrize("parts", [1, 2])
+def test_a_chunk_takes_no_more_memory_than_its_header_says(kind, parts):
+    packed = bomb_of(kind, 1 << 26) * parts
+    for claimed in (1000, 1 << 31):  # the second is impossible for so few bytes
+        tracemalloc.start()
+        with pytest.raises(FileError, match=r"run\.bag"):
+            unpack(Path("run.bag"), packed, kind, claimed)
+        assert tracemalloc.get_traced_memory()[1] < 1 << 22
+        tracemalloc.stop()
+    assert unpack(Path("run.bag"), bomb_of(kind, 1000) * parts, kind, 1000 * parts) == bytes(1000 * parts)
+    for damaged in (bomb_of(kind, 1000)[:-1], bomb_of(kind, 1000) + b"behind"):
+        with pytest.raises(FileError, match=r"run\.bag"):
+            unpack(Path("run.bag"), damaged, kind, 1000)
+
+
+def u(number):
+    return struct.pack("<I", number)
+
+
+def record1(data=b"", **fields):
+    head = b"".join(u(len(name) + 1 + len(value)) + name.encode() + b"=" + value for name, value in fields.items())
+    return u(len(head)) + head + u(len(data)) + data
+
+
+def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, topic=b"/b"):
+    """A bag of two chunks with two messages of /a and /b in each. The changes affect the second chunk."""
+    told = lambda name: b"".join(  # noqa: E731
+        u(len(x)) + x
+        for x in (b"topic=" + name, b"type=std_msgs/String", b"md5sum=x", b"message_definition=string data")
+    )
+    head = lambda at: record1(  # noqa: E731
+        b" " * 99, op=b"\3", index_pos=struct.pack("<Q", at), conn_count=u(2), chunk_count=u(2)
+    )
+    data, infos = b"#ROSBAG V2.0\n" + head(1), b""
+    for k in range(2):
+        rows, body = {0: [], 1: []}, b"" if k else record1(told(topic), op=b"\7", conn=u(1), topic=topic)
+        for m, c in itertools.product(range(2), range(2)):
+            rows[c].append([10 * k + m, c, len(body)])
+            body += record1(u(2) + b"ab", op=b"\2", conn=u(c), time=struct.pack("<II", 10 * k + m, c))
+        if k and time is not None:
+            rows[0][0][0] = time
+        infos += record1(
+            struct.pack("<IIII", 0, 2, 1, 2) if info is None or not k else info,
+            op=b"\6", ver=u(1), chunk_pos=struct.pack("<Q", len(data)), count=u(2),
+            start_time=struct.pack("<II", 10 * k, 0), end_time=struct.pack("<II", 10 * k + 1, 1),
+        )  # fmt: skip
+        data += record1(body, op=b"\5", compression=b"none", size=u(len(body)))
+        for c, count in ((0, 2), (1, 2)) if index is None or not k else index:
+            named = c if conn is None or not k or c else conn
+            entries = b"".join(struct.pack("<III", *row) for row in rows[c])
+            data += record1(entries, op=b"\4", ver=u(1), conn=u(named), count=u(count))
+    for c, name in ((0, b"/a"), (1, b"/b")):
+        data += record1(told(name), op=b"\7", conn=u(c), topic=name)
+    path.write_bytes(data + infos if closed else data)
+
+
+@pytest.mark.parametrize(
+    ("damage", "warns"),
+    [
+        ({}, False),
+        ({"closed": False}, False),  # as a recorder leaves it that was killed
+        ({"index": [(0, 2)]}, True),
+        ({"index": [(0, 2), (1, 2), (1, 2)]}, True),
+        ({"index": [(0, 4), (1, 2)]}, True),
+        ({"index": [(0, 1), (1, 2)]}, True),
+        ({"conn": 77}, True),
+        ({"conn": 1}, True),
+        ({"conn": 77, "closed": False}, True),
+        ({"conn": 1, "closed": False}, True),
+        ({"index": [(0, 2)], "closed": False}, True),
+        ({"index": []}, False),
+        ({"time": 99}, True),
+        ({"info": struct.pack("<IIII", 0, 1, 1, 2)}, True),
+        ({"topic": b"/other", "closed": False}, True),  # the same number has two names
+    ],
+    ids=str,
+)
+def test_an_index_that_contradicts_its_messages_is_reported_and_not_used(tmp_path, damage, warns):
+    small_bag(tmp_path / "run.bag", **damage)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        recording = loom.open_recording(tmp_path / "run.bag")
+    assert [w.category for w in told] == [RecordingWarning] * warns
+    assert sum(topic.count for topic in recording.topics) == 8
+    if "topic" not in damage:
+        assert {topic.name: topic.count for topic in recording.topics} == {"/a": 4, "/b": 4}
+        assert [topic.last for topic in recording.topics] == [11, pytest.approx(11, abs=1e-8)]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_a_message_is_compared_with_its_entry(tmp_path, form):
+    recording = loom.open_recording(write(tmp_path, form, topics=("/a", "/b"), count=2))
+    time, part, channel, piece, place = recording.rows_of("/a")[0]
+    other = next(row[2] for row in recording.rows_of("/b"))
+    for row in ((time + 1, part, channel, piece, place), (time, part, other, piece, place)):
+        with pytest.raises(FileError, match="run"):
+            recording.bytes_at(row)
+
+
+def record_mcap(op, content):
+    return bytes([op]) + struct.pack("<Q", len(content)) + content
+
+
+@pytest.mark.parametrize(
+    ("rows", "statistics", "warns"),
+    [
+        ([0, 1], 2, False),
+        ([0, 1], None, False),
+        ([0], 2, True),
+        ([0], None, True),
+        ([0, 0, 1], 2, True),
+        ([0, 1], 3, True),
+        ([], 2, False),
+    ],
+)
+def test_the_index_of_an_mcap_file_is_compared_with_its_statistics(tmp_path, rows, statistics, warns):
+    text = lambda words: u(len(words)) + words  # noqa: E731
+    schema = record_mcap(3, struct.pack("<H", 1) + text(b"std_msgs/msg/String") + text(b"ros2msg") + u(0))
+    channel = record_mcap(4, struct.pack("<HH", 1, 1) + text(b"/a") + text(b"cdr") + u(0))
+    messages = [record_mcap(5, struct.pack("<HIQQ", 1, 0, 7 + k, 7 + k) + b"abcd") for k in range(2)]
+    body = b"".join(messages)
+    data = b"\x89MCAP0\r\n" + record_mcap(1, text(b"") + text(b"")) + schema + channel
+    data += record_mcap(6, struct.pack("<QQQI", 7, 8, len(body), 0) + text(b"") + struct.pack("<Q", len(body)) + body)
+    index = b"".join(struct.pack("<QQ", 7 + k, k * len(messages[0])) for k in rows)
+    data += record_mcap(7, struct.pack("<HI", 1, len(index)) + index) if rows else b""
+    data += record_mcap(15, bytes(4))
+    if statistics:
+        counts = struct.pack("<HQ", 1, statistics)
+        head = struct.pack("<QHIIIIQQ", statistics, 1, 1, 0, 0, 1, 7, 8)
+        data += record_mcap(11, head + u(len(counts)) + counts)
+    (tmp_path / "run.mcap").write_bytes(data + record_mcap(2, bytes(20)) + b"\x89MCAP0\r\n")
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        recording = loom.open_recording(tmp_path / "run.mcap")
+    assert len(recording) == 2 and [w.category for w in told] == [RecordingWarning] * warns
+
+
+DB3 = {"topics": "id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT",
+       "messages": "id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB"}  # fmt: skip
+ENDLESS = "WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT "
+
+
+@pytest.mark.parametrize(
+    ("name", "code"),
+    [
+        (
+            "topics",
+            f"CREATE VIEW topics AS {ENDLESS} x AS id, '/a' AS name, 'b' AS type, 'cdr' AS serialization_format FROM c",
+        ),
+        ("messages", f"CREATE VIEW messages AS {ENDLESS} x AS id, 1 AS topic_id, x AS timestamp, x'00' AS data FROM c"),
+        ("messages", "CREATE VIEW messages AS SELECT 1 AS id, 1 AS topic_id, 5 AS timestamp, x'00' AS data"),
+        ("messages", "CREATE VIRTUAL TABLE messages USING fts4(id, topic_id, timestamp, data)"),
+        ("messages", f"CREATE TABLE messages ({DB3['messages']}, more BLOB AS (zeroblob(id * 1000000000)))"),
+    ],
+    ids=["endless topics", "endless messages", "a view", "virtual", "computed"],
+)
+def test_only_real_tables_are_read(tmp_path, name, code):
+    with contextlib.closing(sqlite3.connect(tmp_path / "run.db3")) as base:
+        for table, columns in DB3.items():
+            base.execute(code if table == name else f"CREATE TABLE {table} ({columns})")
+        if name == "messages":
+            base.execute("INSERT INTO topics VALUES (1, '/a', 'b', 'cdr')")
+        base.commit()
+        base.execute("PRAGMA writable_schema = ON")
+        base.execute("UPDATE sqlite_master SET type = 'table' WHERE name = ?", (name,))  # a lie
+        base.commit()
+    with pytest.raises(FileError, match=rf"run\.db3: .*{name}"):
+        loom.open_recording(tmp_path / "run.db3")
+
+
+def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
+    path, seen = tmp_path / "run.db3", 0
+    with contextlib.closing(sqlite3.connect(path)) as base:
+        for table, columns in DB3.items():
+            base.execute(f"CREATE TABLE {table} ({columns})")
+        base.execute("CREATE INDEX timestamp_idx ON messages (timestamp ASC)")
+        base.execute("INSERT INTO topics VALUES (1, '/a', 'b', 'cdr')")
+        base.executemany("INSERT INTO messages VALUES (?, 1, ?, ?)", [(k, 10 * k, bytes(300)) for k in range(1, 99)])
+        base.commit()
+    assert len(loom.open_recording(path)) == 98
+    data = path.read_bytes()
+    for page in range(4096, len(data), 4096):
+        count = int.from_bytes(data[page + 3 : page + 5], "big")
+        if data[page] in (5, 13) and count > 2:  # of a table: an inner page or a leaf
+            first = page + (12 if data[page] == 5 else 8)
+            for at, new in ((page + 3, count - 1), (first, int.from_bytes(data[first + 2 : first + 4], "big"))):
+                changed, seen = bytearray(data), seen + 1
+                changed[at : at + 2] = new.to_bytes(2, "big")
+                path.write_bytes(changed)
+                with pytest.warns(RecordingWarning):
+                    loom.open_recording(path)
+    assert seen > 10

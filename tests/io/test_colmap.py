@@ -1,0 +1,365 @@
+"""COLMAP's models: read as COLMAP reads them, written so that it reads ours, and damage told with its place."""
+
+from __future__ import annotations
+
+import json
+import struct
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+
+from ..cameras.colmap_oracle import ask_colmap
+from .sfm_models import LENS, assert_same, ring_model
+
+FORMS = ["bin", "txt"]
+MODEL = ring_model()
+
+
+@pytest.fixture(params=FORMS)
+def form(request) -> str:
+    return request.param
+
+
+@pytest.fixture
+def folder(tmp_path, form):
+    """A written model; other files are made of it."""
+    loom.write_colmap_model(tmp_path / "model", MODEL, format=form)
+    return tmp_path / "model"
+
+
+@pytest.fixture(scope="module")
+def synthetic(tmp_path_factory):
+    """A model that COLMAP made, in both of its forms, and what it says of it; with rigs of two cameras."""
+    folders = [tmp_path_factory.mktemp("binary"), tmp_path_factory.mktemp("text")]
+    options = {"num_rigs": 2, "num_cameras_per_rig": 2, "num_frames_per_rig": 3, "num_points3D": 80}
+    question = {"options": options, "binary": [str(folders[0])], "text": [str(folders[1])]}
+    return folders, ask_colmap("synthesize", question)
+
+
+@pytest.mark.parametrize("which", [0, 1], ids=FORMS)
+def test_a_model_of_colmap_is_read_as_colmap_has_it(synthetic, which):
+    folders, told = synthetic
+    model = loom.read_colmap_model(folders[which])
+    assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4: passed over
+    assert sorted(told["pictures"]) == list(model.names)
+    for i, name in enumerate(model.names):
+        (lens, width, height, params), pose, seen = told["pictures"][name]
+        assert model.cameras[i] == loom.CameraModel(lens, width, height, params)
+        assert np.abs(model.T_camera_world[i, :3] - pose).max() < 1e-14
+        rows = model.observations[:, 0] == i
+        ours = np.hstack([model.pixels[rows] + 0.5, model.points[model.observations[rows, 1]]])
+        assert np.array_equal(ours[np.lexsort(ours.T)], np.array(seen)[np.lexsort(np.array(seen).T)])
+    ours = np.column_stack([model.points, model.colors, model.view_counts])
+    assert np.array_equal(ours[np.lexsort(ours.T)], np.array(told["points"])[np.lexsort(np.array(told["points"]).T)])
+
+
+def test_colmap_reads_what_we_write(folder):
+    told = ask_colmap("describe", str(folder))
+    assert sorted(told["pictures"]) == list(MODEL.names)
+    assert told["error"] < 1e-3  # the keypoints have three decimals
+    assert len(told["points"]) == len(MODEL.points)
+    for i, name in enumerate(MODEL.names):
+        _, pose, seen = told["pictures"][name]
+        assert np.abs(MODEL.T_camera_world[i, :3] - pose).max() < 1e-14
+        assert len(seen) == (MODEL.observations[:, 0] == i).sum()
+
+
+def test_a_model_comes_back(folder):
+    assert_same(loom.read_colmap_model(folder), MODEL, poses=1e-15, pixels=1e-12)
+
+
+@pytest.mark.parametrize(("pictures", "points"), [(1, 0), (1, 1), (2, 3)])
+def test_small_models_come_back(tmp_path, form, pictures, points):
+    whole = ring_model()
+    model = loom.SfmModel(
+        whole.names[:pictures], whole.cameras[:pictures], whole.T_camera_world[:pictures], whole.points[:points]
+    )
+    loom.write_colmap_model(tmp_path / "m", model, format=form)
+    assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15)
+
+
+@pytest.mark.parametrize("place", ["sparse/0", "sparse", "0", "."])
+def test_a_model_is_found_below_its_project(tmp_path, form, place):
+    loom.write_colmap_model(tmp_path / "project" / place, MODEL, format=form)
+    assert len(loom.read_colmap_model(tmp_path / "project")) == len(MODEL)
+
+
+def test_of_several_models_one_must_be_chosen(tmp_path):
+    loom.write_colmap_model(tmp_path / "sparse/0", MODEL.select(MODEL.names[:2]))
+    loom.write_colmap_model(tmp_path / "sparse/1", MODEL, format="txt")
+    with pytest.raises(loom.FileError, match=r"2.*sparse/0.*2.*sparse/1.*6"):
+        loom.read_colmap_model(tmp_path)
+    assert len(loom.read_colmap_model(tmp_path / "sparse/1")) == 6
+
+
+@pytest.mark.parametrize("name", ["cameras", "images", "points3D"])
+def test_a_missing_file_is_named(folder, form, name):
+    (folder / f"{name}.{form}").unlink()
+    with pytest.raises(loom.FileError, match=f"but not {name}.{form}"):
+        loom.read_colmap_model(folder)
+
+
+def test_a_place_without_a_model_is_told(tmp_path):
+    (tmp_path / "file").write_text("x")
+    for place, reason in (("", "holds no model"), ("none", "does not exist"), ("file", "is a file")):
+        with pytest.raises(loom.FileError, match=reason):
+            loom.read_colmap_model(tmp_path / place)
+
+
+def test_writing_replaces_the_model_that_was_there_in_both_forms(folder, form):
+    for name in ("rigs.bin", "frames.txt", "project.ini"):
+        (folder / name).write_text("of the old model")
+    other = "txt" if form == "bin" else "bin"
+    loom.write_colmap_model(folder, MODEL.select(MODEL.names[:3]), format=other)
+    found = sorted(path.name for path in folder.iterdir())
+    assert found == sorted([*(f"{name}.{other}" for name in ("cameras", "images", "points3D")), "project.ini"])
+    assert len(loom.read_colmap_model(folder)) == 3
+
+
+def test_a_model_that_may_not_be_replaced_stays(folder):
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    with pytest.raises(loom.FileError, match="already"):
+        loom.write_colmap_model(folder, MODEL.select(MODEL.names[:2]), overwrite=False)
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+
+
+@pytest.mark.parametrize("failing", ["write_cameras", "write_pictures", "write_points"])
+def test_a_full_disk_leaves_what_was_there(folder, form, failing, monkeypatch, tmp_path):
+    from pointloom.io.models import colmap_binary, colmap_text
+
+    def fail(*_):
+        raise OSError(28, "No space left on device")
+
+    before = {path.name: path.read_bytes() for path in folder.iterdir()}
+    monkeypatch.setattr(colmap_binary if form == "bin" else colmap_text, failing, fail)
+    for place in (folder, tmp_path / "new"):
+        with pytest.raises(loom.FileError, match="No space left"):
+            loom.write_colmap_model(place, MODEL.scaled(2), format=form)
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
+    assert not (tmp_path / "new").exists()
+
+
+def test_what_colmap_cannot_hold_is_refused(tmp_path):
+    lens = loom.CameraModel("METASHAPE", 640, 480, [500, 320, 240, *[0.0] * 7, 1.0])
+    for model, message, form in (
+        (loom.SfmModel(["a"], [lens], np.eye(4)[None]), "no camera model METASHAPE", "bin"),
+        (loom.SfmModel(["a\nb"], [LENS], np.eye(4)[None]), "text cannot hold", "txt"),
+        (loom.SfmModel(["a b"], [LENS], np.eye(4)[None]), "text cannot hold", "txt"),
+        (loom.SfmModel(["a\0b"], [LENS], np.eye(4)[None]), "cannot hold the picture's name", "bin"),
+        (loom.SfmModel([], [], []), "at least one picture", "bin"),
+        (MODEL, "format", "ply"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            loom.write_colmap_model(tmp_path / "m", model, format=form)
+    assert not (tmp_path / "m").exists()
+
+
+def spoil(folder, name, at, new):
+    """Bytes of a file replaced."""
+    path = folder / name
+    data = bytearray(path.read_bytes())
+    data[at : at + len(new)] = new
+    path.write_bytes(data)
+
+
+@pytest.fixture
+def binary(tmp_path):
+    loom.write_colmap_model(tmp_path / "b", MODEL)
+    return tmp_path / "b"
+
+
+POSE = 8 + 4  # the quaternion of the first picture
+NAME = 8 + 4 + 56 + 4
+KEYPOINTS = NAME + len(MODEL.names[0]) + 1
+
+
+@pytest.mark.parametrize(
+    ("name", "at", "new", "message"),
+    [
+        ("images.bin", 0, struct.pack("<Q", 0), "bytes follow the last record"),
+        ("images.bin", KEYPOINTS, struct.pack("<Q", 2**60), "keypoints, for which"),
+        ("points3D.bin", 8 + 43, struct.pack("<Q", 2**61), r"byte \d+.*ends within"),
+        ("points3D.bin", 8 + 43, struct.pack("<Q", 2**64 - 1), r"byte \d+.*ends within"),
+        ("cameras.bin", 12, struct.pack("<i", 99), r"byte 8.*unknown camera model 99"),
+        ("cameras.bin", 12, struct.pack("<i", 17), "EQUIRECTANGULAR is not read"),
+        ("cameras.bin", 16, struct.pack("<Q", 0), r"byte 8.*width"),
+        ("cameras.bin", 16, struct.pack("<Q", 2**63), r"byte 8.*width"),
+        ("cameras.bin", 32, struct.pack("<d", np.nan), r"byte 8.*finite"),
+        ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which cameras.bin does not have"),
+        ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
+        ("images.bin", POSE + 32, struct.pack("<d", np.inf), r"byte 8.*no pose"),
+        ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
+        ("images.bin", NAME, b"\0", "without an end|expected|no name|name"),
+        ("images.bin", KEYPOINTS + 8, struct.pack("<d", np.nan), "keypoint of 'left/00.png' is not finite"),
+        ("images.bin", KEYPOINTS + 24, struct.pack("<q", 999), "point 999, which points3D.bin does not have"),
+        ("images.bin", KEYPOINTS + 24, struct.pack("<q", -1), "not so there|keypoints belong"),
+        ("points3D.bin", 16, struct.pack("<d", np.nan), r"byte 8.*position is not finite"),
+        ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 stands twice"),
+    ],
+)
+def test_damage_is_told_with_its_place(binary, name, at, new, message):
+    spoil(binary, name, at, new)
+    with pytest.raises(loom.FileError, match=message):
+        loom.read_colmap_model(binary)
+
+
+@pytest.mark.parametrize("name", ["cameras.bin", "images.bin", "points3D.bin"])
+def test_a_file_that_is_cut_off_or_goes_on_is_refused(binary, name):
+    data = (binary / name).read_bytes()
+    rng = np.random.default_rng(3)
+    for end in [0, 1, 7, 8, 9, *rng.integers(10, len(data), 40).tolist(), len(data) - 1]:
+        (binary / name).write_bytes(data[:end])
+        with pytest.raises(loom.FileError, match=r"byte|is empty"):
+            loom.read_colmap_model(binary)
+    (binary / name).write_bytes(data + b"\0")
+    with pytest.raises(loom.FileError, match="1 bytes follow the last record"):
+        loom.read_colmap_model(binary)
+
+
+@pytest.mark.parametrize("name", ["cameras", "images", "points3D"])
+def test_random_bytes_never_crash_the_reader(folder, form, name):
+    path = folder / f"{name}.{form}"
+    data = path.read_bytes()
+    rng = np.random.default_rng(5)
+    for turn in range(120):
+        spoiled = bytearray(data)
+        for at in rng.integers(0, len(data), 1 + turn % 6):
+            spoiled[at] = rng.integers(0, 256)
+        path.write_bytes(spoiled if turn % 4 else rng.bytes(200))
+        try:
+            model = loom.read_colmap_model(folder)
+        except loom.FileError as error:
+            assert str(path) in str(error) or "images" in str(error) or "points3D" in str(error)
+        else:
+            assert len(model) == len(MODEL)
+
+
+CAMERAS = "# list\n\n1 PINHOLE 640 480 500 500 320 240\n"
+IMAGES = "1 1 0 0 0 0 0 0 1 a b.png\n10.5 20.5 3\n2 1 0 0 0 1 0 0 1 c.png\n\n"
+POINTS = "3 0 0 2 1 2 3 0.5 1 0\n"
+
+
+def write_text(folder, cameras=CAMERAS, images=IMAGES, points=POINTS, encoding="utf-8"):
+    for name, text in (("cameras", cameras), ("images", images), ("points3D", points)):
+        (folder / f"{name}.txt").write_bytes(text.encode(encoding))
+    return folder
+
+
+@pytest.mark.parametrize("change", [str, lambda s: s.replace("\n", "\r\n"), lambda s: "\ufeff" + s, str.rstrip])
+def test_text_is_read_whatever_its_line_ends(tmp_path, change):
+    images = change(IMAGES) if change is not str.rstrip else IMAGES
+    model = loom.read_colmap_model(write_text(tmp_path, change(CAMERAS), images, change(POINTS)))
+    assert model.names == ("a b.png", "c.png")
+    assert model.pixels.tolist() == [[10, 20]]
+    assert model.colors.tolist() == [[1, 2, 3]]
+    assert model.errors.tolist() == [0.5]
+
+
+def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
+    model = loom.read_colmap_model(write_text(tmp_path, points=POINTS + "9 1 1 1 0 0 0 -1\n"))
+    assert np.isnan(model.errors[1])
+    assert model.view_counts.tolist() == [1, 0]
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "message"),
+    [
+        ("cameras", "1 PINHOLE 640\n", "line 1.*got 3 columns"),
+        ("cameras", "1 METASHAPE 640 480 1 1 1 1\n", "line 1.*unknown camera model"),
+        ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", "line 1.*takes fx, fy, cx, cy; got 5"),
+        ("cameras", "1 PINHOLE 640 480 1 1 1 x\n", "line 1.*not a number: 'x'"),
+        ("cameras", "1 PINHOLE 6_40 480 1 1 1 1\n", "line 1.*whole number, got '6_40'"),
+        ("cameras", CAMERAS + CAMERAS[8:], "line 4.*number 1 stands twice"),
+        ("cameras", "# nothing\n", "camera 1, which cameras.txt does not have"),
+        ("images", "1 1 0 0 0 0 0 0 1\n\n", "line 1.*got 9 columns"),
+        ("images", "1 1 0 0 0 0 0 0 1 a", "line 1.*line of keypoints is missing"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2\n", "line 2.*3 numbers a keypoint"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 0.5\n", "line 2.*whole number"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 nan 3\n", "not finite"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n1 1 0 0 0 0 0 0 1 b\n\n", "line 3.*number 1 stands twice"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n2 1 0 0 0 0 0 0 1 a\n\n", "line 3.*'a' stands twice"),
+        ("images", "1 0.5 0.5 0.5 0.6 0 0 0 1 a\n1 2 3\n", "line 1.*no pose"),
+        ("images", "# nothing\n", "holds no picture"),
+        ("points3D", "\n# c\n3 0 0 2 1 2 3 0.5 1\n", "line 3.*expected 8 numbers"),
+        ("points3D", "3 0 0 2 1 2 256 0.5 1 0\n", "line 1.*colours of 0..255"),
+        ("points3D", "3 0 0 2 1 2 2.5 0.5 1 0\n", "line 1.*a colour: expected a whole number"),
+        ("points3D", "3 0 0 nan 1 2 3 0.5 1 0\n", "line 1.*not finite"),
+        ("points3D", "3 0 0 2 1 2 3 0.5 2 0\n", "line 1.*not so there"),
+        ("points3D", "", "sees point 3, which points3D.txt does not have"),
+        ("points3D", "3 0 0 2 1 2 3 0.5\n", "1 keypoints belong to points, but the tracks have 0"),
+        ("points3D", POINTS + POINTS, "line 2.*number 3 stands twice"),
+        ("points3D", "3 0 0 2,0 1 2 3 0.5 1 0\n", "line 1.*not a number"),
+    ],
+)
+def test_text_that_makes_no_sense_is_told_with_its_line(tmp_path, file, text, message):
+    write_text(tmp_path, **{{"points3D": "points"}.get(file, file): text})
+    with pytest.raises(loom.FileError, match=message):
+        loom.read_colmap_model(tmp_path)
+
+
+def test_text_in_another_encoding_is_told(tmp_path):
+    write_text(tmp_path)
+    (tmp_path / "images.txt").write_bytes(IMAGES.replace("a b", "größe").encode("latin-1"))
+    with pytest.raises(loom.FileError, match=r"/images\.txt \(byte 20\):"):
+        loom.read_colmap_model(tmp_path)
+
+
+KILLED = """
+import os, sys
+from pathlib import Path
+import numpy as np
+import pointloom as loom
+
+def write(folder, name, form):
+    camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+    loom.write_colmap_model(folder, loom.SfmModel([name], [camera], np.eye(4)[None]), format=form)
+
+def counted(function):
+    def call(*args, **kwargs):
+        left[0] -= 1
+        if not left[0]:
+            os._exit(9)
+        return function(*args, **kwargs)
+    return call
+
+step, status = 0, 9
+while status:
+    step += 1
+    folder = Path(sys.argv[1], str(step))
+    write(folder, "old.png", sys.argv[2])
+    (folder / "rigs.bin").write_bytes(b"of the old model")
+    (folder / "notes.txt").write_text("another file")
+    if not (child := os.fork()):
+        left = [step]
+        os.rename, os.replace, os.unlink, os.rmdir = map(counted, (os.rename, os.replace, os.unlink, os.rmdir))
+        write(folder, "new.png", "bin")
+        os._exit(0)
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["bin", "txt"])
+def test_a_model_survives_a_kill_at_each_step_of_its_replacement(tmp_path, form):
+    subprocess.run([sys.executable, "-c", KILLED, tmp_path, form], check=True)
+    ends = []
+    for folder in sorted(tmp_path.iterdir(), key=lambda path: int(path.name)):
+        ends += [*loom.read_colmap_model(folder).names]
+        assert (folder / "rigs.bin").exists() == (ends[-1] == "old.png") and (folder / "notes.txt").exists()
+    assert ends == sorted(ends, reverse=True) and {*ends} == {"old.png", "new.png"} and len(ends) > 8
+
+
+def test_a_folder_that_claims_to_be_half_replaced_removes_no_other_file(tmp_path):
+    folder, other = tmp_path / "sparse", tmp_path / "other.txt"
+    other.write_text("kept")
+    camera = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+    loom.write_colmap_model(folder, loom.SfmModel(["a.png"], [camera], np.eye(4)[None]))
+    (folder / ".files.new").mkdir()
+    (folder / ".files.new" / ".list.json").write_text(json.dumps(["../other.txt", "../../other.txt", "notes.txt"]))
+    (folder / "notes.txt").write_text("kept")
+    assert loom.read_colmap_model(folder).names[0] == "a.png"
+    assert other.exists() and (folder / "notes.txt").exists()

@@ -1,0 +1,256 @@
+"""Folders of RGB-D frames: what belongs together is found, and what does not fit is named."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from pointloom.cameras.camera import PinholeCameraIntrinsic, write_pinhole_camera_intrinsic
+from pointloom.core.errors import DatasetError, FileError
+from pointloom.io.frames.datasets import open_dataset
+from pointloom.io.pictures.image_files import write_png
+
+from .frame_folders import (
+    LAYOUTS,
+    SMALL,
+    depth_map,
+    make,
+    make_redwood,
+    make_seven_scenes,
+    make_tum,
+    picture,
+    write_poses,
+)
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_each_layout_is_told_apart_and_read_in_order(tmp_path, layout):
+    dataset = open_dataset(make(layout, tmp_path / "set"), intrinsic=SMALL)
+    scale = 5000 if layout == "tum" else 1000
+    assert (dataset.layout, len(dataset), dataset.depth_scale, dataset.left_out) == (layout, 3, scale, [])
+    for i, frame in enumerate(dataset):
+        assert frame.color is not None
+        assert frame.depth.dtype == np.uint16 and frame.color.dtype == np.uint8
+        assert (frame.depth == scale + i).all() and np.abs(frame.color.astype(int) - i).max() <= 1
+        assert frame.T_world_camera[0, 3] == i and frame.name == dataset.frames[i].name
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_every_second_frame_begins_with_the_first(tmp_path, layout):
+    dataset = open_dataset(make(layout, tmp_path / "set"), intrinsic=SMALL, every=2)
+    assert [frame.T_world_camera[0, 3] for frame in dataset] == [0, 2]
+    assert dataset.read(-1).T_world_camera[0, 3] == 2
+    with pytest.raises(IndexError):
+        dataset.read(2)
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_a_set_without_color_has_frames_without_color(tmp_path, layout):
+    folder = make(layout, tmp_path / "set")
+    for path in [*folder.glob("*.color.png"), folder / "rgb.txt"]:
+        path.unlink(missing_ok=True)
+    for name in ("color", "rgb"):
+        shutil.rmtree(folder / name, ignore_errors=True)
+    frame = open_dataset(folder, intrinsic=SMALL).read(1)
+    assert frame.color is None and frame.T_world_camera[0, 3] == 1
+
+
+@pytest.mark.parametrize("every", [0, -1, 1.5, "2", True])
+def test_every_must_be_a_positive_number(tmp_path, every):
+    with pytest.raises(DatasetError, match="every:"):
+        open_dataset(make_redwood(tmp_path / "set"), every=every)
+
+
+def test_unknown_layouts_and_folders_are_refused(tmp_path):
+    with pytest.raises(ValueError, match="layout:"):
+        open_dataset(tmp_path, layout="scannet")
+    with pytest.raises(DatasetError, match="/none:"):
+        open_dataset(tmp_path / "none")
+    (tmp_path / "file").write_text("")
+    with pytest.raises(DatasetError, match="/file:"):
+        open_dataset(tmp_path / "file")
+
+
+def test_an_empty_folder_is_told_what_was_looked_for(tmp_path):
+    (tmp_path / "depth").mkdir()
+    with pytest.raises(DatasetError) as caught:
+        open_dataset(tmp_path)
+    for claim in ("frame-NNNNNN.depth.png (missing)", "depth/ (found)", "trajectory.log (missing)", "groundtruth.txt"):
+        assert claim in str(caught.value)
+    for layout in LAYOUTS:
+        with pytest.raises(DatasetError):
+            open_dataset(tmp_path, layout=layout)
+
+
+def test_two_layouts_in_one_folder_need_a_word(tmp_path):
+    folder = make_redwood(tmp_path / "set")
+    (folder / "depth.txt").write_text("0 depth/00000.png\n0.1 depth/00001.png\n")
+    write_poses(folder, [(0, 5), (0.1, 6)])
+    with pytest.raises(DatasetError, match="ambiguous:"):
+        open_dataset(folder)
+    assert len(open_dataset(folder, layout="redwood", intrinsic=SMALL)) == 3
+    assert open_dataset(folder, layout="tum", intrinsic=SMALL).frames[1].T_world_camera[0, 3] == 6
+
+
+def test_seven_scenes_marks_of_no_measurement_become_zero(tmp_path):
+    folder = make_seven_scenes(tmp_path / "set")
+    depth = depth_map(1500)
+    depth[0, :3] = 0, 65534, 65535
+    write_png(folder / "frame-000001.depth.png", depth)
+    assert open_dataset(folder, intrinsic=SMALL).read(1).depth[0, :4].tolist() == [0, 65534, 0, 1500]
+
+
+def test_other_layouts_keep_the_largest_depth(tmp_path):
+    folder = make_redwood(tmp_path / "set")
+    write_png(folder / "depth" / "00001.png", depth_map(65535))
+    assert (open_dataset(folder, intrinsic=SMALL).read(1).depth == 65535).all()
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_default_cameras_are_those_of_the_layout(tmp_path, layout):
+    folder = make(layout, tmp_path / "set")
+    for path in folder.rglob("*.png"):
+        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
+    for path in folder.rglob("*.jpg"):
+        Image.fromarray(picture(1, (480, 640, 3))).save(path)
+    expected = PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240) if layout == "7scenes" else None
+    assert open_dataset(folder).intrinsic == (expected or PinholeCameraIntrinsic.prime_sense_default())
+
+
+def test_the_camera_in_the_folder_goes_before_the_default_and_a_given_one_before_both(tmp_path):
+    folder = make_redwood(tmp_path / "set")
+    write_pinhole_camera_intrinsic(folder / "camera.json", SMALL)
+    assert open_dataset(folder).intrinsic == SMALL
+    other = PinholeCameraIntrinsic(8, 6, 9.0, 9.0, 3.5, 2.5)
+    assert open_dataset(folder, intrinsic=other).intrinsic == other
+    write_pinhole_camera_intrinsic(folder / "intrinsic.json", other)
+    with pytest.raises(DatasetError, match=r"intrinsic\.json"):
+        open_dataset(folder)
+
+
+def test_the_depth_scale_of_a_recorder_is_heeded(tmp_path):
+    folder = make_redwood(tmp_path / "set")
+    matrix = SMALL.matrix.T.ravel().tolist()
+    content = {"width": 8, "height": 6, "intrinsic_matrix": matrix, "depth_scale": 4000.0}
+    (folder / "intrinsic.json").write_text(json.dumps(content))
+    assert open_dataset(folder).depth_scale == 4000
+    (folder / "intrinsic.json").write_text(json.dumps({**content, "depth_scale": 0}))
+    with pytest.raises(FileError, match=r"/intrinsic\.json \(key depth_scale\):"):
+        open_dataset(folder)
+
+
+def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
+    folder = make_seven_scenes(tmp_path / "seq-07")
+    np.savetxt(tmp_path / "camera-intrinsics.txt", SMALL.matrix)
+    assert open_dataset(folder).intrinsic == SMALL
+    (folder / "camera-intrinsics.txt").write_text("1 0 0\n0 1 0\n")
+    with pytest.raises(FileError, match=r"/camera-intrinsics\.txt:.*3.*2"):
+        open_dataset(folder)
+
+
+def test_two_matrices_that_disagree_are_refused(tmp_path):
+    folder = make_seven_scenes(tmp_path / "set")
+    for name in ("K.txt", "intrinsics.K.txt"):
+        np.savetxt(folder / name, SMALL.matrix)
+    assert open_dataset(folder).intrinsic == SMALL
+    np.savetxt(folder / "K.txt", SMALL.scaled(0.5).matrix)
+    with pytest.raises(DatasetError, match=r"K\.txt"):
+        open_dataset(folder)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "doubt"),
+    [
+        ((7, 7, 7.5, 5.5), "of pictures of 8 x 6; it may be that of 15 x 11"),
+        ((7, 7, 0, 0), r"principal point \(0, 0\) lies far from the middle"),
+        ((7, 200, 3.5, 2.5), "focal length 200 makes a field of view of 1.72"),
+        ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees of a width of 8"),
+    ],
+)
+def test_a_camera_that_the_images_contradict_is_reported(tmp_path, numbers, doubt):
+    folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
+    np.savetxt(folder / "intrinsics.K.txt", given.matrix)
+    assert re.search(doubt, open_dataset(folder).intrinsic_doubt)
+    dataset = open_dataset(folder, intrinsic=given)
+    assert re.search(doubt, dataset.intrinsic_doubt)
+    assert dataset.intrinsic_source == "the intrinsic given"
+
+
+@pytest.mark.parametrize("name", ["kinect_calibration.yaml", "intrinsics.xml", "frames.K.txt", "Camera.txt"])
+def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_path, name):
+    folder = make_seven_scenes(tmp_path / "set", 1)
+    for path in folder.glob("*.png"):
+        write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
+    assert open_dataset(folder).intrinsic_doubt == ""
+    (folder / name).write_text("fx: 500\n")
+    dataset = open_dataset(folder)
+    assert dataset.intrinsic_source == "the default of 7-Scenes"
+    assert dataset.intrinsic_doubt == f"{name} lies beside the frames and was not read; give it with intrinsic="
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_a_camera_of_another_size_is_refused(tmp_path, layout):
+    folder = make(layout, tmp_path / "set")
+    with pytest.raises(DatasetError, match=r"is 8 x 6, but the default of .* is for 640 x 480"):
+        open_dataset(folder)
+    with pytest.raises(DatasetError, match=r"the intrinsic given is for 4 x 3.*scaled"):
+        open_dataset(folder, intrinsic=SMALL.scaled(0.5))
+
+
+def test_pictures_that_change_after_opening_are_noticed(tmp_path):
+    folder = make_redwood(tmp_path / "set")
+    dataset = open_dataset(folder, intrinsic=SMALL)
+    write_png(folder / "depth" / "00001.png", depth_map(1, (3, 4)))
+    with pytest.raises(FileError, match=r"00001\.png"):
+        dataset.read(1)
+    data = (folder / "depth" / "00000.png").read_bytes()
+    (folder / "depth" / "00000.png").write_bytes(data[:-20])
+    with pytest.raises(FileError, match=r"00000\.png"):
+        dataset.read(0)
+    assert len(open_dataset(make_redwood(tmp_path / "other"), intrinsic=SMALL)) == 3
+
+
+def test_the_red_kitchen_opens_with_its_own_camera(real_file):
+    dataset = open_dataset(real_file("rgbd-7scenes-redkitchen"), every=100)
+    assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, 1000)
+    assert dataset.intrinsic == PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240)
+    assert dataset.intrinsic_doubt == ""
+    frame = dataset.read(1)
+    assert frame.name == "frame-000100" and frame.color is not None and frame.color.shape == (480, 640, 3)
+    assert 0 < frame.depth.max() < 10_000
+
+
+def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
+    """The depth of the last frame, seen from the first, agrees to centimetres where both see."""
+    dataset = open_dataset(scan_file("rgbd-cupoch-redwood5"))
+    assert dataset.layout == "redwood" and len(dataset) == {"shipped": 3, "real": 5}[scan_set]
+    first, last = dataset.read(0), dataset.read(len(dataset) - 1)
+    K = dataset.intrinsic.matrix
+    v, u = np.nonzero(last.depth)
+    z = last.depth[v, u] / dataset.depth_scale
+    points = np.linalg.inv(K) @ (np.stack([u, v, np.ones_like(u)]) * z)
+    T_first_last = np.linalg.inv(first.T_world_camera) @ last.T_world_camera
+    points = T_first_last[:3, :3] @ points + T_first_last[:3, 3:]
+    u, v = np.rint((K @ points)[:2] / points[2]).astype(int)
+    seen = (u >= 0) & (v >= 0) & (u < 640) & (v < 480)
+    there = first.depth[v[seen], u[seen]] / dataset.depth_scale
+    assert np.median(np.abs(there - points[2][seen])[there > 0]) < 0.01
+
+
+def test_a_folder_of_frames_says_itself_in_one_line(tmp_path):
+    dataset = open_dataset(make_tum(tmp_path / "set"), intrinsic=SMALL)
+    size = f"{SMALL.width} x {SMALL.height}"
+    assert repr(dataset) == f"RGBDDataset(tum, {len(dataset)} frames with poses, {size}, depth_scale 5000)"
+
+
+def test_a_list_with_a_name_that_no_file_can_have_is_an_error_that_names_it(tmp_path):
+    folder = make_tum(tmp_path / "set")
+    lines = (folder / "depth.txt").read_text().splitlines()
+    (folder / "depth.txt").write_text("\n".join([*lines[:-1], f"{lines[-1].split()[0]} {'n' * 5000}.png", ""]))
+    with pytest.raises(DatasetError, match=r"n\.png"):
+        open_dataset(folder, intrinsic=SMALL)

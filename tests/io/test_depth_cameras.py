@@ -1,0 +1,218 @@
+"""Drivers of depth cameras, played by stubs of their modules: frames, calibration, and what happens when one fails."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import CameraError
+from pointloom.io.frames.depth_cameras import LensMap, distort
+from pointloom.io.frames.rgbd_sources import RGBDSource
+
+from .camera_stubs import HEIGHT, WIDTH, K4ATimeoutException, KinectStub, RealSenseStub, color_of, depth_of
+
+CAMERA = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 30.0, 30.0, 15.5, 11.5)
+
+
+@pytest.fixture
+def realsense(monkeypatch):
+    def plug_in(*arguments, **options):
+        stub = RealSenseStub(*arguments, **options)
+        monkeypatch.setitem(sys.modules, "pyrealsense2", stub)
+        return stub
+
+    return plug_in
+
+
+@pytest.fixture
+def kinect(monkeypatch):
+    def plug_in(*arguments, **options):
+        stub = KinectStub(*arguments, **options)
+        monkeypatch.setitem(sys.modules, "pyk4a", stub)
+        return stub
+
+    return plug_in
+
+
+@pytest.mark.parametrize(
+    ("camera", "module", "extra"),
+    [(loom.RealSenseCamera, "pyrealsense2", "realsense"), (loom.AzureKinectCamera, "pyk4a", "azure-kinect")],
+)
+def test_a_missing_driver_is_named_with_what_installs_it(monkeypatch, camera, module, extra):
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(CameraError, match=rf"{module}.*pip install \"pointloom\[{extra}\]\""):
+        camera()
+
+
+def take(camera, count):
+    """The first frames of a camera that never ends."""
+    return [frame for _, frame in zip(range(count), camera, strict=False)]
+
+
+def test_frames_of_a_realsense_come_with_calibration_and_time(realsense):
+    stub = realsense([1, 2, 3])
+    with loom.RealSenseCamera(serial="0123", width=WIDTH, height=HEIGHT, rate=15) as camera:
+        assert isinstance(camera, RGBDSource)
+        assert (camera.intrinsic, camera.depth_scale) == (CAMERA, pytest.approx(4000, rel=1e-12))
+        frames = take(camera, 3)
+    assert not stub.running
+    assert stub.asked[:3] == [
+        ("enable_device", "0123"),
+        ("enable_stream", "depth", WIDTH, HEIGHT, "z16", 15),
+        ("enable_stream", "color", WIDTH, HEIGHT, "rgb8", 15),
+    ]
+    for i, frame in enumerate(frames, 1):
+        assert np.array_equal(frame.depth, depth_of(i)) and np.array_equal(frame.color, color_of(i))
+        assert frame.timestamp == pytest.approx(0.033 * i) and frame.T_world_camera is None
+    assert [frame.name for frame in frames] == ["frame-000000", "frame-000001", "frame-000002"]
+
+
+def test_frames_without_colour_yet_are_passed_over(realsense):
+    realsense(["late", 1])
+    assert np.array_equal(take(loom.RealSenseCamera(), 1)[0].color, color_of(1))
+    realsense(["late"])
+    frame = take(loom.RealSenseCamera(color=False), 1)[0]
+    assert frame.color is None and np.array_equal(frame.depth, depth_of(0))
+
+
+def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense):
+    """As the driver gives them: a picture again and again while it waits for the other camera."""
+    realsense([(1, 1), (2, 1), (2, 2), (3, 2), (4, 3), (4, 4), (5, 5)])
+    camera = loom.RealSenseCamera()
+    pairs = [(frame.depth[0, 0] - 1000, frame.color[0, 0, 2]) for frame in take(camera, 5)]
+    assert pairs == [(1, 1), (2, 2), (3, 2), (4, 4), (5, 5)]
+    assert (camera.dropped, camera.notes) == (0, [])
+
+
+def test_a_frame_that_waits_for_its_colour_is_not_lost_with_the_camera(realsense):
+    realsense([1, (2, 1), RuntimeError("Device disconnected")])
+    taken = []
+    with pytest.raises(CameraError, match="stopped after 2 frames: Device disconnected"):
+        taken.extend(frame.timestamp for frame in loom.RealSenseCamera())
+    realsense([1, (2, 1)])
+    assert len(list(loom.RealSenseCamera(file="walk.bag"))) == 2
+
+
+def test_frames_that_the_driver_lost_are_counted(realsense):
+    realsense([1, 2, 7, 8])
+    camera = loom.RealSenseCamera()
+    take(camera, 4)
+    assert (camera.count, camera.dropped) == (4, 4)
+    assert camera.notes == ["4 frames were lost before they reached the program"]
+
+
+@pytest.mark.parametrize(
+    ("last", "message"),
+    [
+        ("silence", "the RealSense camera sent nothing for 0.5 s after 2 frames"),
+        (RuntimeError("Device disconnected"), "stopped after 2 frames: Device disconnected"),
+    ],
+)
+def test_a_realsense_that_fails_says_so_after_its_last_whole_frame(realsense, last, message):
+    stub = realsense([1, 2, last])
+    camera, taken = loom.RealSenseCamera(timeout=0.5), []
+    with pytest.raises(CameraError, match=message), camera:
+        for frame in camera:
+            taken.append(frame)
+    assert len(taken) == 2 and np.array_equal(taken[0].depth, depth_of(1))
+    assert ("wait", 500) in stub.asked and not stub.running
+
+
+def test_a_realsense_that_is_not_there_is_an_error(realsense):
+    realsense([], start_error=RuntimeError("No device connected"))
+    with pytest.raises(CameraError, match=r"No device connected\. Check the cable"):
+        loom.RealSenseCamera()
+
+
+def test_a_lens_of_an_unknown_kind_is_refused_and_the_camera_released(realsense):
+    stub = realsense([1], model="ftheta", coefficients=(0.1, 0, 0, 0, 0))
+    with pytest.raises(CameraError, match="ftheta"):
+        loom.RealSenseCamera()
+    assert not stub.running
+
+
+@pytest.mark.parametrize("jpeg", [False, True])
+def test_frames_of_a_kinect_recording_come_with_calibration_and_time(kinect, jpeg):
+    stub = kinect(["late", 1, 2], jpeg=jpeg)
+    with loom.AzureKinectCamera(file="walk.mkv") as camera:
+        assert (camera.intrinsic, camera.depth_scale) == (CAMERA, 1000.0)
+        frames = list(camera)
+    assert stub.asked == ["walk.mkv"] and not stub.running
+    assert [frame.timestamp for frame in frames] == pytest.approx([0.033, 0.066])
+    for i, frame in enumerate(frames, 1):
+        assert np.array_equal(frame.depth, depth_of(i))
+        assert np.abs(frame.color.astype(int) - color_of(i)).max() <= (12 if jpeg else 0)
+
+
+def test_a_kinect_that_fails_says_so_after_its_last_whole_frame(kinect):
+    stub = kinect([1, 2, "silence"])
+    camera, taken = loom.AzureKinectCamera(number=1), []
+    assert stub.asked[0][1] == 1 and stub.asked[0][0]["synchronized_images_only"]
+    with pytest.raises(CameraError, match="stopped after 2 frames: K4ATimeoutException"), camera:
+        for frame in camera:
+            taken.append(frame)
+    assert len(taken) == 2 and not stub.running
+
+
+def test_a_kinect_that_is_not_there_is_an_error(kinect):
+    kinect([], start_error=K4ATimeoutException())
+    with pytest.raises(CameraError, match="no Azure Kinect 0 can be opened"):
+        loom.AzureKinectCamera()
+    kinect([])
+    with pytest.raises(CameraError, match="holds no frame"):
+        loom.AzureKinectCamera(file="empty.mkv")
+
+
+def bent_scene(lens_coefficients):
+    """Depth and colour of a plane through a lens, and through a pinhole, at 160 x 120."""
+    camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
+    v, u = np.mgrid[:120, :160].astype(float)
+    x, y = (u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy
+    k = np.zeros(8)
+    k[: len(lens_coefficients)] = lens_coefficients
+    ideal = np.stack([x, y])
+    for _ in range(60):  # which ideal place each pixel of the lens shows
+        ideal = ideal - (distort(ideal, k) - np.stack([x, y]))
+
+    def scene(a, b):
+        return (2000 + 400 * a + 300 * b).astype(np.uint16), (127 + 80 * np.sin(6 * a) * np.cos(5 * b)).astype(np.uint8)
+
+    return camera, scene(*ideal), scene(x, y)
+
+
+@pytest.mark.parametrize(
+    "coefficients", [(0.12, -0.2, 0.001, -0.002, 0.05), (0.5, -2.5, 3e-4, 1e-4, 1.5, 0.4, -2.3, 1.4)]
+)
+def test_the_lens_is_taken_out_of_depth_and_colour(coefficients):
+    camera, (depth, grey), (straight_depth, straight_grey) = bent_scene(coefficients)
+    lens = LensMap(camera, coefficients)
+    assert lens.shift > 0.3
+    got, color = lens.straighten_depth(depth), lens.straighten_color(np.dstack([grey] * 3))
+    seen = got > 0
+    assert seen.mean() > 0.9
+    assert np.abs(got.astype(int) - straight_depth)[seen].max() <= 3  # half a pixel of slope
+    assert np.abs(color[..., 1].astype(int) - straight_grey)[seen].max() <= 3
+
+
+def test_the_inverse_model_undoes_the_model():
+    camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
+    k = (0.1, -0.1, 0.001, 0.001, 0.02)
+    lens = LensMap(camera, k, inverse=True)
+    places = np.stack([(lens.places[0] - camera.cx) / camera.fx, (lens.places[1] - camera.cy) / camera.fy])
+    back = distort(places, np.array([*k, 0, 0, 0]))
+    v, u = np.mgrid[:120, :160]
+    assert np.abs(back[0] * camera.fx + camera.cx - u).max() < 1e-6
+    assert np.abs(back[1] * camera.fy + camera.cy - v).max() < 1e-6
+
+
+def test_a_camera_whose_lens_bends_gives_straight_frames(kinect):
+    kinect([1], coefficients=(0.3, -0.1, 0, 0, 0, 0, 0, 0))
+    camera = loom.AzureKinectCamera(file="walk.mkv")
+    frame = next(iter(camera))
+    expected = LensMap(CAMERA, (0.3, -0.1, 0, 0, 0, 0, 0, 0))
+    assert np.array_equal(frame.depth, expected.straighten_depth(depth_of(1)))
+    assert np.array_equal(frame.color, expected.straighten_color(color_of(1)))
+    assert not np.array_equal(frame.depth, depth_of(1))

@@ -1,0 +1,162 @@
+"""The unit of LAS files: read from text and keys, never invented, taken along when they are written."""
+
+from __future__ import annotations
+
+import struct
+
+import laspy
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.units import LengthUnit
+from pointloom.io.points.las import open_las
+from pointloom.io.points.las_crs import GeographicWarning
+from pointloom.io.points.las_units import units_of
+
+DEGREES = 'UNIT["degree",0.0174532925199433]'
+GEO = f'GEOGCS["NAD83",DATUM["x",SPHEROID["y",6378137,298.25]],PRIMEM["Greenwich",0],{DEGREES}]'
+US = 'UNIT["US survey foot",0.304800609601219,AUTHORITY["EPSG","9003"]]'
+PLANE = f'PROJCS["Oregon",{GEO},PROJECTION["x"],PARAMETER["false_easting",2500000],{US},AXIS["X",EAST]]'
+NEW_BASE = 'BASEGEOGCRS["NAD83",DATUM["x",ELLIPSOID["y",6378137,298.2,LENGTHUNIT["metre",1]]]]'
+NEW = (
+    f'PROJCRS["UTM",{NEW_BASE},CONVERSION["c",METHOD["m"],PARAMETER["False easting",5e5,LENGTHUNIT["metre",1]]],'
+    'CS[Cartesian,2],AXIS["e",east,ORDER[1],LENGTHUNIT["foot",0.3048]],AXIS["n",north,LENGTHUNIT["foot",0.3048]]]'
+)
+
+
+def keys(*entries, doubles=()):
+    """GeoTIFF's records: keys with their values, and the numbers that they may point to."""
+    flat = [
+        part for key, value in entries for part in ((key, 0, 1, value) if isinstance(value, int) else (key, *value))
+    ]
+    found = {34735: struct.pack(f"<{4 + len(flat)}H", 1, 1, 0, len(entries), *flat)}
+    return found | ({34736: struct.pack(f"<{len(doubles)}d", *doubles)} if doubles else {})
+
+
+def write(path, records, *, says_text=False):
+    """A file of three points with these records."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = [0.01] * 3, [0, 0, 0]
+    header.global_encoding.wkt = says_text
+    for number, content in records.items():
+        content = content.encode() if isinstance(content, str) else content
+        header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
+    record = laspy.ScaleAwarePointRecord.zeros(3, header=header)
+    record.X = record.Y = record.Z = np.array([0, 100, 1000])
+    with laspy.open(path, mode="w", header=header) as writer:
+        writer.write_points(record)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("text", "plane", "height"),
+    [
+        (PLANE, "US survey foot", None),
+        (PLANE.replace("[", "(").replace("]", ")"), "US survey foot", None),
+        (f'COMPD_CS["both",{PLANE},VERT_CS["h",VERT_DATUM["d",2005],{US}]]', "US survey foot", "US survey foot"),
+        (f'COMPD_CS["both",{PLANE},VERT_CS["h",VERT_DATUM["d",2005],UNIT["metre",1]]]', "US survey foot", "metre"),
+        (NEW, "foot", None),
+        (NEW.replace("Cartesian,2", "Cartesian,3")[:-1] + ',AXIS["h",up,LENGTHUNIT["metre",1]]]', "foot", "metre"),
+        (f'COMPOUNDCRS["c",{NEW},VERTCRS["v",CS[vertical,1],AXIS["h",up],LENGTHUNIT["metre",1]]]', "foot", "metre"),
+        (f'BOUNDCRS[SOURCECRS[{NEW}],TARGETCRS[GEOGCRS["WGS 84"]]]', "foot", None),
+        ('LOCAL_CS["site",LOCAL_DATUM["x",0],UNIT["Gold Coast foot",0.304799710181508]]', "Gold Coast foot", None),
+        (GEO, "degree", None),
+        (f'GEOGCRS["WGS 84",CS[ellipsoidal,2],AXIS["lat",north],AXIS["lon",east],ANGLE{DEGREES}]', "degree", None),
+        (GEO.replace(DEGREES, 'UNIT["grad",0.015707963267949]'), None, None),
+        ('GEOCCS["earth",DATUM["x"],UNIT["metre",1]]', "metre", None),
+        # what is not told, or not whole, is no unit: neither that of the system below nor one that a name suggests
+        (f'PROJCS["NAD83 / Oregon (ft)",{GEO},PROJECTION["x"]]', None, None),
+        (PLANE[:-1], None, None),
+        (PLANE + "]", None, None),
+        (PLANE + PLANE, None, None),
+        (PLANE.replace("0.304800609601219", "0.3O48"), None, None),
+        (PLANE.replace("0.304800609601219", "0"), None, None),
+        (PLANE.replace("0.304800609601219", "1"), None, None),
+        (PLANE.replace(US, f'{US},UNIT["metre",1]'), None, None),
+        (PLANE.replace(US, 'UNIT["US survey foot"]'), None, None),
+        (PLANE.replace('"Oregon"', '"Oregon'), None, None),
+        (NEW.replace('north,LENGTHUNIT["foot",0.3048]', 'north,LENGTHUNIT["metre",1]'), None, None),
+        ("\xff[", None, None), ("", None, None), ("[" * 50_000, None, None), ("A[" * 20_000, None, None),
+    ],
+)  # fmt: skip
+def test_the_unit_is_what_well_known_text_says(text, plane, height, tmp_path):
+    found = units_of(open_las(write(tmp_path / "a.las", {2112: text})).header)
+    assert (found.plane, found.height) == (plane, height)
+
+
+@pytest.mark.parametrize(
+    ("records", "plane", "height"),
+    [
+        (keys((1024, 1), (3072, 2992), (3076, 9002)), "foot", None),
+        (keys((1024, 1), (3076, 9003), (4099, 9003)), "US survey foot", "US survey foot"),
+        (keys((1024, 1), (3076, 9001), (4099, 9002)), "metre", "foot"),
+        (keys((1024, 1), (3076, 32767), (3077, (34736, 1, 1)), doubles=(1.5, 0.3048)), "foot", None),
+        (keys((1024, 1), (3076, 32767), (3077, (34736, 1, 2)), doubles=(1.5, 0.3048)), None, None),
+        (keys((1024, 1), (3076, 32767)), None, None),
+        (keys((1024, 1), (3072, 2992)), None, None),
+        (keys((1024, 1), (3076, 65000)), None, None),
+        (keys((1024, 2), (3076, 9001)), "degree", None),
+        (keys((1024, 2), (2054, 9105)), None, None),
+        (keys((1024, 3), (2052, 9001)), "metre", None),
+        ({34735: b"\1\0\1"}, None, None),
+    ],
+)
+def test_the_unit_is_what_keys_say(records, plane, height, tmp_path):
+    found = units_of(open_las(write(tmp_path / "a.las", records)).header)
+    assert (found.plane, found.height) == (plane, height)
+
+
+def test_heights_in_another_unit_are_a_warning_with_what_mends_it(tmp_path):
+    path = write(tmp_path / "a.las", keys((1024, 1), (3076, 9002), (4099, 9001)))
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:.*3\.280839895") as told:
+        cloud = loom.read_point_cloud(path)
+    assert cloud.unit == "foot" and told[0].filename == __file__
+    with pytest.warns(loom.UnitWarning) as told:
+        parts = list(loom.read_las_chunks(path, 1))
+    assert [part.unit for part in parts] == ["foot"] * 3 and len(told) == 1
+
+
+def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
+    path = write(tmp_path / "a.las", keys((1024, 2), (4099, 9003)))
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:"), pytest.warns(GeographicWarning):
+        cloud = loom.read_point_cloud(path)
+    assert cloud.unit == "degree"
+    assert loom.project_to_utm(cloud).unit == "metre"
+
+
+@pytest.mark.parametrize(("says_text", "unit"), [(True, "US survey foot"), (False, "metre")])
+def test_text_and_keys_that_differ_are_a_warning_and_the_header_says_which_counts(says_text, unit, tmp_path):
+    path = write(tmp_path / "a.las", {2112: PLANE} | keys((1024, 1), (3076, 9001)), says_text=says_text)
+    if says_text:  # LAS 1.4: the keys do not count
+        assert loom.read_point_cloud(path).unit == unit
+        return
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:"):
+        assert loom.read_point_cloud(path).unit == unit
+
+
+def test_real_files_are_in_the_units_that_they_tell(shipped_file):
+    units = {"laz/autzen_trim.laz": "foot", "autzen/autzen-thin-srs.las": "foot", "autzen/autzen-utm.las": "metre"}
+    for name, unit in units.items():
+        assert loom.read_point_cloud(shipped_file(f"lidar-pdal/{name}")).unit == unit, name
+    assert loom.read_point_cloud(shipped_file("lidar-pdal/las/1.2-with-color.las")).unit is None
+
+
+@pytest.mark.parametrize("name", ["a.las", "a.laz"])
+@pytest.mark.parametrize("unit", ["foot", "US survey foot", "metre", LengthUnit('5" ell', "el", 0.5)], ids=str)
+def test_a_file_that_is_written_tells_the_unit_of_the_cloud(name, unit, tmp_path):
+    cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit)
+    loom.write_point_cloud(tmp_path / name, cloud)
+    back = loom.read_point_cloud(tmp_path / name)
+    assert back.unit.metres == cloud.unit.metres and back.unit.name == cloud.unit.name
+    assert back.points.tolist() == cloud.points.tolist()
+    assert laspy.read(tmp_path / name).header.global_encoding.wkt
+
+
+def test_like_keeps_the_system_and_warns_of_another_unit(tmp_path):
+    path = write(tmp_path / "a.las", {2112: PLANE})
+    cloud = loom.read_point_cloud(path)
+    loom.write_point_cloud(tmp_path / "b.las", cloud, like=path)
+    assert loom.read_point_cloud(tmp_path / "b.las").unit == "US survey foot"
+    with pytest.warns(loom.UnitWarning, match=r"/c\.las:.*cloud\.to_unit"):
+        loom.write_point_cloud(tmp_path / "c.las", cloud.to_unit("metre"), like=path)

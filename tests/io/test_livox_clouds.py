@@ -1,0 +1,64 @@
+"""Clouds of Livox's own message, written by rosbags with the driver's definitions."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.io.bags.clouds import table_of_livox
+
+pytest.importorskip("rosbags")
+
+from rosbags import rosbag1, rosbag2
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+
+POINT = "uint32 offset_time\nfloat32 x\nfloat32 y\nfloat32 z\nuint8 reflectivity\nuint8 tag\nuint8 line\n"
+CLOUD = "std_msgs/Header header\nuint64 timebase\nuint32 point_num\nuint8 lidar_id\nuint8[3] rsvd\n"
+
+
+def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame="livox_frame", lie=0):
+    """A recording of clouds with so many points each."""
+    store = get_typestore(Stores.ROS1_NOETIC if form == "bag1" else Stores.ROS2_HUMBLE)
+    kinds = get_types_from_msg(POINT, f"{package}/msg/CustomPoint")
+    kinds |= get_types_from_msg(CLOUD + f"{package}/CustomPoint[] points\n", f"{package}/msg/CustomMsg")
+    store.register(kinds)
+    kind = f"{package}/msg/CustomMsg"
+    path = folder / ("run.bag" if form == "bag1" else "run")
+    storage = {} if form == "bag1" else {"version": 9, "storage_plugin": rosbag2.StoragePlugin.MCAP}
+    types = store.types
+    time = types["builtin_interfaces/msg/Time"](sec=3, nanosec=7)
+    header = types["std_msgs/msg/Header"]
+    header = header(seq=1, stamp=time, frame_id=frame) if form == "bag1" else header(time, frame)
+    with (rosbag1 if form == "bag1" else rosbag2).Writer(path, **storage) as writer:
+        connection = writer.add_connection("/livox/lidar", kind, typestore=store)
+        for number, count in enumerate(counts):
+            make = types[f"{package}/msg/CustomPoint"]
+            points = [make(1000 * i, 1.5 * i, -i, 0.25 * number, i % 256, 16, i % 6) for i in range(count)]
+            message = types[kind](header, 10**18, count + lie, 1, np.zeros(3, np.uint8), points)
+            encode = store.serialize_ros1 if form == "bag1" else store.serialize_cdr
+            writer.write(connection, (number + 1) * 10**9, encode(message, kind))
+    return path
+
+
+@pytest.mark.parametrize("form", ["bag1", "mcap"])
+@pytest.mark.parametrize("frame", ["a", "livox", "livox_frame"])
+def test_points_come_with_times_lines_and_reflectivity(tmp_path, form, frame):
+    scans = list(loom.open_recording(made(tmp_path, form, frame=frame)).scans())
+    assert [len(scan) for scan in scans] == [5, 1, 0, 40]
+    i = np.arange(40)
+    np.testing.assert_array_equal(scans[3].points, np.column_stack([1.5 * i, -i, np.full(40, 0.75)]))
+    np.testing.assert_allclose(scans[3]["time"], 1e-6 * i)
+    np.testing.assert_array_equal(scans[3]["line"], i % 6)
+    np.testing.assert_array_equal(scans[3]["reflectivity"], i)
+
+
+def test_a_cloud_that_lies_or_is_cut_is_named(tmp_path):
+    with pytest.raises(FileError, match=r"/run:.*0.*6.*5"):
+        list(loom.open_recording(made(tmp_path, "mcap", lie=1)).scans())
+    recording = loom.open_recording(made(tmp_path, "bag1"))
+    encoding, data = recording.bytes_at(recording.rows_of("/livox/lidar")[3])
+    for end in (0, 10, 20, 30, len(data) - 1):
+        with pytest.raises(FileError, match=r"/run\.bag:"):
+            table_of_livox(recording.path, data[:end], encoding)

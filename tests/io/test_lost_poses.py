@@ -1,0 +1,106 @@
+"""Poses that tracking lost, marked by inf or NaN, are left out by name and never refuse more than they have to."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.cli.shell.cli import cli
+
+CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+MARKS = ["-inf", "nan", "-1.#IND", "-nan(ind)"]
+
+
+def pictures(folder, names, kind):
+    folder.mkdir(exist_ok=True)
+    for name in names:
+        pixels = np.full((48, 64), 1500, np.uint16) if kind == "depth" else np.full((48, 64, 3), 90, np.uint8)
+        Image.fromarray(pixels).save(folder / f"{name}.png")
+
+
+def matrix(mark, rows=4):
+    row = " ".join([mark] * 4)
+    return "\n".join([row] * rows) if mark else "\n".join(" ".join(map(str, r)) for r in np.eye(4)[:rows])
+
+
+def make(folder, layout, marks):
+    """A folder of frames whose poses have marks, or are right where these are empty."""
+    names = [f"{i:06d}" for i in range(len(marks))]
+    if layout == "7scenes":
+        for kind in ("depth", "color"):
+            pictures(folder, [f"frame-{name}.{kind}" for name in names], kind)
+        for name, mark in zip(names, marks, strict=True):
+            (folder / f"frame-{name}.pose.txt").write_text(matrix(mark))
+    elif layout == "redwood":
+        folder.mkdir()
+        for kind in ("depth", "color"):
+            pictures(folder / kind, names, kind)
+        log = "\n".join(f"{i} {i} {i + 1}\n{matrix(mark)}" for i, mark in enumerate(marks))
+        (folder / "trajectory.log").write_text(log + "\n")
+    elif layout == "tum":
+        folder.mkdir()
+        pictures(folder / "depth", names, "depth")
+        (folder / "depth.txt").write_text("".join(f"{i}.0 depth/{name}.png\n" for i, name in enumerate(names)))
+        rows = (f"{i}.0 {' '.join([mark] * 7) if mark else '0 0 0 0 0 0 1'}\n" for i, mark in enumerate(marks))
+        (folder / "groundtruth.txt").write_text("".join(rows))
+    else:
+        pictures(folder, [f"{name}_depth" for name in names], "depth")
+        for name, mark in zip(names, marks, strict=True):
+            (folder / f"{name}_pose.txt").write_text(matrix(mark))
+    return folder
+
+
+@pytest.mark.parametrize("layout", ["7scenes", "redwood", "tum", "pictures"])
+@pytest.mark.parametrize("mark", MARKS)
+def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, mark):
+    folder = make(tmp_path / "set", layout, ["", "", mark, ""])
+    options = {"intrinsic": CAMERA, "layout": layout}
+    scale = {"depth_scale": 1000.0}
+    frames = loom.open_frames(folder, **options, **scale)
+    assert [frame.T_world_camera is None for frame in frames] == [False, False, True, False]
+    frames = loom.open_frames(folder, **options, **scale, skip_missing=True)
+    assert len(frames) == 3 and len(frames.left_out) == 1 and "000002" in frames.left_out[0]
+    assert len(loom.open_frames(folder, **options, **scale, skip_missing="pictures")) == 4
+    if layout != "pictures":
+        with pytest.raises(loom.FileError, match=r"inf or NaN.*skip_missing=True"):
+            loom.open_dataset(folder, **options)
+        frames = loom.open_dataset(folder, **options, skip_missing=True)
+        assert len(frames) == 3 and "000002" in frames.left_out[0]
+        assert loom.fuse(frames, voxel_size=0.1).T_world_camera.shape == (3, 4, 4)
+
+
+def test_a_folder_of_lost_poses_alone_is_refused(tmp_path):
+    folder = make(tmp_path / "set", "7scenes", ["nan", "inf"])
+    with pytest.raises(loom.FileError):
+        loom.open_dataset(folder, intrinsic=CAMERA, skip_missing=True)
+
+
+def test_the_command_leaves_them_out(tmp_path, capsys):
+    folder = make(tmp_path / "set", "7scenes", ["", "-inf", "", ""])
+    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
+    words = ["fuse", str(folder), "-o", str(tmp_path / "a.ply"), "--intrinsic", str(tmp_path / "camera.json")]
+    with pytest.raises(SystemExit) as leaving:
+        cli(words)
+    assert leaving.value.code == 1 and "--skip-missing" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        cli([*words, "--skip-missing"])
+    assert "frame-000001.pose.txt" in capsys.readouterr().out and (tmp_path / "a.ply").exists()
+
+
+@pytest.mark.parametrize("mark", MARKS)
+@pytest.mark.parametrize("name", ["path.log", "path.tum", "path.kitti"])
+def test_a_trajectory_leaves_them_out_and_tells_the_others(tmp_path, name, mark):
+    rows = {
+        "path.log": lambda i, m: f"{i} {i} {i + 1}\n{matrix(m)}",
+        "path.tum": lambda i, m: f"{i}.0 " + (" ".join([m] * 7) if m else "0 0 0 0 0 0 1"),
+        "path.kitti": lambda i, m: matrix(m, 3).replace("\n", " "),
+    }[name]
+    path = tmp_path / name
+    path.write_text("\n".join(rows(i, m) for i, m in enumerate(["", mark, ""])) + "\n")
+    with pytest.raises(loom.FileError, match=r"line \d+.*skip_missing=True"):
+        loom.read_trajectory(path)
+    found = loom.read_trajectory(path, skip_missing=True)
+    numbers = found.timestamps if name == "path.tum" else found.ids[:, 0]
+    assert len(found) == 2 and list(numbers) == [0, 2] and np.isfinite(found.poses).all()
+    lens = loom.read_cameras(path, pictures=["0.png", "1.png", "2.png"], intrinsic=CAMERA)
+    assert len(lens) == 2 and lens.left_out == ("1.png: no pose",)

@@ -1,0 +1,268 @@
+"""Damaged files: a reader returns a consistent table or raises FileError, whatever the bytes."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from pointloom.cameras.picture_names import number_of
+from pointloom.core.errors import FileError
+from pointloom.io.meshes.glb import read_glb
+from pointloom.io.meshes.glb_writer import write_glb
+from pointloom.io.meshes.obj import read_obj, write_obj
+from pointloom.io.meshes.off import read_off, write_off
+from pointloom.io.meshes.stl import read_stl, write_stl
+from pointloom.io.pictures.image_files import read_color
+from pointloom.io.points.npz import read_npz, write_npz
+from pointloom.io.points.pcd import read_pcd, write_pcd
+from pointloom.io.points.ply import read_ply, read_ply_mesh, write_ply, write_ply_mesh
+from pointloom.io.points.ptx import read_ptx
+from pointloom.io.points.text import read_text, write_text
+from pointloom.io.points.text_table import read_text_table
+from pointloom.io.splats.splat_ply import read_splat_ply
+from pointloom.io.table import MeshTable, PointTable
+
+from .test_ptx import scan
+from .test_splat_files import CHUNK, compressed, packed
+from .textured_meshes import square, textured
+
+EXAMPLES = 25
+
+
+def cloud(count=7) -> PointTable:
+    rng = np.random.default_rng(11)
+    return PointTable(
+        rng.normal(size=(count, 3)).astype(np.float32),
+        rng.normal(size=(count, 3)).astype(np.float32),
+        rng.integers(0, 256, (count, 3)).astype(np.float32) / np.float32(255),
+        {"ring": rng.integers(0, 99, count).astype(np.uint16), "time": rng.random(count)},
+    )
+
+
+def quads_and_triangles(path, byte_order):
+    """Faces of varying length behind vertices that carry a list of varying length."""
+    word = {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
+    header = (
+        f"ply\nformat {word} 1.0\nelement vertex 4\nproperty float x\nproperty list uchar short tags\n"
+        "property float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+        "property uchar flag\nend_header\n"
+    )
+    f4, i2, i4 = (np.dtype(code).newbyteorder(byte_order) for code in ("f4", "i2", "i4"))
+    body = b""
+    for k in range(4):
+        tags = np.arange(k, dtype=i2)
+        body += np.array(k, f4).tobytes() + bytes([k]) + tags.tobytes() + np.array([k, k], f4).tobytes()
+    for face in ([0, 1, 2], [0, 1, 2, 3]):
+        body += bytes([len(face)]) + np.array(face, i4).tobytes() + b"\1"
+    path.write_bytes(header.encode() + body)
+
+
+def text_table(suffix):
+    table = cloud()
+    return PointTable(
+        table.points,
+        table.normals if suffix == ".xyzn" else None,
+        table.colors if suffix in (".xyzrgb", ".pts") else None,
+    )
+
+
+def mesh():
+    table = cloud(4)
+    return MeshTable(table.points, np.array([[0, 1, 2], [1, 2, 3]]), table.normals, table.colors)
+
+
+def bare_mesh():
+    return MeshTable(mesh().vertices, mesh().triangles, mesh().vertex_normals, mesh().vertex_colors)
+
+
+def write_text_stl(path):
+    corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1.5 0\n"
+    path.write_text(f"solid\nfacet normal 0 0 1\nouter loop\n{corners}endloop\nendfacet\nendsolid\n")
+
+
+MAKERS = {
+    "binary.ply": (lambda path: write_ply(path, cloud()), read_ply),
+    "ascii.ply": (lambda path: write_ply(path, cloud(), ascii=True), read_ply),
+    "big.ply": (lambda path: quads_and_triangles(path, ">"), read_ply_mesh),
+    "little.ply": (lambda path: quads_and_triangles(path, "<"), read_ply_mesh),
+    "mesh.ply": (lambda path: write_ply_mesh(path, mesh()), read_ply_mesh),
+    "ascii_mesh.ply": (lambda path: write_ply_mesh(path, mesh(), ascii=True), read_ply_mesh),
+    "binary.pcd": (lambda path: write_pcd(path, cloud()), read_pcd),
+    "ascii.pcd": (lambda path: write_pcd(path, cloud(), encoding="ascii"), read_pcd),
+    "compressed.pcd": (lambda path: write_pcd(path, cloud(40), encoding="binary_compressed"), read_pcd),
+    "cloud.xyz": (lambda path: write_text(path, text_table(".xyz")), read_text),
+    "cloud.xyzn": (lambda path: write_text(path, text_table(".xyzn")), read_text),
+    "cloud.xyzrgb": (lambda path: write_text(path, text_table(".xyzrgb")), read_text),
+    "cloud.pts": (lambda path: write_text(path, text_table(".pts")), read_text),
+    "cloud.csv": (lambda path: path.write_text("x,y,z,r,g,b,t\n1,2,3,0,1,255,7\n4,5,6,9,8,7,0\n"), read_text_table),
+    "plain.txt": (lambda path: path.write_text("# x y z\n1 2 3\n4.5 5e1 -6\n"), read_text_table),
+    "scans.ptx": (lambda path: path.write_text(scan()), read_ptx),
+    "splats.ply": (lambda path: compressed(path, [packed()] * 3, CHUNK, sh=[[1] * 9] * 3), read_splat_ply),
+    "mesh.obj": (lambda path: write_obj(path, bare_mesh()), read_obj),
+    "mesh.stl": (lambda path: write_stl(path, MeshTable(mesh().vertices, mesh().triangles)), read_stl),
+    "text.stl": (write_text_stl, read_stl),
+    "mesh.off": (lambda path: write_off(path, bare_mesh()), read_off),
+    "mesh.glb": (lambda path: write_glb(path, square()), read_glb),
+    "square.obj": (lambda path: write_obj(path, square()), read_obj),
+    "textured.ply": (lambda path: write_ply_mesh(path, textured()), read_ply_mesh),
+    "square_ascii.ply": (lambda path: write_ply_mesh(path, square(), ascii=True), read_ply_mesh),
+    "cloud.npz": (lambda path: write_npz(path, cloud()), read_npz),
+}
+
+
+@pytest.fixture(scope="module")
+def valid_files():
+    with tempfile.TemporaryDirectory() as folder:
+        files = {}
+        for name, (write, _) in MAKERS.items():
+            path = Path(folder) / name
+            write(path)
+            files[name] = path.read_bytes()
+        yield Path(folder), files
+
+
+TEXT = (
+    "ascii",
+    "cloud.xyz",
+    "cloud.pts",
+    "cloud.csv",
+    "plain.txt",
+    "scans",
+    "mesh.obj",
+    "mesh.off",
+    "text.stl",
+    "square",
+)
+COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off"]
+
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),
+    pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
+    pytest.mark.filterwarnings("ignore:.*taken for white"),
+    pytest.mark.filterwarnings("ignore:.*such are fans"),
+    pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
+]
+
+
+@st.composite
+def damages(draw):
+    """A list of edits, each at a relative position of the file."""
+    edits = st.tuples(
+        st.sampled_from(["set", "cut", "insert", "delete", "repeat"]),
+        st.floats(0, 1, exclude_max=True),
+        st.binary(min_size=1, max_size=6)
+        | st.sampled_from([b"-1", b"99999999999", b"nan", b"\n", b" ", b"list", b"\xff" * 8]),
+        st.integers(1, 40),
+    )
+    return draw(st.lists(edits, min_size=1, max_size=4)), draw(st.floats(0, 1))
+
+
+def damage(valid, edits, share):
+    """Apply the edits; a share below 0.6 keeps them in the header, where they do the most."""
+    data = bytearray(valid)
+    for kind, place, payload, length in edits:
+        reach = min(len(data), 400) if share < 0.6 else len(data)
+        at = int(place * reach)
+        if kind == "set":
+            data[at : at + len(payload)] = payload[: len(data) - at]
+        elif kind == "cut":
+            del data[at:]
+        elif kind == "insert":
+            data[at:at] = payload
+        elif kind == "delete":
+            del data[at : at + length]
+        else:
+            data[at:at] = data[at : at + length]
+    return bytes(data)
+
+
+def check_consistent(table):
+    points = table.vertices if isinstance(table, MeshTable) else table.points
+    count = len(points)
+    assert points.shape == (count, 3)
+    assert points.dtype in (np.float32, np.float64)
+    if isinstance(table, MeshTable):
+        triples = (table.vertex_normals, table.vertex_colors)
+        assert table.triangles.ndim == 2
+        assert table.triangles.shape[1] == 3
+        assert not table.triangles.size or 0 <= table.triangles.min() <= table.triangles.max() < count
+        uvs, ids = table.triangle_uvs, table.triangle_material_ids
+        assert uvs is None or uvs.shape == (3 * len(table.triangles), 2)
+        assert ids is None or (
+            ids.shape == (len(table.triangles),) and 0 <= ids.min() <= ids.max() < len(table.textures)
+        )
+    else:
+        triples = (table.normals, table.colors)
+        assert table.grid is None or table.grid[0] * table.grid[1] == count
+    for array in triples:
+        assert array is None or (array.shape == (count, 3) and array.dtype == np.float32)
+    for array in table.attributes.values():
+        assert len(array) == count
+        assert array.dtype.kind in "biuf"
+
+
+@pytest.mark.parametrize("name", MAKERS)
+@settings(max_examples=EXAMPLES, derandomize=True, deadline=None, database=None)
+@given(damages())
+def test_damaged_bytes_give_a_consistent_table_or_a_file_error(name, valid_files, damaged):
+    folder, files = valid_files
+    path = folder / f"damaged_{name}"
+    path.write_bytes(damage(files[name], *damaged))
+    try:
+        table = MAKERS[name][1](path)
+    except FileError as error:
+        assert str(path) in str(error)
+        assert error.reason
+    else:
+        check_consistent(table)
+
+
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(TEXT)] + COUNTED)
+def test_a_truncated_file_that_lost_a_value_is_an_error(name, valid_files):
+    folder, files = valid_files
+    path, content = folder / f"short_{name}", files[name]
+    whole = len(content.rstrip()) - len(content.split()[-1]) if name in COUNTED else len(content)
+    for size in sorted({*range(0, whole, max(1, whole // 50)), *range(whole - 9, whole)}):
+        path.write_bytes(content[:size])
+        with pytest.raises(FileError):
+            MAKERS[name][1](path)
+
+
+@pytest.mark.parametrize("name", [name for name in MAKERS if not name.startswith(("cloud.xyz", "plain"))])
+def test_bytes_behind_the_payload_are_an_error(name, valid_files):
+    folder, files = valid_files
+    path = folder / f"long_{name}"
+    path.write_bytes(files[name] + b"\n1 2 3\n")
+    with pytest.raises(FileError):
+        MAKERS[name][1](path)
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_random_bytes_are_a_file_error(name, valid_files):
+    path, rng = valid_files[0] / f"garbage_{name}", np.random.default_rng(0)
+    for size in (0, 1, 7, 50, 200):
+        path.write_bytes(b"\0" + rng.bytes(size))
+        with pytest.raises(FileError):
+            MAKERS[name][1](path)
+
+
+RUNS = {
+    "digits.xyz": (lambda run: b"1 2 3\n" + b"1" * run + b"x 2 3\n", read_text),
+    "ones.jpg": (lambda run: SCAN + b"\xff" * run + b"\0", read_color),
+}
+SCAN = b"\xff\xd8\xff\xc0\0\x0b\x08\0\x08\0\x08\x01\x01\x11\0\xff\xda\0\x08\x01\x01\0\0\x3f\0"  # one of 8 x 8 pixels
+
+
+@pytest.mark.parametrize("name", RUNS)
+def test_a_long_run_takes_linear_time(tmp_path, name):
+    """A quadratic search would take an hour."""
+    content, read = RUNS[name]
+    (tmp_path / name).write_bytes(content(1_000_000))
+    with pytest.raises(FileError, match=name):
+        read(tmp_path / name)
+    assert number_of("1" * 1_000_000 + "x") is None

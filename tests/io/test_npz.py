@@ -1,0 +1,195 @@
+"""NPZ: everything survives, and headers that lie are refused."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+
+import numpy as np
+import pytest
+
+from pointloom.core.errors import FileError
+from pointloom.io.points.npz import read_npz, write_npz
+from pointloom.io.table import PointTable
+
+from .point_tables import assert_same_table, table_of
+
+
+def cloud(count=40, dtype=np.float32, grid=None):
+    rng = np.random.default_rng(8)
+    attributes = {code: rng.integers(0, 2, count).astype(code) for code in ("?", "i1", "u2", "i4", "u8", "f2", "f8")}
+    return table_of(count, dtype, grid, features=rng.random((count, 33)), file=np.arange(count), **attributes)
+
+
+def array_bytes(array, **changes):
+    """The .npy bytes of an array, with replacements in the header."""
+    stream = io.BytesIO()
+    np.save(stream, array)
+    data = stream.getvalue()
+    for old, new in changes.items():
+        head, body = data[:128], data[128:]
+        old, new = old.encode(), new.encode()
+        assert old in head
+        data = head.replace(old, new)[:127].ljust(127) + b"\n" + body
+    return data
+
+
+def write_members(path, **members):
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, data in members.items():
+            archive.writestr(f"{name}.npy", data)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "cloud.npz"
+
+
+@pytest.mark.parametrize(("count", "grid", "dtype"), [(0, None, "f4"), (1, None, "f8"), (40, (5, 8), "f4")])
+def test_every_array_survives_a_round_trip_to_the_bit(path, dtype, count, grid):
+    table = cloud(count, dtype, grid)
+    write_npz(path, table)
+    assert_same_table(read_npz(path), table)
+    assert list(read_npz(path).attributes) == list(table.attributes)
+
+
+def test_numpy_reads_what_we_write_and_the_bytes_do_not_depend_on_the_clock(path, tmp_path):
+    table = cloud()
+    write_npz(path, table)
+    with np.load(path) as archive:
+        np.testing.assert_array_equal(archive["points"], table.points)
+    write_npz(tmp_path / "again.npz", table)
+    assert path.read_bytes() == (tmp_path / "again.npz").read_bytes()
+
+
+@pytest.mark.parametrize("save", [np.savez, np.savez_compressed])
+def test_archives_of_numpy_are_read_in_any_layout(path, save):
+    points = np.arange(12, dtype=">f8").reshape(3, 4).T
+    save(path, points=points, colors=np.full((4, 3), 51, np.uint8), ring=np.arange(8)[::2])
+    read = read_npz(path)
+    assert read.points.dtype == np.float64
+    assert read.points.flags.c_contiguous
+    np.testing.assert_array_equal(read.points, points)
+    np.testing.assert_array_equal(read.colors, np.full((4, 3), 0.2, np.float32))
+    np.testing.assert_array_equal(read.attributes["ring"], [0, 2, 4, 6])
+
+
+@pytest.mark.parametrize(
+    ("arrays", "reason"),
+    [
+        ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive holds: xyz)"),
+        ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], found float64 [3, 2]"),
+        ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], found float64 [3]"),
+        ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
+        ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
+        ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a colour is outside 0..1"),
+        (
+            {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
+            "ring: expected shape [2] or [2, c], found [2, 2, 2]",
+        ),
+        ({"points": np.zeros((2, 3)), "name": np.array(["a", "b"])}, "name: expected real numbers"),
+        ({"points": np.zeros((2, 3)), "grid": np.array([3, 3])}, "grid: expected height and width"),
+    ],
+)
+def test_an_archive_that_is_no_cloud_is_refused(path, arrays, reason):
+    np.savez(path, **arrays)
+    with pytest.raises(FileError, match=re.escape(reason)):
+        read_npz(path)
+
+
+def test_objects_are_never_unpickled(path):
+    np.savez(path, points=np.zeros((2, 3)), evil=np.array([print, None], object))
+    with pytest.raises(FileError, match="evil:"):
+        read_npz(path)
+
+
+@pytest.mark.parametrize(
+    "shape", ["(1000000000000000000, 3)", "(-2, -3)", "(3, 3)", "(1, 3)", "(2, 3, 1)", "()", "(True, 6)", "(2.0, 3)"]
+)
+def test_a_header_that_lies_about_the_shape_is_refused_before_anything_is_allocated(path, shape):
+    write_members(path, points=array_bytes(np.zeros((2, 3)), **{"(2, 3)": shape}))
+    with pytest.raises(FileError, match="points:"):
+        read_npz(path)
+
+
+@pytest.mark.parametrize("size", [10**9, 2**32 - 2])
+def test_a_directory_that_lies_about_the_size_is_refused(path, size):
+    write_members(path, points=array_bytes(np.zeros((2, 3))))
+    data = bytearray(path.read_bytes())
+    entry = data.rindex(b"PK\1\2")
+    data[entry + 24 : entry + 28] = size.to_bytes(4, "little")
+    path.write_bytes(data)
+    with pytest.raises(FileError, match=f"claims {size} bytes from 176 stored ones"):
+        read_npz(path)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        (lambda data: b"", "is empty"),
+        (lambda data: data[:-1], "truncated"),
+        (lambda data: data + b"\0", "bytes follow its end"),
+        (lambda data: b"junk" + data, "4 bytes stand before the archive"),
+        (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is there twice"),
+        (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
+    ],
+)
+def test_a_damaged_archive_is_refused(path, change, reason):
+    np.savez(path, points=np.zeros((2, 3)), ring__=np.zeros(2))
+    path.write_bytes(change(path.read_bytes()))
+    with pytest.raises(FileError, match=reason):
+        read_npz(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason"),
+    [
+        (b"\x93NUMPY", b"\x94NUMPY", "header is damaged"),
+        (b"NUMPY\1", b"NUMPY\7", "unknown version"),
+        (b"'<f8'", b"'<\\d'", "header is damaged"),
+    ],
+)
+def test_a_damaged_array_header_is_refused(path, old, new, reason):
+    data = array_bytes(np.zeros((2, 3)))
+    write_members(path, points=data.replace(old, new, 1))
+    with pytest.raises(FileError, match=reason):
+        read_npz(path)
+
+
+@pytest.mark.parametrize("name", ["points", "grid", "", "a/b", "..\\b", "new\nline"])
+def test_an_attribute_whose_name_cannot_be_a_member_is_refused(path, name):
+    with pytest.raises(FileError, match=r"/cloud\.npz:"):
+        write_npz(path, PointTable(np.zeros((2, 3)), attributes={name: np.zeros(2)}))
+    assert not list(path.parent.iterdir())
+
+
+def test_memory_that_runs_out_is_called_so_with_the_file(path, monkeypatch):
+    np.savez(path, points=np.zeros((2, 3)))
+
+    def refuse(*args, **kwargs):
+        raise MemoryError
+
+    for place in ("zipfile.ZipExtFile.read", "numpy.lib.format.read_array_header_1_0", "numpy.frombuffer"):
+        with monkeypatch.context() as patch:
+            patch.setattr(place, refuse)
+            with pytest.raises(MemoryError, match=re.escape(f"{path}: the memory does not hold")):
+                read_npz(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        r"{'descr': '\z', 'fortran_order': False, 'shape': (3,), }",  # Python warns of both
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1or 3,), }",
+        "(" * 5000,
+        "{'descr': '<f8'}",
+    ],
+    ids=["escape", "number", "nest", "entries"],
+)
+def test_a_damaged_header_is_an_error_and_no_warning(path, text):
+    header = text.encode() + b" \n"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("points.npy", b"\x93NUMPY\1\0" + len(header).to_bytes(2, "little") + header + bytes(72))
+    with pytest.raises(FileError, match=re.escape(str(path))):
+        read_npz(path)

@@ -1,0 +1,315 @@
+"""PCD: the three encodings, organised clouds, packed colours, what is refused, LZF, and agreement with Open3D."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pointloom as loom
+from pointloom.cli.shell.cli import cli
+from pointloom.core.errors import FileError
+from pointloom.io.points import lzf
+from pointloom.io.points.pcd import read_pcd, write_pcd
+from pointloom.io.table import PointTable
+
+from .point_tables import assert_same_table, table_of
+
+ENCODINGS = ("ascii", "binary", "binary_compressed")
+HEAD = (
+    "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+    "WIDTH 2\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 2\nDATA ascii\n"
+)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "cloud.pcd"
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+@pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
+def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
+    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
+    table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **whole)
+    write_pcd(path, table, encoding=encoding)
+    assert_same_table(read_pcd(path), table)
+
+
+def test_more_rows_than_one_chunk_survive(path):
+    table = PointTable(np.random.default_rng(0).random((150_000, 3)), attributes={"k": np.arange(150_000)})
+    write_pcd(path, table)
+    assert_same_table(read_pcd(path), table)
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+def test_an_organised_cloud_keeps_its_grid_and_its_nan_points(path, encoding):
+    table = table_of(120, grid=(8, 15))
+    table.points[::7] = np.nan
+    write_pcd(path, table, encoding=encoding)
+    assert b"WIDTH 15\nHEIGHT 8\n" in path.read_bytes()
+    assert_same_table(read_pcd(path), table)
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+def test_alpha_travels_in_the_rgba_field(path, encoding):
+    table = table_of(9)
+    table.attributes = {"alpha": np.arange(9, dtype=np.uint8) * 31}
+    write_pcd(path, table, encoding=encoding)
+    assert b" rgba\n" in path.read_bytes()
+    assert_same_table(read_pcd(path), table)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary"])
+@pytest.mark.parametrize("name", ["rgb", "rgba"])
+@pytest.mark.parametrize("kind", ["F", "U", "I"])
+def test_packed_colours_are_read_from_any_type(path, encoding, name, kind):
+    packed = np.array([0x00FF8000, 0x00010203], "<u4").view({"F": "<f4", "U": "<u4", "I": "<i4"}[kind])
+    head = HEAD.replace("x y z", f"x y z {name}").replace("4 4 4", "4 4 4 4").replace("F F F", f"F F F {kind}")
+    head = head.replace("COUNT 1 1 1", "COUNT 1 1 1 1").replace("ascii", encoding)
+    if encoding == "ascii":
+        payload = "".join(f"0 0 0 {value!r}\n" for value in packed.tolist()).encode()
+    else:
+        row = np.zeros(2, [("xyz", "<f4", 3), ("c", packed.dtype)])
+        row["c"] = packed
+        payload = row.tobytes()
+    path.write_bytes(head.encode() + payload)
+    table = read_pcd(path)
+    np.testing.assert_array_equal(table.colors, np.float32([[255, 128, 0], [1, 2, 3]]) / np.float32(255))
+    assert list(table.attributes) == (["alpha"] if name == "rgba" else [])
+
+
+def test_padding_is_skipped_and_separate_channels_are_colours(path):
+    row = np.dtype([("p", "<f4", 3), ("_", "u1", 4), ("c", "u1", 3), ("_2", "u1"), ("t", "<f8")])
+    values = np.zeros(2, row)
+    values["p"], values["c"], values["t"] = [[1, 2, 3], [4, 5, 6]], [[255, 0, 51], [0, 255, 102]], [0.5, 1.5]
+    head = HEAD.replace("x y z\n", "x y z _ r g b _ t\n").replace("SIZE 4 4 4", "SIZE 4 4 4 1 1 1 1 1 8")
+    head = head.replace("TYPE F F F", "TYPE F F F U U U U U F").replace("COUNT 1 1 1", "COUNT 1 1 1 4 1 1 1 1 1")
+    path.write_bytes(head.replace("ascii", "binary").encode() + values.tobytes())
+    table = read_pcd(path)
+    np.testing.assert_array_equal(table.points, values["p"])
+    np.testing.assert_array_equal(table.colors, np.float32([[1, 0, 0.2], [0, 1, 0.4]]))
+    assert {name: array.tolist() for name, array in table.attributes.items()} == {"t": [0.5, 1.5]}
+
+
+@pytest.mark.parametrize("version", [".5", ".6", ".7", "0.6", "0.7"])
+def test_older_headers_without_viewpoint_or_counts_are_read(path, version):
+    head = HEAD.replace("VERSION 0.7", f"VERSION {version}").replace("VIEWPOINT 0 0 0 1 0 0 0\n", "")
+    path.write_text(head.replace("COUNT 1 1 1\n", "").replace("\n", "\r\n") + "1 2 3\n4 5 nan\n")
+    np.testing.assert_array_equal(read_pcd(path).points, [[1, 2, 3], [4, 5, np.nan]])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where", "reason"),
+    [
+        ("# .PCD", "\xff", "line 1, byte 0", "not UTF-8"),
+        ("DATA ascii\n", "", "line 11", "unknown header line '1 2 3'"),
+        ("DATA ascii\n1 2 3\n4 5 6\n", "", "line 11", "no DATA line"),
+        ("DATA ascii", "DATA zip", "line 11", "unknown encoding 'zip'"),
+        ("VERSION 0.7", "VERSION 1.0", "line 2", "unknown version"),
+        ("SIZE 4 4 4\n", "", "", "no SIZE line"),
+        ("WIDTH 2\n", "", "line 9", ""),
+        ("FIELDS x y z", "FIELDS x y y", "line 3", "declared twice"),
+        ("FIELDS x y z", "FIELDS x y w", "", "no field z"),
+        ("SIZE 4 4 4", "SIZE 4 4", "line 4", "SIZE has 2 entries for 3 fields"),
+        ("TYPE F F F", "TYPE F F Q", "line 5", "unknown type 'Q'"),
+        ("COUNT 1 1 1", "COUNT 1 1 2", "", "field 'z' is 2 x float32"),
+        ("COUNT 1 1 1", "COUNT 1 1 0", "line 6", "COUNT of 0"),
+        ("COUNT 1 1 1", "COUNT 1 1 -1", "line 6", "negative"),
+        ("COUNT 1 1 1", "COUNT 1 1 1000000000000", "line 6", "impossibly large"),
+        ("WIDTH 2", "WIDTH two", "line 7", "WIDTH is not a whole number"),
+        ("WIDTH 2", "WIDTH 2 2", "line 7", "expected one number"),
+        ("WIDTH 2", "WIDTH 2\nWIDTH 2", "line 8", "a second WIDTH line"),
+        ("POINTS 2", "POINTS 3", "line 10", "POINTS is 3, but WIDTH x HEIGHT is 2"),
+        ("VIEWPOINT 0 0 0 1", "VIEWPOINT 0 0", "line 9", "VIEWPOINT: expected 7 numbers"),
+        ("4 5 6\n", "", "line 12", "truncated: 1 of 2 points"),
+        ("4 5 6\n", "4 5 6 7\n", "line 13", "expected 3 values, found 4"),
+        ("4 5 6\n", "4 5 6e\n", "line 13", "not a number: '6e'"),
+        ("4 5 6\n", "4 5 6\n\n7 8 9\n", "line 15", "1 lines follow the declared 2 points"),
+    ],
+)
+def test_a_damaged_file_is_refused_with_place_and_reason(path, old, new, where, reason):
+    whole = HEAD + "1 2 3\n4 5 6\n"
+    assert old in whole
+    path.write_bytes(whole.replace(old, new, 1).encode("latin-1"))
+    if old == "WIDTH 2\n":  # POINTS alone says enough
+        assert len(read_pcd(path).points) == 2
+        return
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_pcd(path)
+    assert caught.value.where == where
+
+
+@pytest.mark.parametrize(("width", "height"), [(0, 0), (0, 1), (2, 0)])
+def test_a_grid_of_nothing_leaves_the_points_that_are_counted(tmp_path, width, height):
+    path = tmp_path / "c.pcd"
+    head = HEAD.replace("WIDTH 2", f"WIDTH {width}").replace("HEIGHT 1", f"HEIGHT {height}")
+    path.write_text(head + "1 2 3\n4 5 6\n")
+    with pytest.warns(UserWarning, match=r"/c\.pcd:.*0.*2"):
+        read = read_pcd(path)
+    assert (len(read.points), read.grid) == (2, None)
+    path.write_text(head.replace("POINTS 2", "POINTS 0"))
+    assert len(read_pcd(path).points) == 0
+    path.write_text(head.replace("POINTS 2", "POINTS 0") + "1 2 3\n4 5 6\n")
+    with pytest.raises(FileError, match="2 lines follow"):
+        read_pcd(path)
+
+
+@pytest.mark.parametrize("encoding", ENCODINGS)
+@pytest.mark.parametrize("count", [10**10, 10**18])
+def test_an_impossible_count_is_refused_before_anything_is_allocated(path, encoding, count):
+    head = HEAD.replace("ascii", encoding).replace("WIDTH 2", f"WIDTH {count}").replace("POINTS 2", f"POINTS {count}")
+    path.write_bytes(head.encode() + bytes(range(33, 97)))
+    with pytest.raises(FileError, match=r"truncated|unpacks to"):
+        read_pcd(path)
+
+
+def test_a_compressed_size_that_no_stream_can_reach_is_refused_unread(path):
+    head = HEAD.replace("ascii", "binary_compressed").replace(" 2\n", " 300000000\n")
+    path.write_bytes(head.encode() + np.array([20, 300000000 * 12], "<u4").tobytes() + bytes(20))
+    with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 199\):.*20.*3600000000"):
+        read_pcd(path)
+
+
+def test_truncated_binary_names_the_missing_bytes_and_surplus_names_its_offset(path):
+    write_pcd(path, PointTable(np.zeros((10, 3), np.float32)))
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-5])
+    with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 281\):.*120.*115.*5") as caught:
+        read_pcd(path)
+    assert caught.value.where == f"byte {len(whole) - 5}"
+    path.write_bytes(whole + b"\0")
+    with pytest.raises(FileError, match="1 bytes follow") as caught:
+        read_pcd(path)
+    assert caught.value.where == f"byte {len(whole)}"
+
+
+def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and_nothing_else(path):
+    table = PointTable(np.random.default_rng(0).random((10, 3)))
+    write_pcd(path, table, encoding="binary_compressed")
+    whole = path.read_bytes()
+    path.write_bytes(whole + bytes(3900))
+    assert_same_table(read_pcd(path), table)
+    for surplus in (bytes(4096), bytes(100) + b"\1"):
+        path.write_bytes(whole + surplus)
+        with pytest.raises(FileError, match="bytes follow"):
+            read_pcd(path)
+
+
+@pytest.mark.parametrize(
+    ("attributes", "reason"),
+    [
+        ({"half": np.zeros(2, np.float16)}, "no type for float16"),
+        ({"two words": np.zeros(2)}, "cannot be named"),
+        ({"x": np.zeros(2)}, "uses this name itself"),
+        ({"none": np.zeros((2, 0))}, "no components"),
+        ({"rgb": np.zeros(2, np.uint32)}, "would be read as normals or colours"),
+        ({name: np.zeros(2) for name in ("normal_x", "normal_y", "normal_z")}, "would be read as normals or colours"),
+    ],
+)
+def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        write_pcd(path, PointTable(np.zeros((2, 3)), attributes=attributes))
+    assert caught.value.remedy
+    assert not list(path.parent.iterdir())
+
+
+def test_an_unknown_encoding_is_a_value_error(path):
+    with pytest.raises(ValueError, match="encoding:"):
+        write_pcd(path, table_of(), encoding="zip")  # type: ignore[arg-type]
+
+
+@settings(max_examples=25, derandomize=True, deadline=None, database=None)
+@given(st.lists(st.tuples(st.binary(min_size=1, max_size=40), st.integers(1, 40)), max_size=20))
+def test_lzf_gives_back_what_went_in(runs):
+    data = b"".join(chunk * times for chunk, times in runs)
+    assert lzf.decompress(lzf.compress(data), len(data)) == data
+
+
+def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
+    monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
+    data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
+    packed = lzf.compress(data)
+    assert lzf.decompress(packed, len(data)) == data
+    assert len(packed) < 0.8 * len(data)
+
+
+@pytest.mark.parametrize(
+    ("stream", "size", "reason"),
+    [
+        (b"\x05ab", 6, "literal run reaches beyond the end"),
+        (b"\x00a\x20\x05", 4, "points before the beginning"),
+        (b"\x00a\x20\x01", 4, "points before the beginning"),  # by a single byte
+        (b"\x00a\xe0\x05", 4, "ends within a reference"),
+        (b"\x00a\xe0", 4, "ends within a reference"),
+        (b"\x00a\xe0\xff\x00", 50, "more than the declared 50 bytes"),
+        (b"\x00a", 2, "1 bytes come out where 2 are declared"),
+        (b"\x00a", 10**9, "cannot expand"),
+    ],
+)
+def test_a_damaged_lzf_stream_is_refused(stream, size, reason):
+    with pytest.raises(lzf.LzfError, match=reason):
+        lzf.decompress(stream, size)
+
+
+def text_with(fields, types, rows, viewpoint="0 0 0 1 0 0 0"):
+    names = fields.split()
+    lines = ["VERSION 0.7", f"FIELDS {fields}", "SIZE" + " 4" * len(names), f"TYPE {types}", f"WIDTH {len(rows)}"]
+    return "\n".join([*lines, "HEIGHT 1", f"VIEWPOINT {viewpoint}", f"POINTS {len(rows)}", "DATA ascii", *rows, ""])
+
+
+@pytest.mark.parametrize("name", ["rgb", "rgba"])
+@pytest.mark.parametrize("rows", [["0 0 0 nan", "1 0 0 nan"], ["0 0 0 2.3418052e-38", "1 0 0 -nan"]])
+def test_colors_that_are_nan_in_a_text_are_left_out_with_a_warning(tmp_path, name, rows):
+    (tmp_path / "a.pcd").write_text(text_with(f"x y z {name}", "F F F F", rows))
+    with pytest.warns(UserWarning, match=r"/a\.pcd:"):
+        cloud = loom.read_point_cloud(tmp_path / "a.pcd")
+    assert len(cloud) == 2 and not cloud.has_colors
+
+
+@pytest.mark.parametrize("kind", ["F", "signed F", "U", "I"])
+@pytest.mark.parametrize("alpha", [0, 255])
+def test_packed_colors_as_whole_numbers_of_a_text_are_read(tmp_path, kind, alpha):
+    colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (0, 0, 0)]
+    numbers = np.array([(alpha << 24) + (r << 16) + (g << 8) + b for r, g, b in colors], np.uint32)
+    written = numbers if kind in "FU" else numbers.view(np.int32)
+    rows = [f"{i} 0 0 {number}" for i, number in enumerate(written)]
+    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", f"F F F {kind[-1]}", rows))
+    cloud = loom.read_point_cloud(tmp_path / "a.pcd")
+    np.testing.assert_array_equal(np.rint(cloud.colors * 255), colors)
+
+
+def test_colors_of_points_that_were_not_measured_do_not_matter(tmp_path):
+    (tmp_path / "a.pcd").write_text(text_with("x y z rgb", "F F F F", ["nan nan nan nan", "1 0 0 2.3418052e-38"]))
+    assert np.rint(loom.read_point_cloud(tmp_path / "a.pcd").colors[1] * 255).tolist() == [255, 0, 0]
+
+
+POSE = "10 20.5 -30 0.70710678 0 0 0.70710678"
+
+
+def test_a_viewpoint_is_told_and_stays_in_copies(tmp_path, capsys):
+    source, copy = tmp_path / "a.pcd", tmp_path / "b.pcd"
+    source.write_text(text_with("x y z", "F F F", ["1 0 0", "2 0 0", "3 0 0"], POSE))
+    with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30") as caught:
+        np.testing.assert_array_equal(loom.read_point_cloud(source).points[:, 0], [1, 2, 3])
+    assert caught[0].filename == __file__
+    for words in (["convert"], ["downsample", "--every", "2"], ["convert", "--ascii"]):
+        with pytest.raises(SystemExit):
+            cli([*words, str(source), str(copy), "--force"])
+        assert f"VIEWPOINT {POSE}\n".encode() in copy.read_bytes()
+    capsys.readouterr()
+    with pytest.raises(SystemExit):
+        cli(["convert", str(source), str(tmp_path / "b.ply")])
+    assert "viewpoint" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        cli(["info", str(source)])
+    assert "10 20.5 -30" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("viewpoint", ["0 0 0 1 0 0 0", "0 0 0 0 0 0 0"])
+def test_a_viewpoint_at_the_origin_is_no_news(tmp_path, viewpoint):
+    (tmp_path / "a.pcd").write_text(text_with("x y z", "F F F", ["1 0 0"], viewpoint))
+    assert len(loom.read_point_cloud(tmp_path / "a.pcd")) == 1

@@ -1,0 +1,270 @@
+"""PLY: what is read and written, what is refused and how the error says so, and agreement with Open3D."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import numpy as np
+import pytest
+
+from pointloom.core.errors import FileError
+from pointloom.io.points.ply import read_ply, write_ply
+from pointloom.io.table import PointTable
+
+from .point_tables import assert_same_table, table_of
+
+BYTE_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">"}
+PLY_TYPES = {
+    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4",
+    "double": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4",
+    "float32": "f4", "float64": "f8",
+}  # fmt: skip
+HEAD = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+
+
+def write(path, text, payload=b""):
+    path.write_bytes(text.encode() + payload)
+    return path
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "cloud.ply"
+
+
+@pytest.mark.parametrize(
+    ("count", "dtype", "ascii"),
+    [
+        *((count, np.float32, ascii) for count in (0, 1) for ascii in (False, True)),
+        *((500, np.float64, ascii) for ascii in (False, True)),
+        (70_000, np.float32, False),
+    ],
+)
+def test_every_array_survives_a_round_trip_to_the_bit(path, ascii, dtype, count):
+    table = table_of(count, dtype)
+    write_ply(path, table, ascii=ascii)
+    assert_same_table(read_ply(path), table)
+    assert list(read_ply(path).attributes) == list(table.attributes)
+
+
+@pytest.mark.parametrize("ascii", [False, True])
+def test_nan_infinity_and_the_ends_of_the_range_survive(path, ascii):
+    info = np.finfo(np.float32)
+    points = np.array([[np.nan, np.inf, -np.inf], [info.max, info.tiny, info.smallest_subnormal]], np.float32)
+    write_ply(path, PointTable(points), ascii=ascii)
+    np.testing.assert_array_equal(read_ply(path).points, points)
+
+
+def test_components_of_an_attribute_are_written_as_numbered_scalars(path):
+    features = np.arange(6, dtype=np.float32).reshape(2, 3)
+    write_ply(path, PointTable(np.zeros((2, 3)), attributes={"fpfh": features}))
+    read = read_ply(path).attributes
+    assert list(read) == ["fpfh_0", "fpfh_1", "fpfh_2"]
+    np.testing.assert_array_equal(np.stack(list(read.values()), axis=1), features)
+
+
+@pytest.mark.parametrize("form", ["ascii", *BYTE_ORDERS])
+def test_every_scalar_type_is_read_in_any_order_of_properties(path, form):
+    names = [f"p_{name}" for name in PLY_TYPES]
+    order = [*names[:5], "z", *names[5:9], "x", *names[9:], "y"]
+    types = {**{f"p_{name}": name for name in PLY_TYPES}, "x": "double", "y": "float", "z": "short"}
+    rows = np.array([[k + 10 * row for k in range(len(order))] for row in range(3)])
+    lines = [f"property {types[name]} {name}\n" for name in order]
+    head = f"ply\nformat {form} 1.0\nelement vertex 3\n{''.join(lines)}end_header\n"
+    if form == "ascii":
+        payload = "".join(" ".join(map(str, row)) + "\n" for row in rows).encode()
+    else:
+        row = np.dtype([(name, BYTE_ORDERS[form] + PLY_TYPES[types[name]]) for name in order])
+        payload = np.array([tuple(values) for values in rows], row).tobytes()
+    table = read_ply(write(path, head, payload))
+    assert table.points.dtype == np.float64
+    np.testing.assert_array_equal(table.points, rows[:, [order.index(axis) for axis in "xyz"]])
+    for name in names:
+        assert table.attributes[name].dtype == PLY_TYPES[types[name]]
+        np.testing.assert_array_equal(table.attributes[name], rows[:, order.index(name)])
+
+
+@pytest.mark.parametrize("lengths", [(2, 2, 2), (0, 3, 1), (0, 0, 0)])
+@pytest.mark.parametrize("form", ["ascii", *BYTE_ORDERS])
+def test_lists_in_any_element_are_stepped_over(path, form, lengths):
+    head = (
+        f"ply\nformat {form} 1.0\ncomment made by hand\nelement camera 1\nproperty list uchar float pose\n"
+        "obj_info num_cols 3\nelement vertex 3\nproperty float x\nproperty list ushort int seen_by\nproperty float y\n"
+        "property float z\nproperty uchar flag\nelement edge 2\nproperty list int double weights\nend_header\n"
+    )
+    order = BYTE_ORDERS.get(form, "<")
+    rows = [[("u1", 2), ("f4", 0.5), ("f4", 1.5)]]
+    for k, length in enumerate(lengths):
+        rows.append([("f4", k), ("u2", length), *[("i4", -7)] * length, ("f4", k + 0.25), ("f4", 9), ("u1", k)])
+    rows += [[("i4", 1), ("f8", 0.1)], [("i4", 3), *[("f8", 0.2)] * 3]]
+    if form == "ascii":
+        payload = "".join(" ".join(str(value) for _, value in row) + "\n" for row in rows).encode()
+    else:
+        payload = b"".join(np.array(value, order + code).tobytes() for row in rows for code, value in row)
+    table = read_ply(write(path, head, payload))
+    np.testing.assert_array_equal(table.points, [[0, 0.25, 9], [1, 1.25, 9], [2, 2.25, 9]])
+    assert {name: values.tolist() for name, values in table.attributes.items()} == {"flag": [0, 1, 2]}
+
+
+@pytest.mark.parametrize("end", ["\r\n", "\r", "\n"])
+@pytest.mark.parametrize("form", ["ascii", "binary_little_endian"])
+def test_any_line_end_is_read(path, end, form):
+    head = HEAD.replace("ascii", form).replace("\n", end)
+    points = np.array([[1, 2, 3], [4, 5, 6]], "<f4")
+    payload = f"1 2 3{end}4 5 6{end}".encode() if form == "ascii" else points.tobytes()
+    np.testing.assert_array_equal(read_ply(write(path, head, payload)).points, points)
+
+
+@pytest.mark.parametrize(
+    "names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), tuple("rgb")]
+)
+@pytest.mark.parametrize(("code", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1)])
+def test_colours_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
+    head = HEAD.replace("end_header\n", "".join(f"property {code} {name}\n" for name in names) + "end_header\n")
+    table = read_ply(write(path, head + f"0 0 0 0 0 {full}\n0 0 0 {full} 0 0\n"))
+    assert table.colors is not None
+    assert table.colors.dtype == np.float32
+    np.testing.assert_array_equal(table.colors, [[0, 0, 1], [1, 0, 0]])
+    assert not table.attributes
+
+
+@pytest.mark.parametrize(
+    ("content", "where", "reason"),
+    [
+        (b"", "byte 0", "is empty"),
+        (b"plywood\n", "byte 0", "not a PLY file"),
+        (b"ply\nformat ascii 1.0\nelement vertex 1\n", "line 4", "no end_header"),
+        (b"ply\nend_header\n", "", "no format line"),
+        (b"ply\nelement vertex 1\nend_header\n", "line 2", "expected the format line"),
+        (b"ply\nformat ascii 2.0\nend_header\n", "line 2", "unknown format"),
+        (b"ply\nformat ascii 1.0\nformat ascii 1.0\nend_header\n", "line 3", "second format"),
+        (b"ply\nformat ascii 1.0\ncomment \xff\nend_header\n", "line 3, byte 29", "not UTF-8"),
+        (b"ply\nformat ascii 1.0\nproperty float x\nend_header\n", "line 3", "before any element"),
+        (b"ply\nformat ascii 1.0\nelement face 0\nend_header\n", "", "no element 'vertex'"),
+        (b"ply\nformat ascii 1.0\nelement vertex -1\nend_header\n", "line 3", "negative"),
+        (b"ply\nformat ascii 1.0\nelement vertex 1e3\nend_header\n", "line 3", "not a whole number"),
+        (b"ply\nformat ascii 1.0\nelement vertex " + b"9" * 5000 + b"\nend_header\n", "line 3", "impossibly large"),
+        (b"ply\nformat ascii 1.0\nelement vertex 1\nelement vertex 1\nend_header\n", "line 4", "declared twice"),
+        (b"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n", "", "no property y, z"),
+        (HEAD.replace("float z", "float y").encode(), "line 6", "declared twice"),
+        (HEAD.replace("float z", "quad z").encode(), "line 6", "unknown type 'quad'"),
+        (HEAD.replace("float z", "list float int z").encode(), "line 6", "counted in float"),
+        (HEAD.encode() + b"1 2 3\n", "line 8", "truncated: element 'vertex' has 1 of 2 rows"),
+        (HEAD.encode() + b"1 2 3 4\n5 6\n", "line 8", "expected 3 values, found 4"),
+        (HEAD.encode() + b"1 2 3\n4 5 0x6\n", "line 9", "not a number: '0x6'"),
+        (HEAD.encode() + b"1 2 3\n4 5 1e39\n", "line 9", "does not fit the declared type float32"),
+        (HEAD.encode() + b"1 2 3\n4 5 1e999\n", "line 9", "beyond the range of float64"),
+        (HEAD.encode() + b"1 2 3\n4 5 6\n7 8 9\n", "line 10", "1 lines follow"),
+        (HEAD.replace("float z", "uchar z").encode() + b"1 2 3\n4 5 256\n", "line 9", "does not fit"),
+        (HEAD.replace("float z", "int z").encode() + b"1 2 nan\n4 5 6\n", "line 8", "does not fit"),
+    ],
+)  # fmt: skip
+def test_a_damaged_file_is_refused_with_place_and_reason(path, content, where, reason):
+    path.write_bytes(content)
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        read_ply(path)
+    assert caught.value.where == where
+    assert caught.value.path == str(path)
+
+
+def test_truncated_binary_ply_names_the_missing_bytes(path):
+    write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
+    whole = path.read_bytes()
+    path.write_bytes(whole[:-7])
+    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 229\):.*120.*113.*7") as caught:
+        read_ply(path)
+    assert caught.value.where == f"byte {len(whole) - 7}"
+
+
+def test_bytes_behind_the_payload_are_named_by_their_offset(path):
+    write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
+    whole = path.read_bytes()
+    path.write_bytes(whole + b"\n")
+    with pytest.raises(FileError, match="1 bytes follow") as caught:
+        read_ply(path)
+    assert caught.value.where == f"byte {len(whole)}"
+
+
+@pytest.mark.parametrize("count", [10**10, 10**18])
+@pytest.mark.parametrize("form", ["ascii", *BYTE_ORDERS])
+@pytest.mark.parametrize("lists", ["", "property list uint double tags\n"])
+def test_an_impossible_count_is_refused_before_anything_is_allocated(path, form, count, lists):
+    head = HEAD.replace("ascii", form).replace("vertex 2", f"vertex {count}")
+    head = head.replace("end_header", f"{lists}end_header")
+    with pytest.raises(FileError, match="truncated"):
+        read_ply(write(path, head, b"1 2 3 0 " * 5))
+
+
+def test_an_impossible_list_length_is_refused_with_its_row(path):
+    head = (
+        "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list uint double vertex_indices\nend_header\n"
+    )
+    with pytest.raises(FileError, match=r"/cloud\.ply \(byte 179\):.*2"):
+        read_ply(write(path, head, bytes(4) + b"\xff" * 4))
+
+
+def test_a_negative_list_length_is_refused_with_its_row(path):
+    head = HEAD.replace("end_header", "property list char int tags\nend_header")
+    with pytest.raises(FileError, match=r"/cloud\.ply \(line 10\):") as caught:
+        read_ply(write(path, head, b"1 2 3 0\n1 2 3 -1\n"))
+    assert caught.value.where == "line 10"
+    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1, byte 168\):") as caught:
+        row = np.zeros(3, "<f4").tobytes()
+        read_ply(write(path, head.replace("ascii", "binary_little_endian"), row + b"\0" + row + b"\xff"))
+    assert caught.value.where.startswith("row 1, byte")
+
+
+def test_what_is_no_file_is_refused(tmp_path):
+    with pytest.raises(FileError, match=r"/none\.ply:"):
+        read_ply(tmp_path / "none.ply")
+    with pytest.raises(FileError, match="is a folder"):
+        read_ply(tmp_path)
+    os.mkfifo(tmp_path / "pipe.ply")
+    with pytest.raises(FileError, match=r"/pipe\.ply:"):
+        read_ply(tmp_path / "pipe.ply")
+    with pytest.raises(FileError, match=r"nul\\x00byte\.ply:"):
+        read_ply("nul\0byte.ply")
+
+
+@pytest.mark.parametrize(
+    ("attributes", "reason"),
+    [
+        ({"flag": np.zeros(2, bool)}, "no type for bool"),
+        ({"größe": np.zeros(2)}, "cannot be named"),
+        ({"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
+        ({"none": np.zeros((2, 0))}, "no components"),
+        ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colours"),
+    ],
+)
+def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):
+    with pytest.raises(FileError, match=re.escape(reason)) as caught:
+        write_ply(path, PointTable(np.zeros((2, 3)), attributes=attributes))
+    assert caught.value.remedy
+    assert not list(path.parent.iterdir())
+
+
+@pytest.mark.parametrize("value", [np.nan, -0.1, 1.1])
+def test_a_colour_outside_0_to_1_is_refused_with_its_row(path, value):
+    colors = np.zeros((3, 3), np.float32)
+    colors[1, 2] = value
+    with pytest.raises(FileError, match=r"/cloud\.ply \(row 1\):.*0\.\.1") as caught:
+        write_ply(path, PointTable(np.zeros((3, 3)), colors=colors))
+    assert caught.value.where == "row 1"
+
+
+def test_a_table_of_wrong_shapes_is_a_value_error(path):
+    with pytest.raises(ValueError, match="normals:"):
+        write_ply(path, PointTable(np.zeros((3, 3)), normals=np.zeros((2, 3))))
+    with pytest.raises(ValueError, match="ring:"):
+        write_ply(path, PointTable(np.zeros((3, 3)), attributes={"ring": np.zeros(2)}))
+
+
+@pytest.mark.parametrize("ascii", [True, False])
+def test_comments_stand_in_the_header_and_change_nothing_else(tmp_path, ascii):
+    plain, said = tmp_path / "plain.ply", tmp_path / "said.ply"
+    write_ply(plain, table_of(5), ascii=ascii)
+    write_ply(said, table_of(5), ascii=ascii, comments=["units arbitrary"])
+    assert said.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
+    np.testing.assert_array_equal(read_ply(said).points, read_ply(plain).points)

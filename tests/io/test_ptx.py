@@ -1,0 +1,116 @@
+"""PTX: scans lie where their matrices place them, missing returns are no points, and files that contradict themselves
+are refused.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.io.meshes.tables import read_table, write_cloud_table
+
+TURNED = "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1"  # of row vectors: x becomes y
+STRAIGHT = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1"
+FOUR = "1 0 0 0.5\n0 0 0 0.5\n0 2 0 0.25\n0 0 3 1"
+
+
+def scan(points=FOUR, shape="2\n2", matrix=TURNED, place="0 0 0\n1 0 0\n0 1 0\n0 0 1"):
+    return f"{shape}\n{place}\n{matrix}\n{points}\n"
+
+
+def write(path, *scans, end="\n"):
+    path.write_bytes("".join(scans).replace("\n", end).encode())
+    return path
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_scans_lie_where_their_matrices_place_them(tmp_path, end):
+    cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", scan(), "\n", scan(matrix=STRAIGHT), end=end))
+    np.testing.assert_allclose(cloud.points[:3], [[10, 21, 30], [8, 20, 30], [10, 20, 33]], atol=1e-6)
+    np.testing.assert_allclose(cloud.points[3:], [[1, 0, 0], [0, 2, 0], [0, 0, 3]], atol=1e-6)
+    assert cloud["intensity"].tolist() == [0.5, 0.25, 1] * 2
+    assert cloud["scan_index"].tolist() == [0] * 3 + [1] * 3
+    assert cloud["column_index"].tolist() == [0, 1, 1] * 2 and cloud["row_index"].tolist() == [0, 0, 1] * 2
+    assert cloud.unit is not None and cloud.unit.metres == 1
+    second = loom.read_point_cloud(tmp_path / "a.ptx", scan=1)
+    np.testing.assert_allclose(second.points, cloud.points[3:], atol=1e-6)
+    with pytest.raises(IndexError, match="scan:"):
+        loom.read_point_cloud(tmp_path / "a.ptx", scan=2)
+
+
+def test_colors_are_whole_numbers_of_8_bits(tmp_path):
+    colored = scan("1 0 0 0.5 255 0 51\n0 0 0 0.5 0 0 0", "2\n1")
+    cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", colored))
+    np.testing.assert_allclose(cloud.colors, [[1, 0, 0.2]], atol=1e-7)
+    assert not loom.read_point_cloud(write(tmp_path / "b.ptx", colored, scan())).has_colors  # not all scans have them
+
+
+def test_missing_returns_and_coordinates_that_are_not_finite_are_no_points(tmp_path):
+    points = "nan nan nan 0\n0 0 0 0.5\n0 inf 0 1\n-0.0 0.000000 0e0 1\n0 0 1e-9 nan\n0 0 2 1"
+    cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", scan(points, "3\n2", STRAIGHT)))
+    assert cloud["row_index"].tolist() == [0, 1] and cloud["column_index"].tolist() == [2, 2]
+    assert np.isnan(cloud["intensity"][0])
+    empty = scan("0 0 0 0.5", "1\n1"), scan("", "0\n0"), scan("1 2 3 0.5", "1\n1")
+    cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", *empty))
+    assert cloud["scan_index"].tolist() == [2]
+
+
+def test_stations_keep_their_own_coordinates(tmp_path):
+    found = loom.read_stations(write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT)))
+    assert found.names == ("0", "1") and found.posed.all()
+    np.testing.assert_allclose(found.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
+    np.testing.assert_allclose(found.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
+
+
+def test_an_e57_made_of_it_keeps_the_poses(tmp_path):
+    path = write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
+    write_cloud_table(tmp_path / "a.e57", read_table(path), source=path)
+    before, after = loom.read_stations(path), loom.read_stations(tmp_path / "a.e57")
+    np.testing.assert_allclose(after.poses, before.poses, atol=1e-12)
+    for a, b in zip(after.clouds, before.clouds, strict=True):
+        np.testing.assert_allclose(a.points, b.points, atol=1e-6)
+        assert {*a.attributes} == {*b.attributes} == {"intensity", "row_index", "column_index"}
+
+
+def test_tiles_are_made_of_it(tmp_path):
+    write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
+    loom.tiling.plan_tiles(tmp_path / "a.ptx", [], tmp_path / "job")
+    loom.tiling.run_tiles(tmp_path / "job")
+    found = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
+    whole = loom.read_point_cloud(tmp_path / "a.ptx")
+    np.testing.assert_allclose(np.sort(found.points, axis=0), np.sort(whole.points, axis=0), atol=1e-4)
+    assert sorted(found["intensity_value"].tolist()) == sorted(whole["intensity"].tolist())
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        (scan()[:-10], "line 1"),  # a line of a point is gone
+        (scan(shape="2\n3"), "line 1"),
+        (scan(shape="2\n1"), "line 13"),  # the third point is no number of columns
+        (scan() + "2\n2\n0 0 0\n", "line 17"),  # a header is cut off
+        (scan(shape="1000000000\n1000000000"), "line 1"),
+        (scan(shape="-2\n2"), "line 1"),
+        (scan(shape="2\n2.5"), "line 2"),
+        (scan(place="0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
+        (scan(place="nan 0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
+        (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 nan 0")), "line 9"),
+        (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 2 0")), "lines 7 to 10"),  # scale
+        (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 -1 0")), "lines 7 to 10"),  # a mirror
+        (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 1 5")), "lines 7 to 10"),
+        (scan(FOUR.replace("0 2 0 0.25", "0 2 0")), "line 13"),
+        (scan(FOUR.replace("0 2 0 0.25", "0 2 0 x")), "line 13"),
+        (scan(FOUR.replace("0 2 0 0.25", "")), "lines 11 to 14"),
+        (scan("1 0 0 0.5 0 0 256", "1\n1"), "line 11"),
+        (scan("1 0 0", "1\n1"), "line 11"),
+        ("\n\n", ""),
+        ("x y z\n1 2 3\n", "line 1"),
+    ],
+)
+def test_a_file_that_contradicts_itself_is_refused_with_its_place(tmp_path, text, where):
+    with pytest.raises(loom.FileError) as caught:
+        loom.read_point_cloud(write(tmp_path / "a.ptx", text))
+    assert (caught.value.path, caught.value.where) == (str(tmp_path / "a.ptx"), where)
+    with pytest.raises(loom.FileError):
+        loom.read_stations(tmp_path / "a.ptx")

@@ -1,0 +1,321 @@
+"""Streams of frames: each is checked, frames dropped on purpose are counted, and recordings are whole at any moment."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import DatasetError
+from pointloom.datasets.scenes.room import room_loop_sequence
+from pointloom.io.frames import recordings
+from pointloom.io.frames.dataset_layouts import FRAME_TIMES
+from pointloom.io.frames.datasets import Frame
+from pointloom.io.frames.frame_times import MOST_REMARKS, TimeWatch
+from pointloom.io.frames.recordings import FrameRecorder
+from pointloom.io.frames.rgbd_sources import RGBDSource
+
+CAMERA = loom.PinholeCameraIntrinsic(8, 6, 7.0, 7.0, 3.5, 2.5)
+DEPTH = np.full((6, 8), 1500, np.uint16)
+COLOR = np.full((6, 8, 3), 40, np.uint8)
+
+
+def stream(*items, **options):
+    return loom.frames_from(iter(items), CAMERA, **options)
+
+
+def test_pairs_triples_and_frames_are_taken_and_copied():
+    depth = DEPTH.copy()
+    kept = list(stream((COLOR, depth), (None, depth.astype(np.float32), 2.5)))
+    again = list(loom.frames_from(kept, CAMERA))
+    depth[:] = 7
+    for first, second in (kept, again):
+        assert (first.depth == 1500).all() and first.depth.dtype == np.uint16 and (first.color == 40).all()
+        assert (second.depth == 1500).all() and second.depth.dtype == np.float32 and second.color is None
+        assert (first.timestamp, second.timestamp, first.T_world_camera) == (None, 2.5, None)
+
+
+def test_depth_of_float64_is_metres_as_of_an_rgbd_image():
+    depth = np.full(DEPTH.shape, 1.23456789)
+    (frame,) = stream((None, depth))
+    np.testing.assert_array_equal(frame.depth, loom.RGBDImage(COLOR, depth).depth)
+    assert frame.depth.dtype == np.float32
+
+
+def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
+    listed = loom.frames_from([(COLOR, DEPTH)] * 3, CAMERA)
+    assert len(listed) == 3 and len(list(listed)) == len(list(listed)) == 3
+    once = stream((COLOR, DEPTH))
+    assert not hasattr(once, "__len__") and len(list(once)) == 1
+    with pytest.raises(ValueError, match="frames:"):
+        list(once)
+
+
+@pytest.mark.parametrize(
+    ("item", "error", "message"),
+    [
+        ((COLOR, DEPTH, np.eye(4)), TypeError, r"got a pose; give poses as SimpleNamespace\(.*T_world_camera="),
+        ((COLOR, None), TypeError, "depth"),
+        ((COLOR, DEPTH[:5]), ValueError, r"depth: expected shape \[6, 8\].*got \[5, 8\]"),
+        ((DEPTH, COLOR), TypeError, "depth: .*got uint8"),
+        ((COLOR[:3], DEPTH), ValueError, "color: is 8 x 3, depth 8 x 6.*resize_color=True"),
+        ((COLOR[..., 0], DEPTH), ValueError, r"color: expected RGB of shape \[6, 8, 3\]"),
+        ((COLOR.astype(np.float32), DEPTH), TypeError, "color: expected uint8"),
+        ((COLOR, DEPTH, float("nan")), ValueError, "timestamp"),
+        ((COLOR, DEPTH, "noon"), TypeError, "timestamp"),
+        ((COLOR,), ValueError, r"expected \(color, depth\)"),
+        (DEPTH, TypeError, r"expected \(color, depth\) or what has color and depth"),
+    ],
+)
+def test_a_frame_that_is_none_is_named_and_the_frames_before_it_are_given(item, error, message):
+    taken = []
+    with pytest.raises(error, match=f"frame-000001.*{message}"):
+        for frame in stream((COLOR, DEPTH), item):
+            taken.append(frame.name)
+    assert taken == ["frame-000000"]
+
+
+def test_colour_of_another_size_is_resized_where_asked_for():
+    large = np.repeat(np.repeat(COLOR, 3, axis=0), 3, axis=1)
+    large[:3, :3] = 100
+    (frame,) = stream((large, DEPTH), resize_color=True)
+    assert frame.color.shape == (6, 8, 3) and (frame.color[0, 0] == 100).all() and (frame.color[1:] == 40).all()
+    with pytest.raises(ValueError, match="another shape"):
+        list(stream((np.zeros((80, 20, 3), np.uint8), DEPTH), resize_color=True))
+
+
+def test_times_that_stand_still_go_back_or_jump_are_told():
+    times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.6, 3.0, 1.0, 1.1]
+    source = stream(*((COLOR, DEPTH, t) for t in times))
+    assert len(list(source)) == len(times)
+    assert source.notes == [
+        "frame-000007: its time stamp is equal to that of the frame before it",
+        "frame-000008: comes 2.400 s after the frame before it, where 0.100 s are usual",
+        "frame-000009: its time stamp is 2.000 s before that of the frame before it",
+    ]
+
+
+def test_a_steady_stream_and_one_without_times_cause_no_remarks_and_an_endless_one_no_heap_of_them():
+    for times in ([None] * 9, [0.033 * i for i in range(9)], [0, 0.1, 0.3, 0.4, 0.5, 0.7, 0.8, 1.1]):
+        source = stream(*((COLOR, DEPTH, t) for t in times))
+        list(source)
+        assert source.notes == []
+    watch = TimeWatch()
+    for i in range(3 * MOST_REMARKS):
+        watch.see(str(i), 1.0)
+    assert (len(watch.notes), watch.count) == (MOST_REMARKS, 3 * MOST_REMARKS - 1)
+
+
+def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
+    loom.record_frames(stream((COLOR, DEPTH)), tmp_path / "set")
+    rooms = room_loop_sequence(2, width=8, height=6)
+    for source in (stream((COLOR, DEPTH)), loom.open_frames(tmp_path / "set"), rooms, loom.LatestFrames(rooms)):
+        assert isinstance(source, RGBDSource)
+    assert not isinstance([(COLOR, DEPTH)], RGBDSource)
+
+
+def paced(count, gate=None, started=None):
+    """Frames whose depth is their number; each waits for the gate."""
+    for i in range(count):
+        if gate is not None:
+            gate.acquire()
+        yield None, np.full((6, 8), i, np.uint16), float(i)
+    if started is not None:
+        started.set()
+
+
+def test_a_slow_job_gets_the_newest_frame_and_the_others_are_counted():
+    gate, done = threading.Semaphore(1), threading.Event()
+    latest = loom.LatestFrames(loom.frames_from(paced(10, gate, done), CAMERA))
+    frames = iter(latest)
+    assert next(frames).timestamp == 0
+    gate.release(9)
+    assert done.wait(60)
+    assert [frame.timestamp for frame in frames] == [9]
+    assert latest.dropped == 8
+    assert latest.notes == ["8 frames dropped: newer ones came before they were taken"]
+
+
+def test_a_fast_job_gets_all_frames():
+    gate = threading.Semaphore(1)
+    latest, taken = loom.LatestFrames(loom.frames_from(paced(6, gate), CAMERA)), []
+    for frame in latest:
+        taken.append(frame.timestamp)
+        gate.release()
+    assert taken == [0, 1, 2, 3, 4, 5] and (latest.dropped, latest.notes) == (0, [])
+
+
+def test_an_error_of_the_source_comes_after_the_frames_before_it():
+    latest, taken = loom.LatestFrames(stream((COLOR, DEPTH), (COLOR, None))), []
+    with pytest.raises(TypeError, match="frame-000001: depth"):
+        for frame in latest:
+            taken.append(frame.name)
+    assert taken == ["frame-000000"]
+
+
+class Live:
+    """A camera that never ends; it notes that it was closed."""
+
+    intrinsic, depth_scale, dropped = CAMERA, 1000.0, 3
+
+    def __init__(self):
+        self.closed = False
+
+    def __iter__(self):
+        while True:
+            time.sleep(0.001)
+            yield Frame(DEPTH, None, None, "frame")
+
+    def close(self):
+        self.closed = True
+
+
+@pytest.mark.parametrize("ending", [KeyboardInterrupt, ValueError, None])
+def test_leaving_the_loop_ends_the_thread_and_closes_the_camera(ending):
+    before, camera = threading.active_count(), Live()
+    with pytest.raises(ending or StopIteration), loom.LatestFrames(camera) as latest:
+        for i, _ in enumerate(latest):
+            if i == 3:
+                raise ending or StopIteration
+    assert camera.closed and threading.active_count() == before
+    assert latest.dropped >= 3  # the camera's own
+
+
+def test_closing_from_another_thread_ends_a_loop_that_waits():
+    gate = threading.Semaphore(1)
+    latest = loom.LatestFrames(loom.frames_from(paced(10, gate), CAMERA))
+    frames = iter(latest)
+    next(frames)
+
+    def close():
+        latest.close(timeout=0)
+        gate.release()
+
+    threading.Timer(0.05, close).start()
+    assert list(frames) == []
+
+
+def test_frames_are_read_by_one_loop():
+    latest = loom.LatestFrames(stream((COLOR, DEPTH)))
+    assert len(list(latest)) == 1
+    with pytest.raises(ValueError, match="read once"):
+        iter(latest)
+
+
+def test_a_recording_is_the_stream_again(tmp_path):
+    room = room_loop_sequence(3, width=32, height=24)
+    assert loom.record_frames(room, tmp_path / "set") == 3
+    recorded = loom.open_frames(tmp_path / "set")
+    assert (recorded.layout, recorded.intrinsic, recorded.depth_scale) == ("7scenes", room.intrinsic, 1000)
+    for first, second in zip(room, recorded, strict=True):
+        assert np.array_equal(first.depth, second.depth) and np.array_equal(first.color, second.color)
+        assert np.array_equal(first.T_world_camera, second.T_world_camera)
+        assert (first.name, first.timestamp) == (second.name, second.timestamp)
+    assert len(loom.open_dataset(tmp_path / "set")) == 3  # it has poses
+
+
+def test_a_recording_keeps_the_unit_of_depth_and_what_is_not_known(tmp_path):
+    loom.record_frames(stream((None, DEPTH), depth_scale=5000), tmp_path / "set")
+    source = loom.open_frames(tmp_path / "set")
+    (frame,) = source
+    assert source.depth_scale == 5000 and np.array_equal(frame.depth, DEPTH)
+    assert (frame.color, frame.T_world_camera, frame.timestamp) == (None, None, None)
+
+
+def test_metres_are_rounded_to_millimetres_and_what_is_no_depth_is_none(tmp_path):
+    metres = np.full((6, 8), 1.2345, np.float32)
+    metres[0, :4] = np.nan, -1, 0, 65.0
+    loom.record_frames(stream((None, metres)), tmp_path / "set")
+    (frame,) = loom.open_frames(tmp_path / "set")
+    assert frame.depth[0, :4].tolist() == [0, 0, 0, 65000]
+    assert np.abs(frame.depth[1:] / 1000 - 1.2345).max() < 0.000501
+    metres[2, 2] = np.inf
+    with pytest.raises(ValueError, match=r"frame frame-000000:.*16.*65\.53"):
+        loom.record_frames(stream((None, metres)), tmp_path / "too far")
+
+
+def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeypatch):
+    """However far the second frame got, the first is there and nothing is half."""
+    recorder = FrameRecorder(tmp_path / "set", CAMERA)
+    frames = list(stream((COLOR, DEPTH, 0.5), (COLOR, DEPTH, 0.6)))
+    recorder.write(frames[0])
+    steps = []
+
+    def look(write):
+        def written(path, array):
+            write(path, array)
+            steps.append([frame.timestamp for frame in loom.open_frames(tmp_path / "set")])
+
+        return written
+
+    monkeypatch.setattr(recordings, "write_png", look(recordings.write_png))
+    recorder.write(frames[1])
+    assert steps == [[0.5], [0.5]]
+    assert [frame.timestamp for frame in loom.open_frames(tmp_path / "set")] == [0.5, 0.6]
+    listing = tmp_path / "set" / FRAME_TIMES
+    listing.write_bytes(listing.read_bytes()[:-2])  # the power went while the line was written
+    assert [frame.timestamp for frame in loom.open_frames(tmp_path / "set")] == [0.5]
+
+
+def test_a_disk_that_fills_up_leaves_the_frames_before_it(tmp_path, monkeypatch):
+    recorder = FrameRecorder(tmp_path / "set", CAMERA)
+    frames = list(stream((COLOR, DEPTH), (COLOR, DEPTH)))
+    recorder.write(frames[0])
+
+    def full(path, array):
+        raise loom.FileError(path, "cannot be written: No space left on device")
+
+    write = recordings.write_png
+    monkeypatch.setattr(
+        recordings, "write_png", lambda path, a: full(path, a) if "depth" in path.name else write(path, a)
+    )
+    with pytest.raises(loom.FileError, match=r"/frame-000001\.depth\.png:"):
+        recorder.write(frames[1])
+    assert recorder.count == 1 and len(loom.open_frames(tmp_path / "set")) == 1
+    monkeypatch.setattr(recordings, "write_png", write)
+    recorder.write(frames[1])  # there is room again
+    assert len(loom.open_frames(tmp_path / "set")) == 2
+
+
+def test_a_stream_that_fails_leaves_a_recording_of_what_came(tmp_path):
+    with pytest.raises(TypeError, match="frame-000002"):
+        loom.record_frames(stream((COLOR, DEPTH), (COLOR, DEPTH), (COLOR, None)), tmp_path / "set")
+    assert len(loom.open_frames(tmp_path / "set")) == 2
+
+
+def test_colour_comes_with_all_frames_or_none(tmp_path):
+    with pytest.raises(ValueError, match="frame frame-000001:"):
+        loom.record_frames(stream((COLOR, DEPTH), (None, DEPTH)), tmp_path / "set")
+
+
+def test_a_listed_frame_that_is_gone_is_named_or_skipped(tmp_path):
+    loom.record_frames(stream(*[(COLOR, DEPTH)] * 3), tmp_path / "set")
+    for path in (tmp_path / "set").glob("frame-000001.*"):
+        path.unlink()
+    with pytest.raises(DatasetError, match=rf"frame-000001\.depth\.png: missing, though {FRAME_TIMES} lists it"):
+        loom.open_frames(tmp_path / "set")
+    source = loom.open_frames(tmp_path / "set", skip_missing=True)
+    assert len(source) == 2 and len(source.left_out) == 1
+
+
+@pytest.mark.parametrize(
+    "line", ["frame-000000 0.1", "frame-000001", "picture-1 0.2", "frame-000001 soon", "frame-000001 nan"]
+)
+def test_a_damaged_list_of_times_is_refused_by_line(tmp_path, line):
+    loom.record_frames(stream((COLOR, DEPTH, 0.1)), tmp_path / "set")
+    with (tmp_path / "set" / FRAME_TIMES).open("a") as file:
+        file.write(line + "\n")
+    with pytest.raises(loom.FileError, match=rf"{FRAME_TIMES} \(line 3\)"):
+        loom.open_frames(tmp_path / "set")
+
+
+def test_a_folder_that_holds_something_is_left_alone(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(loom.FileError, match=r"notes\.txt"):
+        FrameRecorder(tmp_path, CAMERA)
+    with pytest.raises(loom.FileError, match="/b:"):
+        FrameRecorder(tmp_path / "a" / "b", CAMERA)
+    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]

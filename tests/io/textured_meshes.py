@@ -1,0 +1,63 @@
+"""Meshes with textures for the tests of files."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pointloom.io.table import MeshTable
+
+# The corners of the picture differ: red above left, green above right, blue below left, yellow below right.
+PICTURE = np.zeros((8, 8, 3), np.uint8)
+PICTURE[:4, :4], PICTURE[:4, 4:], PICTURE[4:, :4], PICTURE[4:, 4:] = [
+    [255, 0, 0],
+    [0, 255, 0],
+    [0, 0, 255],
+    [255, 255, 0],
+]
+CORNERS = {(0.0, 0.0): (0, 0, 255), (1.0, 0.0): (255, 255, 0), (0.0, 1.0): (255, 0, 0), (1.0, 1.0): (0, 255, 0)}
+
+
+def square() -> MeshTable:
+    """A square whose corners show the corners of the picture."""
+    return MeshTable(
+        np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32),
+        np.array([[0, 1, 2], [0, 2, 3]]),
+        triangle_uvs=np.array([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], np.float32),
+        textures=(PICTURE,),
+    )
+
+
+def textured(dtype=np.float32, *, normals=True, colors=True) -> MeshTable:
+    """A mesh with seams, two pictures and a colour, in no order."""
+    rng = np.random.default_rng(3)
+    vectors = rng.normal(size=(20, 3))
+    return MeshTable(
+        rng.normal(size=(20, 3)).astype(dtype),
+        rng.permuted(np.tile(np.arange(19), (30, 1)), axis=1)[:, :3],
+        (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32) if normals else None,
+        rng.integers(0, 256, (20, 3)).astype(np.float32) / np.float32(255) if colors else None,
+        triangle_uvs=rng.random((90, 2)).astype(np.float32),
+        triangle_material_ids=rng.integers(0, 3, 30).astype(np.int32),
+        textures=(PICTURE, np.full((1, 1, 3), 77, np.uint8), np.dstack([PICTURE[::-1], PICTURE[..., 0]])),
+    )
+
+
+def corner_table(mesh) -> np.ndarray:
+    """What each corner of a mesh looks like: place, coordinates and material; rows of 3 corners, sorted."""
+    at = mesh.triangles.reshape(-1)
+    columns = [mesh.vertices[at], mesh.triangle_uvs]
+    ids = mesh.triangle_material_ids
+    columns.append(np.repeat(np.zeros(len(mesh.triangles)) if ids is None else ids, 3)[:, None])
+    columns += [values[at] for values in (mesh.vertex_normals, mesh.vertex_colors) if values is not None]
+    rows = np.hstack(columns).reshape(len(mesh.triangles), -1)
+    return rows[np.lexsort(rows.T)]
+
+
+def seen_at_corners(mesh) -> dict:
+    """The colour of the picture at each corner of a mesh, its rows from above, v from below."""
+    found = {}
+    for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
+        picture = mesh.textures[0]
+        row, column = round((1 - float(v)) * (len(picture) - 1)), round(float(u) * (picture.shape[1] - 1))
+        found[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
+    return found

@@ -1,0 +1,89 @@
+"""What the tests of Open3D's names share: the folder of files that the scripts of its tutorials read."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+import pointloom.open3d as o3d
+
+FRAMES = (0, 1, 2)
+COUNT = 3
+EVERY = 7  # points of the two clouds
+FARTHEST = 4.0  # [m]
+POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
+
+
+@pytest.fixture(scope="session")
+def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with made clouds, frames, a mesh, cameras and a polygon, by the names that tutorials use."""
+    folder = tmp_path_factory.mktemp("tutorials")
+    loom.write_point_cloud(folder / "street.pcd", loom.PointCloud(street(np.random.default_rng(1))))
+    figure = loom.datasets.object_mesh().simplify_quadric_decimation(2500)
+    loom.write_triangle_mesh(folder / "bunny.ply", figure)
+    frames = loom.datasets.room_frames(24, width=640, height=480)
+    for name in ("color", "depth"):
+        (folder / name).mkdir()
+    poses = []
+    for i, frame in enumerate(frames[k] for k in FRAMES):
+        Image.fromarray(frame.color).save(folder / f"color/{i}.jpg", quality=95)
+        Image.fromarray((frame.depth * 1000).round().astype(np.uint16)).save(folder / f"depth/{i}.png")
+        poses.append(frame.T_world_camera)
+        if i < 2:
+            rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, frame.depth, 1.0, 10.0, False)
+            cloud = loom.PointCloud.create_from_rgbd_image(rgbd, frame.intrinsic)
+            loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(23))
+    loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(np.array(poses)))
+    fragment = loom.read_point_cloud(folder / "0.pcd").estimate_normals().orient_normals_towards_camera_location()
+    loom.write_point_cloud(
+        folder / "fragment.ply", fragment.estimate_normals().orient_normals_towards_camera_location()
+    )
+    volume = {"axis_max": 4.0, "axis_min": -4.0, "bounding_polygon": POLYGON, "class_name": "SelectionPolygonVolume"}
+    volume |= {"orthogonal_axis": "Y", "version_major": 1, "version_minor": 0}
+    (folder / "cropped.json").write_text(json.dumps(volume))
+    return folder
+
+
+def street(rng: np.random.Generator) -> np.ndarray:
+    """A road, a wall and cars: points of a scanner, some of them stray."""
+    road = np.column_stack([rng.uniform(-12, 12, (3000, 2)), rng.normal(-1.6, 0.02, 3000)])
+    wall = np.column_stack([rng.uniform(-12, 12, 1200), rng.normal(9, 0.02, 1200), rng.uniform(-1.2, 3, 1200)])
+    cars = [rng.uniform(-0.5, 0.5, (400, 3)) * (4, 1.8, 1.4) + (x, y, -0.6) for x, y in ((-7, 3), (0, -4), (6, 2))]
+    stray = rng.uniform(-12, 12, (40, 3)) * (1, 1, 0.4)
+    return np.concatenate([road, wall, *cars, stray])
+
+
+@pytest.fixture(scope="session")
+def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with three frames of a made room, 320 x 240, and files that the pages on pipelines read."""
+    folder = tmp_path_factory.mktemp("pages")
+    frames = loom.datasets.room_frames(COUNT)
+    T_first_world = np.linalg.inv(frames[0].T_world_camera)
+    poses = np.array([T_first_world @ frame.T_world_camera for frame in frames])
+    camera = frames[0].intrinsic
+    for name in ("color", "depth"):
+        (folder / name).mkdir()
+    volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.2)
+    for i, frame in enumerate(frames):
+        depth = (frame.depth * 1000).round().astype(np.uint16)
+        Image.fromarray(frame.color).save(folder / f"color/{i}.jpg", quality=95)
+        Image.fromarray(depth).save(folder / f"depth/{i}.png")
+        volume.integrate(depth, camera, np.linalg.inv(poses[i]), frame.color, depth_max=FARTHEST)
+        if i < 2:
+            rgbd = loom.RGBDImage.create_from_color_and_depth(frame.color, depth, 1000.0, FARTHEST, False)
+            cloud = loom.PointCloud.create_from_rgbd_image(rgbd, camera)
+            loom.write_point_cloud(folder / f"{i}.pcd", cloud.uniform_down_sample(EVERY))
+    loom.write_pinhole_camera_intrinsic(folder / "camera.json", camera)
+    path = loom.Trajectory(poses)
+    loom.write_trajectory(folder / "trajectory.log", path)
+    loom.write_trajectory(folder / "cameras.json", path, intrinsic=camera)
+    loom.write_triangle_mesh(folder / "room.ply", volume.extract_triangle_mesh(0))
+    option = o3d.visualization.RenderOption()
+    option.point_size, option.background_color, option.show_coordinate_frame = 2.0, (0.1, 0.2, 0.3), True
+    option.save_to_json(folder / "renderoption.json")
+    return folder

@@ -1,0 +1,289 @@
+"""Conventions of Open3D that scripts rely on without naming them, beside Open3D's answers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom.open3d as bridge
+
+ROWS = (3, 1, 1, 0)
+GRID = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
+TURN = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
+EDITS = ("select_by_index", "remove_triangles_by_index", "remove_vertices_by_index")
+FANS = [(np.eye(5, 3), np.array(rows, np.int32)) for rows in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 1]], [[0, 1, 2]] * 2, [])]
+SHAPES = {"DoubleVector": (4,), "IntVector": (4,), "Vector2dVector": (4, 2), "Vector3dVector": (4, 3)}
+SHAPES |= {"Vector2iVector": (4, 2), "Vector3iVector": (4, 3), "Vector4iVector": (4, 4)}
+SHAPES |= {"Matrix3dVector": (4, 3, 3), "Matrix4dVector": (4, 4, 4)}
+NUMPY = """v - a; a - v; v * np.float64(2); np.float64(2) / v; v < a.mean(); a[v > a.mean()]; v == a; a == v; v != a
+np.max(v, axis=0); np.min(v); np.sum(v); np.abs(v); np.sqrt(v); np.isnan(v); np.any(v); np.all(v); np.add(v, 1)
+np.power(v, 2); np.multiply(v, v); np.maximum.reduce(v); np.add.accumulate(v); np.cumsum(v); np.clip(v, 1, 2)
+np.linalg.norm(v - a.mean(axis=0), axis=-1); np.quantile(v, 0.5); np.round(v, 1); np.where(v > np.mean(v), v, 0)
+np.asarray(v, np.int64); np.array_equal(v, a); np.concatenate([v, v]); np.argsort(v, axis=0)"""
+NUMPY = [call.strip() for call in NUMPY.replace("\n", ";").split(";")]
+REFUSED = ["v - v", "v + 1", "-v", "v < v", "np.add(v, 1, out=v)"]
+COLUMN = np.array([[1.0], [2], [3]])
+SHEAR = np.array([[2.0, 0, 0, 1], [0, 1, 0.5, 0], [0, 0, 3, 0], [0, 0, 0.1, 2]])
+
+
+def cloud(o3d, count=5, seed=0):
+    random = np.random.default_rng(seed)
+    made = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(random.uniform(-1, 1, (count, 3))))
+    made.normals = o3d.utility.Vector3dVector(random.normal(size=(count, 3)))
+    made.colors = o3d.utility.Vector3dVector(random.random((count, 3)))
+    half = random.normal(size=(count, 3, 3))
+    made.covariances = o3d.utility.Matrix3dVector(half @ half.transpose(0, 2, 1))
+    return made
+
+
+def mesh(o3d):
+    """A sphere whose normals, of vertices and of triangles, are assigned: neither unit vectors nor its own."""
+    made, random = o3d.geometry.TriangleMesh.create_sphere(1.0, 3), np.random.default_rng(0)
+    made.vertex_normals = o3d.utility.Vector3dVector(random.normal(size=(len(made.vertices), 3)))
+    made.triangle_normals = o3d.utility.Vector3dVector(random.normal(size=(len(made.triangles), 3)))
+    return made
+
+
+def arrays(shape):
+    names = ("points", "normals", "covariances", "vertices", "vertex_normals", "triangle_normals", "lines")
+    return {name: np.array(getattr(shape, name), float) for name in names if name in dir(type(shape))}
+
+
+def edited(shape, method, *values):
+    """A shape after a method that changes it and returns something else."""
+    getattr(shape, method)(*values)
+    return arrays(shape)
+
+
+def feature(o3d):
+    made = o3d.pipelines.registration.Feature()
+    made.data = np.arange(10.0).reshape(2, 5)
+    return made
+
+
+def found(o3d, search, *values):
+    tree = o3d.geometry.KDTreeFlann(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(GRID)))
+    return getattr(tree, search)([1, 1, 1], *values)[0]
+
+
+def fpfh(o3d, rows):
+    near = o3d.geometry.KDTreeSearchParamHybrid(2.0, 30)
+    return np.array(o3d.pipelines.registration.compute_fpfh_feature(cloud(o3d, 30), near, rows).data).shape
+
+
+def in_numpy(o3d, kind):
+    """True for each call that takes a vector as its array, and for each that is refused."""
+    array = np.arange(1, 1 + np.prod(SHAPES[kind])).reshape(SHAPES[kind]) % 7 + 1
+    vector = getattr(o3d.utility, kind)(
+        array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
+    )
+    values = np.asarray(vector)
+    calls = {call: [eval(call, {"np": np, "v": v, "a": values}) for v in (vector, values)] for call in NUMPY}
+    same = [np.array_equal(*pair) and type(pair[0]) is type(pair[1]) for pair in calls.values()]
+    return np.array(same + [is_refused(call, {"np": np, "v": vector, "a": values}) for call in REFUSED])
+
+
+def is_refused(call, names):
+    try:
+        eval(call, names)
+    except TypeError:
+        return True
+    return False
+
+
+def textured(o3d):
+    made = o3d.geometry.TriangleMesh.create_box()
+    made.textures = [o3d.geometry.Image(np.zeros((2, 2, 3), np.uint8))]
+    return made
+
+
+def points_in_box(o3d, shape):
+    return shape.get_axis_aligned_bounding_box().get_point_indices_within_bounding_box(shape.points)
+
+
+def traced(o3d, shape, *corners):
+    corners = corners or (shape.get_min_bound(), shape.get_max_bound())
+    return shape.voxel_down_sample_and_trace(0.5, *corners)[2]
+
+
+def points_of(o3d, rows, last):
+    points = o3d.utility.Vector3dVector(rows)
+    points.append(last)
+    points[0] = 2 * last
+    return np.array(points)
+
+
+def rotations(o3d):
+    return [getattr(o3d.geometry, f"get_rotation_matrix_from_{name}") for name in ("xyz", "zyx", "axis_angle")]
+
+
+def sampled(o3d, how):
+    made = o3d.geometry.TriangleMesh.create_box()
+    made.triangle_normals = o3d.utility.Vector3dVector(np.tile([[0.6, 0, 0.8]], (12, 1)))
+    return getattr(made, f"sample_points_{how}")(5, use_triangle_normal=True)
+
+
+def mesh_of(o3d, vertices, triangles):
+    vectors = o3d.utility.Vector3dVector(vertices), o3d.utility.Vector3iVector(np.reshape(triangles, (-1, 3)))
+    return o3d.geometry.TriangleMesh(*vectors)
+
+
+def criteria(o3d, confidence):
+    return o3d.pipelines.registration.RANSACConvergenceCriteria(4000, confidence)
+
+
+def assigned(made, name, value):
+    setattr(made, name, value)
+    return made
+
+
+def registered(o3d, criteria):
+    source, target = cloud(o3d, 30), cloud(o3d, 30).rotate(TURN, center=(0, 0, 0))
+    pairs = o3d.utility.Vector2iVector(np.repeat(np.arange(30, dtype=np.int32)[:, None], 2, axis=1))
+    register = o3d.pipelines.registration.registration_ransac_based_on_correspondence
+    return np.array(register(source, target, pairs, 0.05, criteria=criteria).transformation)
+
+
+def param(o3d, radius):
+    return o3d.geometry.KDTreeSearchParamRadius(radius)
+
+
+# Each claim is called with Open3D and with its names here. Open3D's answers are stored.
+CLAIMS = {
+    # Indices flag elements: repeats and the order have no effect, but for meshes, whose vertices they order.
+    "select repeats": lambda o3d: arrays(cloud(o3d).select_by_index(ROWS)),
+    "select an IntVector": lambda o3d: arrays(cloud(o3d).select_by_index(o3d.utility.IntVector(ROWS))),
+    "select a set": lambda o3d: arrays(cloud(o3d).select_by_index(set(ROWS))),
+    "select the rest of repeats": lambda o3d: arrays(cloud(o3d).select_by_index(ROWS, invert=True)),
+    "select features": lambda o3d: np.array(feature(o3d).select_by_index(ROWS).data),
+    "select the rest of features": lambda o3d: np.array(feature(o3d).select_by_index(ROWS, invert=True).data),
+    "features of repeats": lambda o3d: fpfh(o3d, ROWS),
+    "select vertices": lambda o3d: arrays(mesh(o3d).select_by_index([*range(12, -1, -1), 3, 3])),
+    "remove triangles by repeats": lambda o3d: edited(mesh(o3d), "remove_triangles_by_index", ROWS),
+    "remove vertices by repeats": lambda o3d: edited(mesh(o3d), "remove_vertices_by_index", ROWS),
+    # Points at exactly the radius are not within it.
+    "radius": lambda o3d: [found(o3d, "search_radius_vector_3d", r) for r in (0, 1, 1.01, 2**0.5, 2, np.inf)],
+    "radius of any dimension": lambda o3d: [found(o3d, "search_radius_vector_xd", r) for r in (1, 2)],
+    "hybrid": lambda o3d: [found(o3d, "search_hybrid_vector_3d", r, 50) for r in (0, 1, 1.01, 2, np.inf)],
+    "radius of a parameter": lambda o3d: [found(o3d, "search_vector_3d", param(o3d, r)) for r in (1, 1.01)],
+    # Normals of triangles, computed or assigned.
+    "areas by normals": lambda o3d: arrays(mesh(o3d).compute_triangle_normals(normalized=False))["triangle_normals"],
+    "normals weighted by areas": lambda o3d: arrays(mesh(o3d).compute_vertex_normals(normalized=False)),
+    "computed normals": lambda o3d: arrays(mesh(o3d).compute_vertex_normals()),
+    "no normals to normalize": lambda o3d: arrays(o3d.geometry.PointCloud(cloud(o3d).points).normalize_normals()),
+    "mean of no points": lambda o3d: np.vstack(o3d.geometry.PointCloud().compute_mean_and_covariance()),
+    "normalized normals": lambda o3d: arrays(mesh(o3d).normalize_normals()),
+    "mesh translated": lambda o3d: arrays(mesh(o3d).translate([1, 2, 3])),
+    "mesh scaled": lambda o3d: arrays(mesh(o3d).scale(2, center=(0, 0, 1))),
+    "mesh rotated": lambda o3d: arrays(mesh(o3d).rotate(TURN, center=(0, 0, 1))),
+    "mesh painted": lambda o3d: arrays(mesh(o3d).paint_uniform_color([1, 0, 0])),
+    "mesh written to": lambda o3d: arrays(edited_vertices(o3d).translate([0, 0, 1])),
+    "vertices removed": lambda o3d: edited(mesh(o3d), "remove_vertices_by_mask", np.arange(14) % 5 == 0),
+    "triangles removed": lambda o3d: edited(mesh(o3d), "remove_triangles_by_mask", np.arange(24) % 3 == 0),
+    "duplicates removed": lambda o3d: arrays((mesh(o3d) + mesh(o3d)).remove_duplicated_vertices()),
+    "mesh cropped": lambda o3d: arrays(mesh(o3d).crop(o3d.geometry.AxisAlignedBoundingBox([-1] * 3, [1, 1, 0.1]))),
+    "meshes added": lambda o3d: arrays(mesh(o3d) + mesh(o3d).translate([3, 0, 0])),
+    "textures assigned before their coordinates": lambda o3d: len(textured(o3d).translate([1, 0, 0]).textures),
+    "samples with assigned normals": lambda o3d: np.array(sampled(o3d, "uniformly").normals),
+    "even samples with assigned normals": lambda o3d: np.array(sampled(o3d, "poisson_disk").normals),
+    "a mesh without normals added": lambda o3d: arrays(mesh(o3d) + o3d.geometry.TriangleMesh.create_box()),
+    "a mesh added to an empty one": lambda o3d: arrays(o3d.geometry.TriangleMesh() + mesh(o3d)),
+    # Points of both clouds, also those without a line.
+    "correspondences": lambda o3d: arrays(joined(o3d, [(0, 1), (2, 3)])),
+    "correspondences that repeat": lambda o3d: arrays(joined(o3d, [(0, 1), (0, 1), (4, 5)])),
+    "edges of a mesh": lambda o3d: arrays(o3d.geometry.LineSet.create_from_triangle_mesh(mesh(o3d))),
+    "points in their own box": lambda o3d: len(points_in_box(o3d, cloud(o3d, 200))),
+    "voxels from the lowest corner": lambda o3d: len(traced(o3d, cloud(o3d, 200))),
+    "no correspondences": lambda o3d: arrays(joined(o3d, [])),
+    # Matrices that are no rigid motions are applied as they are.
+    "cloud translated": lambda o3d: arrays(cloud(o3d).translate([1, 2, 3])),
+    "mirror": lambda o3d: arrays(cloud(o3d).rotate(np.diag([1, 1, -1.0]), center=(0, 0, 1))),
+    "mirror about the mean": lambda o3d: arrays(cloud(o3d).rotate(-np.eye(3))),
+    "enlarging rotation": lambda o3d: arrays(cloud(o3d).rotate(2 * TURN, center=(0, 0, 1)))["points"],
+    "projection": lambda o3d: arrays(cloud(o3d).rotate(np.diag([1, 1, 0.0]), center=(0, 0, 1))),
+    "negative scale": lambda o3d: arrays(cloud(o3d).scale(-2, center=(1, 0, 0))),
+    "scale 0": lambda o3d: arrays(cloud(o3d).scale(0, center=(1, 0, 0))),
+    "projective cloud": lambda o3d: arrays(cloud(o3d).transform(SHEAR)),
+    "projective mesh": lambda o3d: arrays(mesh(o3d).transform(SHEAR)),
+    "projective lines": lambda o3d: arrays(joined(o3d, [(0, 1)]).transform(SHEAR)),
+    "columns": lambda o3d: arrays(cloud(o3d).translate(COLUMN).scale(1, center=COLUMN).rotate(TURN, center=COLUMN)),
+    "points of columns": lambda o3d: points_of(o3d, [COLUMN, -COLUMN], COLUMN),
+    "rotations of columns": lambda o3d: [turn(COLUMN) for turn in rotations(o3d)],
+    "columns of corners": lambda o3d: len(traced(o3d, cloud(o3d, 200), -np.ones((3, 1)), np.ones((3, 1)))),
+    "a frame at a column": lambda o3d: o3d.geometry.TriangleMesh.create_coordinate_frame(1, COLUMN).get_min_bound(),
+    "a camera at a column": lambda o3d: sorted(cloud(o3d, 30).hidden_point_removal(9 * COLUMN, 100.0)[1]),
+    "box of columns": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox(-COLUMN, COLUMN)),
+    "box of swapped corners": lambda o3d: corners(o3d.geometry.AxisAlignedBoundingBox([1, 2, 3], [0, 3, 0])),
+    **{f"{kind} in NumPy": lambda o3d, kind=kind: in_numpy(o3d, kind) for kind in SHAPES},
+    # The second number was a count before Open3D 0.12.
+    "confidence": lambda o3d: [criteria(o3d, value).confidence for value in (500, 1.5, 0.9, -1)],
+    "registration with a count": lambda o3d: registered(o3d, criteria(o3d, 500)),
+    "registration with an assigned count": lambda o3d: registered(o3d, assigned(criteria(o3d, 0.9), "confidence", 500)),
+    # Vertices without triangles count.
+    "Euler characteristic": lambda o3d: [mesh_of(o3d, *shape).euler_poincare_characteristic() for shape in FANS],
+    "orientable": lambda o3d: [mesh_of(o3d, *shape).is_orientable() for shape in FANS[:1]],
+    "version": lambda o3d: [int(part) for part in o3d.__version__.split(".")],
+    "oriented box of columns": lambda o3d: corners(o3d.geometry.OrientedBoundingBox(-COLUMN, TURN, COLUMN)),
+}
+
+
+def edited_vertices(o3d):
+    made = mesh(o3d)
+    np.asarray(made.vertices)[:] *= 2
+    return made
+
+
+def joined(o3d, pairs):
+    lines = o3d.geometry.LineSet
+    return lines.create_from_point_cloud_correspondences(cloud(o3d, 5, 1), cloud(o3d, 6, 2), pairs)
+
+
+def corners(box):
+    return np.array(box.get_box_points())
+
+
+def answers(o3d):
+    return {name: claim(o3d) for name, claim in CLAIMS.items()}
+
+
+@pytest.fixture(scope="module")
+def expected(oracle):
+    return oracle("open3d/conventions", answers)
+
+
+@pytest.mark.parametrize("name", CLAIMS)
+def test_conventions_are_those_of_open3d(name, expected):
+    theirs, ours = expected[name], CLAIMS[name](bridge)
+    if not isinstance(theirs, dict):
+        theirs, ours = {name: theirs}, {name: ours}
+    assert theirs.keys() == ours.keys()
+    for part, values in theirs.items():
+        np.testing.assert_allclose(ours[part], values, rtol=2e-6, atol=2e-6, err_msg=part)
+
+
+def files(o3d, folder):
+    """What writers return for shapes that lack something, and how many vertices an .stl of a box has."""
+    box, empty = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.PointCloud()
+    returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd")]
+    returned += [o3d.io.write_triangle_mesh(str(folder / "a.stl"), box)]
+    o3d.io.write_triangle_mesh(str(folder / "b.stl"), box.compute_vertex_normals())
+    return [*returned, len(o3d.io.read_triangle_mesh(str(folder / "b.stl")).vertices)]
+
+
+def test_files_differ_from_those_of_open3d_as_documented(oracle, tmp_path):
+    assert oracle("open3d/files", files, tmp_path) == [False, False, False, 24]
+    assert files(bridge, tmp_path) == [True, True, True, 8]
+    assert bridge.io.read_point_cloud(tmp_path / "a.ply").is_empty()
+    assert len(bridge.io.read_triangle_mesh(tmp_path / "a.stl").triangles) == 12
+
+
+@pytest.mark.parametrize(
+    ("indices", "kind"),
+    [([True], TypeError), (np.arange(4) < 3, TypeError), ([0.0], TypeError), ([-1], IndexError), ([9], IndexError)],
+)
+def test_what_is_no_list_of_indices_is_refused(indices, kind):
+    calls = [cloud(bridge).select_by_index, feature(bridge).select_by_index]
+    calls += [getattr(bridge.geometry.TriangleMesh.create_tetrahedron(), name) for name in EDITS]
+    for call in calls:
+        with pytest.raises(kind, match="indices"):
+            call(indices)

@@ -1,0 +1,261 @@
+"""`pointloom depth`: files in, files out, exit codes, what is said."""
+
+import json
+import shutil
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.io.points import ply
+from pointloom.photogrammetry.depth import job
+from pointloom.photogrammetry.depth.job import depth_of_pictures
+from pointloom.photogrammetry.depth.presets import DEFAULT
+from pointloom.photogrammetry.depth.settings import DepthSettings
+
+from ...cli.commands import answer, names_in, refusal, run, unreliable
+from .test_estimation import CAMERA, PICTURE, SIDE, scene, sparse_model
+from .tiny_networks import fixed_map, linear
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A picture, a network that sees its depth up to scale and shift, and its true depth."""
+    z = scene()
+    fixed_map(tmp_path / "net.onnx", 37 / z + 5)
+    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    np.save(tmp_path / "z.npy", z.astype(np.float32))
+    loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
+    return tmp_path
+
+
+def words(folder, *more, output="out.ply", picture="photo.png"):
+    return ["depth", folder / picture, "--model", folder / "net.onnx", "-o", folder / output, "--device", "cpu", *more]
+
+
+def test_a_picture_becomes_a_cloud_in_metres(folder):
+    extras = ["--picture", folder / "out.png", "--depth-map", folder / "depth.npy"]
+    report = answer(*words(folder, "--align", folder / "z.npy", "--intrinsic", folder / "camera.json", *extras))
+    (each,) = report["pictures"]
+    assert (report["provider"], report["preset"], report["reliable"]) == ("CPUExecutionProvider", DEFAULT, True)
+    assert (each["unit"], each["is_metric"], each["inlier_share"], each["references"]) == ("m", True, 1.0, SIDE**2)
+    assert each["camera"] == {
+        "fx": 500.0, "fy": 510.0, "cx": 250.0, "cy": 262.0, "width": SIDE, "height": SIDE, "source": "given"
+    }  # fmt: skip
+    assert report["files"] == [str(folder / name) for name in ("out.ply", "depth.npy", "out.png")]
+    cloud = loom.read_point_cloud(folder / "out.ply")
+    assert len(cloud) == each["points"] > 0.98 * SIDE**2
+    np.testing.assert_allclose(loom.read_depth(folder / "depth.npy"), scene(), rtol=1e-3)
+    assert b"\ncomment pointloom depth: metres\n" in (folder / "out.ply").read_bytes()[:400]
+    image = loom.read_color(folder / "out.png")
+    assert image.shape == (SIDE, SIDE, 3)
+    assert (image != image[0, 0]).any(2).mean() > 0.3
+
+
+def test_a_map_without_references_says_that_its_unit_is_arbitrary(folder):
+    result = run(*words(folder))
+    assert result.exit_code == 0, result.stderr
+    for part in (
+        "units arbitrary: the nearest pixel is at 1; --align gives metres", "from assumed 60 degrees",
+        "shapes are stretched if the lens was another: give --intrinsic", "CPUExecutionProvider", "Apache-2.0",
+        "518 x 518, 518 x 518 for the network",
+    ):  # fmt: skip
+        assert part in result.stdout
+    assert b"comment pointloom depth: units arbitrary" in (folder / "out.ply").read_bytes()[:400]
+    assert loom.read_point_cloud(folder / "out.ply").points[:, 2].min() == pytest.approx(1, rel=1e-5)
+
+
+def test_two_distances_are_told_to_be_unchecked(folder):
+    z = scene()
+    (folder / "two.txt").write_text(f"100 500 {z[500, 100]}\n300 20 {z[20, 300]}\n")
+    result = run(*words(folder, "--align", folder / "two.txt"))
+    assert result.exit_code == 0
+    assert "from 2 distances without a check: one more would tell" in result.stdout
+
+
+def test_references_that_do_not_agree_are_rejected_and_nothing_is_written(folder):
+    before = names_in(folder)
+    np.save(folder / "falling.npy", (8.0 - scene()).astype(np.float32))
+    report = unreliable(*words(folder, "--align", folder / "falling.npy", "--picture", folder / "out.png"))
+    assert "check that they are of this picture" in str(report["warnings"])
+    assert "nothing was written" in str(report["warnings"])
+    assert report["files"] == []
+    assert names_in(folder) == sorted([*before, "falling.npy"])
+
+
+def test_few_references_that_agree_are_unreliable(folder):
+    sensor = scene()
+    rows = np.random.default_rng(0).random(sensor.shape)
+    sensor[rows < 0.8] *= np.random.default_rng(1).uniform(1.3, 9, (rows < 0.8).sum())
+    np.save(folder / "noisy.npy", sensor.astype(np.float32))
+    report = unreliable(*words(folder, "--align", folder / "noisy.npy"))
+    assert "references agree with the map within 10 %" in str(report["warnings"])
+    assert (folder / "out.ply").exists()
+
+
+def test_a_map_of_which_hardly_anything_is_left_is_unreliable(folder):
+    v = np.linspace(0, 1, SIDE)[:, None] ** 30 * np.ones(
+        (1, SIDE)
+    )  # most is more than ten times as far as the sensor sees
+    fixed_map(folder / "net.onnx", v)
+    sensor = np.where(v > 0.3, 1 / np.maximum(v, 0.3) * 0.3, 0)
+    np.save(folder / "near.npy", sensor.astype(np.float32))
+    report = unreliable(*words(folder, "--align", folder / "near.npy"))
+    assert "of the pixels became points" in str(report["warnings"])
+
+
+@pytest.mark.slow
+def test_a_folder_keeps_names_and_takes_references_by_name(folder):
+    pictures, sensors = folder / "pictures", folder / "sensors"
+    for place in (pictures, sensors):
+        place.mkdir()
+    for name in ("b.jpg", "a.png", "c.PNG"):
+        Image.fromarray(PICTURE).save(pictures / name)
+        shutil.copy(folder / "z.npy", sensors / f"{name[0]}.npy")
+    (pictures / "notes.txt").write_text("no picture")
+    report = answer(*words(folder, "--align", sensors, picture="pictures", output="clouds"))
+    assert names_in(folder / "clouds") == ["a.ply", "b.ply", "c.ply"]
+    assert [each["picture"] for each in report["pictures"]] == [str(pictures / n) for n in ("a.png", "b.jpg", "c.PNG")]
+    assert all(each["is_metric"] for each in report["pictures"])
+    assert "exists already" in refusal(*words(folder, picture="pictures", output="clouds"))
+    shown = run(*words(folder, "--force", picture="pictures", output="clouds"))
+    assert shown.exit_code == 0
+    assert "a.png" in shown.stdout
+    assert "units arbitrary" in shown.stdout
+
+
+def test_a_folder_is_aligned_to_one_colmap_model(folder):
+    pictures = folder / "pictures"
+    pictures.mkdir()
+    for name in ("left.png", "photo.png"):
+        Image.fromarray(PICTURE).save(pictures / name)
+    loom.write_colmap_model(folder / "work" / "sparse" / "0", sparse_model(scene()))
+    report = unreliable(*words(folder, "--align", folder / "work", picture="pictures", output="clouds"))
+    (each,) = report["pictures"]
+    assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
+    assert "; ".join(report["warnings"]).startswith(
+        "1 of 2 pictures became nothing: align: 2 references lie in the picture"
+    )
+    assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
+
+
+def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):
+    pictures = folder / "pictures"
+    pictures.mkdir()
+    Image.fromarray(PICTURE).save(pictures / "good.png")
+    (pictures / "bad.png").write_bytes(b"no picture")
+    report = unreliable(*words(folder, picture="pictures", output="clouds"))
+    assert names_in(folder / "clouds") == ["good.ply"]
+    assert [each["picture"] for each in report["failures"]] == [str(pictures / "bad.png")]
+    assert "1 of 2 pictures became nothing" in str(report["warnings"])
+    (pictures / "good.png").unlink()
+    assert "neither PNG nor JPEG" in refusal(*words(folder, "--force", picture="pictures", output="clouds"))
+
+
+@pytest.mark.parametrize(
+    ("more", "reason"),
+    [
+        (["--device", "cuda:0"], "cuda:0"),
+        (["--preset", "metric3d-v2"], "fails on an input of"),
+        (["--align", "none.npy"], "none.npy: cannot be read"),
+        (["--intrinsic", "none.json"], "none.json"),
+        (["--picture", "out.jpg"], "ends in .png"),
+        (["--depth-map", "depth.png"], "ends in .npy"),
+        (["-o", "cloud.obj"], "clouds are not written to .obj"),
+        (["-o", "no/out.ply"], "Make the folder first"),
+        (["--model", "camera.json"], "no ONNX model that can be used"),
+        (["--model", "none.onnx"], "none.onnx: does not exist"),
+    ],
+)
+def test_errors_name_the_file_and_leave_nothing(folder, monkeypatch, more, reason):
+    monkeypatch.chdir(folder)
+    before = names_in(folder)
+    assert reason in refusal(*words(folder, *more))
+    assert names_in(folder) == before
+
+
+def test_names_of_a_folder_that_would_meet_are_an_error(folder):
+    pictures = folder / "pictures"
+    pictures.mkdir()
+    assert "holds no pictures" in refusal(*words(folder, picture="pictures", output="clouds"))
+    for name in ("a.png", "a.jpg"):
+        Image.fromarray(PICTURE).save(pictures / name)
+    assert "another picture would become a.ply too" in refusal(*words(folder, picture="pictures", output="clouds"))
+    assert "is one cloud, for a folder" in refusal(*words(folder, picture="pictures"))
+    (pictures / "a.jpg").unlink()
+    more = ["--picture", folder / "out.png"]
+    assert "--picture is for one picture" in refusal(*words(folder, *more, picture="pictures", output="clouds"))
+
+
+@pytest.mark.parametrize(
+    ("more", "hint"),
+    [
+        ("", "missing argument"), ("photo.png", "missing option"), ("photo.png --model m.onnx", "missing option '-o'"),
+        ("p.png --model m.onnx -o a.ply --preset monodepth2", "--preset"),
+        ("p.png --model m.onnx -o a.ply --tiles 0", "--tiles"),
+        ("p.png --model m.onnx -o a.png --picture a.png", "--picture is the file of --output"),
+        ("p.png --model m.onnx -o a.ply --depth-scale nan", "--depth-scale"),
+    ],
+)  # fmt: skip
+def test_wrong_calls_exit_with_2(more, hint):
+    result = run("depth", *more.split())
+    assert result.exit_code == 2
+    assert hint in result.stderr
+
+
+def test_a_full_disk_leaves_no_half_cloud(folder, monkeypatch):
+    def full(*_args, **_options):
+        raise OSError(28, "No space left on device")
+
+    before = names_in(folder)
+    monkeypatch.setattr(ply, "_write_columns", full)
+    assert "cannot be written: No space left on device" in refusal(*words(folder))
+    assert names_in(folder) == before
+
+
+@pytest.mark.slow
+def test_the_same_files_twice(folder):
+    extras = ["--align", folder / "z.npy", "--picture", folder / "out.png", "--tiles", "2", "--force"]
+    linear(folder / "net.onnx", size=(252, 252))
+    np.save(folder / "z.npy", 1 / (0.1 + PICTURE.astype(np.float32).mean(2) / 100))
+    contents = []
+    for _ in range(2):
+        run(*words(folder, *extras))
+        contents.append([(folder / name).read_bytes() for name in ("out.ply", "out.png")])
+    assert contents[0] == contents[1]
+
+
+def test_other_formats_and_existing_files(folder):
+    assert answer(*words(folder, output="out.npz"))["reliable"]
+    assert len(loom.read_point_cloud(folder / "out.npz")) > 0.9 * SIDE**2
+    assert "exists already" in refusal(*words(folder, output="out.npz"))
+    assert json.loads(run(*words(folder, "--json", "--force", output="out.npz")).stdout)["command"] == "depth"
+
+
+def test_a_view_from_aside_still_looks_at_the_scene():
+    view = job.view_aside(CAMERA, 3.0)
+    T = np.linalg.inv(view.T_world_camera)
+    middle = T[:3, :3] @ [0, 0, 3.0] + T[:3, 3]
+    np.testing.assert_allclose(middle, [0, 0, 3.3], atol=1e-12)  # what lay ahead at this distance lies ahead still
+    assert view.T_world_camera[0, 3] > 0.3  # to the right
+    assert view.T_world_camera[1, 3] < -0.3  # and above
+
+
+def test_the_call_from_python_gives_what_the_command_prints(folder):
+    align = ["--align", folder / "z.npy", "--intrinsic", folder / "camera.json"]
+    printed, shown = answer(*words(folder, *align)), run(*words(folder, *align, "--force"))
+    settings = DepthSettings(intrinsic=CAMERA, align=folder / "z.npy")
+    places = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
+    report = depth_of_pictures(*places, settings, device="cpu", overwrite=True)
+    changing = ("seconds", "peak_bytes")
+    made = json.loads(json.dumps(report.to_dict()))
+    assert {k: v for k, v in made.items() if k not in changing} == {
+        k: v for k, v in printed.items() if k not in changing
+    }
+    lines = [[line for line in text.splitlines() if "MiB" not in line and "seconds" not in line]
+             for text in (str(report), shown.stdout)]  # fmt: skip
+    assert lines[0] == lines[1]
+    (each,) = report.pictures
+    assert (each.unit, each.inlier_share, report.reliable) == ("m", 1.0, True)
+    assert each.point_count == len(loom.read_point_cloud(folder / "out.ply"))

@@ -1,0 +1,359 @@
+"""One picture to depth and points: references of all kinds, cameras, edges, tiles."""
+
+import itertools
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.photogrammetry.depth.estimation import DepthEstimate
+from pointloom.photogrammetry.depth.evaluation import evaluate_depth
+from pointloom.photogrammetry.depth.tiles import refine_by_tiles, side_of, starts_of
+
+from .tiny_networks import fixed_map, linear
+
+SIDE = 518  # the network's picture goes in and comes out as it is
+
+
+def scene(height=SIDE, width=SIDE):
+    """True depth [m]: a floor that comes nearer, a wall, and a board in front of both."""
+    v, u = np.mgrid[:height, :width]
+    z = np.minimum(1.5 / np.maximum((v / height - 0.45), 1e-3), 4.0)
+    board = (np.abs(u / width - 0.4) < 0.15) & (np.abs(v / height - 0.5) < 0.2)
+    return np.where(board, 1.5, z)
+
+
+@pytest.fixture
+def network(tmp_path):
+    """A network that sees the scene up to scale and shift, and the scene."""
+    z = scene()
+    return fixed_map(tmp_path / "scene.onnx", 37 / z + 5), z
+
+
+PICTURE = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 3), dtype=np.uint8)
+CAMERA = loom.PinholeCameraIntrinsic(SIDE, SIDE, 500.0, 510.0, 250.0, 262.0)
+
+
+def test_a_depth_map_brings_metres(network):
+    path, z = network
+    for align, scale in ((np.round(z * 5000).astype(np.uint16), 5000.0), (z.astype(np.float32), 1000.0)):
+        found = loom.estimate_depth(PICTURE, path, align=align, depth_scale=scale)
+        assert found.is_metric
+        assert (found.unit, found.inlier_share, found.references) == ("m", 1.0, SIDE * SIDE)
+        assert (found.scale, found.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-3)
+        np.testing.assert_allclose(found.depth, z, rtol=1e-3)
+        assert evaluate_depth(found.depth, z).abs_rel < 1e-3
+
+
+def test_a_depth_map_of_another_size_lies_border_on_border(network):
+    path, _ = network
+    coarse = (np.mgrid[:37, :37].astype(float) + 0.5) * SIDE / 37 - 0.5
+    v, u = coarse
+    z = np.minimum(1.5 / np.maximum((v / SIDE - 0.45), 1e-3), 4.0)
+    z[(np.abs(u / SIDE - 0.4) < 0.2) & (np.abs(v / SIDE - 0.5) < 0.25)] = 0  # no depth near the board
+    found = loom.estimate_depth(PICTURE, path, align=z)
+    assert found.references == (z > 0).sum()
+    assert found.inlier_share == 1.0
+    assert (found.scale, found.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-4)
+
+
+def test_wrong_and_missing_sensor_depth_is_passed_over(network):
+    path, z = network
+    sensor = z.copy()
+    lost = np.random.default_rng(0).random(z.shape)
+    sensor[lost < 0.3] = 0
+    sensor[lost < 0.05] = np.nan
+    sensor[lost > 0.65] *= 2 * lost[lost > 0.65]  # by 1.3 and more
+    found = loom.estimate_depth(PICTURE, path, align=sensor)
+    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
+    assert found.inlier_share < 0.7
+
+
+def test_the_number_that_sensors_write_for_no_depth_is_none(network):
+    path, z = network
+    sensor = np.round(z * 1000).astype(np.uint16)
+    sensor[:200] = 65535
+    found = loom.estimate_depth(PICTURE, path, align=sensor)
+    assert (found.references, found.inlier_share) == (318 * SIDE, 1.0)
+
+
+def test_files_of_references_are_those_of_arrays(network, tmp_path):
+    path, z = network
+    np.save(tmp_path / "z.npy", z.astype(np.float32))
+    Image.fromarray(np.round(z * 1000).astype(np.uint16)).save(tmp_path / "z.png")
+    by_array = loom.estimate_depth(PICTURE, path, align=z.astype(np.float32))
+    np.testing.assert_array_equal(loom.estimate_depth(PICTURE, path, align=tmp_path / "z.npy").depth, by_array.depth)
+    np.testing.assert_allclose(loom.estimate_depth(PICTURE, path, align=tmp_path / "z.png").depth, z, rtol=2e-3)
+    for name, text in (
+        ("a.txt", "# measured\n100 500 {a}\n300 20 {b}\n"),
+        ("a.csv", "u,v,metres\n100,500,{a}\n300,20,{b}\n"),
+    ):
+        (tmp_path / name).write_text(text.format(a=z[500, 100], b=z[20, 300]))
+        found = loom.estimate_depth(PICTURE, path, align=tmp_path / name)
+        np.testing.assert_allclose(found.depth, z, rtol=1e-4)
+        assert (found.references, found.inlier_share, found.is_metric) == (2, None, True)
+
+
+def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
+    """A sparse model of three pictures, the second of which sees points of the scene, some of them wrong."""
+    rng = np.random.default_rng(4)
+    u, v = rng.uniform(0, size - 1, (2, count))
+    depth = z[
+        np.round(v * SIDE / size).astype(int).clip(0, SIDE - 1), np.round(u * SIDE / size).astype(int).clip(0, SIDE - 1)
+    ]
+    depth = np.where(rng.random(count) < wrong, rng.uniform(0.5, 6, count), depth)
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], [0.3, -0.2, 0.5]
+    f, k = size / SIDE, (0.1,) if distorted else ()
+    params = (500 * f, 250.5 * f, 262.5 * f, *k) if distorted else (500 * f, 510 * f, 250.5 * f, 262.5 * f)
+    camera = loom.CameraModel("SIMPLE_RADIAL" if distorted else "PINHOLE", size, size, params)
+    points = camera.unproject(np.stack([u, v], 1)) * depth[:, None]
+    seen = np.stack([np.ones(count, int), np.arange(count)], 1)
+    observations = np.concatenate([[[0, 0], [0, 1]], seen])
+    return loom.SfmModel(
+        ("a/left.png", "b/photo.png", "c/right.png"), (camera,) * 3, np.stack([np.eye(4), T, T]),
+        points=(points - T[:3, 3]) @ T[:3, :3], observations=observations, pixels=np.zeros((len(observations), 2)),
+    )  # fmt: skip
+
+
+def test_a_sparse_model_brings_its_own_unit_and_camera(network, tmp_path):
+    path, z = network
+    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    model = sparse_model(z)
+    for picture, align in ((tmp_path / "photo.png", model), (PICTURE, (model, "b/photo.png"))):
+        found = loom.estimate_depth(picture, path, align=align)
+        assert not found.is_metric
+        assert (found.unit, found.intrinsic_source, found.intrinsic) == (
+            "the sparse model's",
+            "the sparse model",
+            CAMERA,
+        )
+        assert found.references == 120
+        assert found.inlier_share > 0.6
+        assert evaluate_depth(found.depth, z).abs_rel < 5e-3
+
+
+def test_a_sparse_model_of_smaller_pictures_fits_too(network):
+    path, z = network
+    found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
+    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
+    assert found.intrinsic_source == "the sparse model"
+    np.testing.assert_allclose(found.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
+
+
+def test_of_a_lens_that_bends_rays_the_points_lie_where_it_sees_them(network):
+    path, z = network
+    found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
+    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
+    assert found.intrinsic_source == "the sparse model, its distortion left out"
+    camera = found.intrinsic
+    assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, 500, 250, 262), rel=1e-5)
+
+
+def test_the_folder_of_a_model_will_do(network, tmp_path):
+    path, z = network
+    Image.fromarray(PICTURE).save(tmp_path / "photo.png")
+    model = sparse_model(z)
+    loom.write_colmap_model(tmp_path / "sparse", model)
+    by_folder = loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "sparse")
+    assert by_folder.references == 120
+    assert evaluate_depth(by_folder.depth, z).abs_rel < 5e-3
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(loom.FileError, match="empty: "):
+        loom.estimate_depth(tmp_path / "photo.png", path, align=tmp_path / "empty")
+
+
+def test_metric_networks_are_aligned_by_a_scale_alone(tmp_path):
+    z = scene(504, 504)
+    path = fixed_map(tmp_path / "m.onnx", 0.8 * z)
+    picture = PICTURE[:504, :504]
+    camera = loom.PinholeCameraIntrinsic(504, 504, 300.0, 300.0, 251.5, 251.5)
+    found = loom.estimate_depth(picture, path, preset="depth-anything-3-metric", intrinsic=camera, align=z)
+    assert (found.scale, found.shift) == (pytest.approx(0.8, rel=1e-5), 0.0)
+    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
+    alone = loom.estimate_depth(picture, path, preset="depth-anything-3", align=[(100, 480, z[480, 100])])
+    np.testing.assert_allclose(alone.depth, z, rtol=1e-4)
+
+
+def test_depth_far_beyond_the_references_is_dropped(tmp_path):
+    w = np.tile(np.linspace(-0.1, 1, SIDE), (SIDE, 1))
+    path = fixed_map(tmp_path / "m.onnx", w)
+    sensor = np.where(w > 0.5, 1 / np.where(w > 0.5, w, 1), 0)
+    found = loom.estimate_depth(PICTURE, path, align=sensor)
+    kept = found.depth > 0
+    assert found.depth.max() == pytest.approx(20, rel=0.05)
+    np.testing.assert_array_equal(kept[0], w[0] > 0.05)
+
+
+@pytest.mark.parametrize(
+    ("align", "error", "reason"),
+    [
+        ([(600, 3, 1.0), (3, 3, 2.0)], ValueError, r"pixel \(600, 3\) lies outside the picture of 518 x 518"),
+        ([(6, 3, -1.0), (3, 3, 2.0)], ValueError, "distances above 0"),
+        ([(6, 3, 1.0)], ValueError, "1 distances, expected at least 2"),
+        (np.ones((480, 640)), ValueError, "the depth map is 640 x 480, of another shape"),
+        (np.zeros((518, 518)), ValueError, "0 references lie in the picture"),
+        (np.ones((2, 2, 2)), ValueError, r"of shape \[2, 2, 2\]"),
+        ("none.txt", loom.FileError, "cannot be read"),
+        ("none.ply", loom.FileError, "unknown extension '.ply'"),
+        (sparse_model(scene()), ValueError, "knows pictures by name"),
+        ((sparse_model(scene()), "x.png"), ValueError, "the model has no pictures 'x.png'; it has a/left.png"),
+        ((sparse_model(scene()), "left.png"), ValueError, "2 references lie in the picture"),
+    ],
+)
+def test_references_that_do_not_fit_the_picture_are_refused(network, align, error, reason):
+    with pytest.raises(error, match=reason):
+        loom.estimate_depth(PICTURE, network[0], align=align)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("1 2 3\n4 5\n", r"line 2\): expected u v metres"),
+        ("u v m\n1 2 three\n", "line 2"),
+        ("# none\n", "no distances"),
+    ],
+)
+def test_a_damaged_file_of_distances_names_the_line(network, tmp_path, text, reason):
+    path = tmp_path / "d.txt"
+    path.write_text(text)
+    with pytest.raises(loom.FileError, match=reason):
+        loom.estimate_depth(PICTURE, network[0], align=path)
+    path.write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(loom.FileError, match="no text"):
+        loom.estimate_depth(PICTURE, network[0], align=path)
+
+
+def test_points_lie_where_the_camera_sees_them(network, device):
+    path, z = network
+    found = loom.estimate_depth(PICTURE, path, intrinsic=CAMERA, align=z.astype(np.float32))
+    cloud = found.to_point_cloud(keep_edges=True, device=device)
+    v, u = np.mgrid[:SIDE, :SIDE]
+    expected = np.stack([(u - 250) / 500 * z, (v - 262) / 510 * z, z], -1).reshape(-1, 3)
+    np.testing.assert_allclose(cloud.points, expected, rtol=1e-4, atol=1e-4)
+    np.testing.assert_allclose(cloud.colors, PICTURE.reshape(-1, 3) / 255, atol=1e-6)
+    assert str(cloud.device) == device
+    assert len(found.to_point_cloud(keep_edges=True, stride=2)) == (SIDE // 2) ** 2
+
+
+def test_a_camera_of_another_size_is_refused(network):
+    camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 320.0, 240.0)
+    with pytest.raises(ValueError, match="intrinsic:"):
+        loom.estimate_depth(PICTURE, network[0], intrinsic=camera)
+
+
+def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device):
+    z = scene()
+    small = (1 / z)[::7, ::7].astype(np.float32)
+    smooth = np.array(Image.fromarray(small).resize((SIDE, SIDE), Image.Resampling.BILINEAR))
+    found = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
+    found = DepthEstimate(**{**vars(found), "enlargement": 3.0})
+    kept = found.to_point_cloud(device=device)
+    depth = kept.project_to_depth_image(SIDE, SIDE, CAMERA, depth_scale=1, depth_max=100)
+    row = SIDE // 3  # the board before the wall
+    ramp = (found.depth[row] > 1.6) & (found.depth[row] < 3.8)
+    assert ramp.sum() >= 8
+    assert not depth[row][ramp].any()
+    assert depth[row][~ramp].all()
+    floor = depth[int(0.93 * SIDE)]  # slanted, and whole
+    assert floor.all()
+    assert len(kept) > 0.97 * SIDE * SIDE
+
+
+def test_one_model_serves_many_pictures(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(28, 28))
+    model = loom.DepthModel(path)
+    for seed in range(3):
+        picture = np.random.default_rng(seed).integers(0, 256, (28, 28, 3), dtype=np.uint8)
+        once, again = (loom.estimate_depth(picture, each).depth for each in (path, model))
+        np.testing.assert_array_equal(once, again)
+    with pytest.raises(ValueError, match=r"^preset:.*depth-anything-v2"):
+        loom.estimate_depth(PICTURE, model, preset="dpt")
+    with pytest.raises(ValueError, match=r"^device:"):
+        loom.estimate_depth(PICTURE, model, device="cpu")
+
+
+def test_tiles_cover_the_picture_evenly_and_overlap():
+    for length, side in ((1000, 400), (999, 250), (64, 32), (1000, 999), (50, 60)):
+        starts = starts_of(length, side)
+        assert starts[0] == 0
+        assert starts[-1] == max(length - side, 0)
+        assert all(0 < b - a <= 0.75 * side + 1 for a, b in itertools.pairwise(starts))
+    assert len(starts_of(4000, side_of(3000, 4000, 4))) == 4
+
+
+def test_tiles_bring_detail_on_the_scale_of_the_whole():
+    """A network that sees finer details in a part, and each part on a scale of its own."""
+    v, u = np.mgrid[:240, :320]
+    true = (0.3 + 0.5 * v / 240 + 0.03 * np.sin(1.2 * u)).astype(np.float32)
+    color = np.stack([u % 256, v % 256, u // 256], -1).astype(np.uint8)
+    calls = []
+
+    def inverse(part):
+        rows, columns = part.shape[:2]
+        top, left = int(part[0, 0, 1]), int(part[0, 0, 0]) + 256 * int(part[0, 0, 2])
+        calls.append((top, left))
+        return np.float32(3 + len(calls)) * true[top : top + rows, left : left + columns] + np.float32(len(calls))
+
+    whole = (0.3 + 0.5 * v / 240).astype(np.float32)
+    told = []
+    found, used, count = refine_by_tiles(color, whole, 3, inverse, seed=0, say=lambda *each: told.append(each))
+    assert used == count == len(calls) >= 6
+    assert told[-1] == (count, count)
+    wave = found - whole
+    np.testing.assert_allclose(wave, true - whole, atol=0.012)
+    assert np.abs(np.diff(found, axis=1) - np.diff(true, axis=1)).max() < 0.004  # no seams
+
+
+def test_tiles_that_differ_where_they_meet_leave_no_seam():
+    whole = np.tile(np.linspace(1, 2, 400, dtype=np.float32), (100, 1))
+    calls = []
+
+    def bent(part):
+        calls.append(part)
+        u = np.linspace(-1, 1, part.shape[1], dtype=np.float32)
+        return np.tile(u + (0.3 if len(calls) % 2 else -0.3) * u * u, (part.shape[0], 1))
+
+    found, used, count = refine_by_tiles(np.zeros((100, 400, 3), np.uint8), whole, 3, bent, seed=0, say=lambda *_: None)
+    assert used == count == 3
+    assert np.abs(found - whole).max() > 0.03  # they differ
+    assert np.abs(np.diff(found, axis=1)).max() < 0.01  # and where they do, pixels side by side hardly
+
+
+def test_tiles_that_say_something_else_are_left_out():
+    whole = np.tile(np.linspace(1, 2, 200, dtype=np.float32), (150, 1))
+    color = np.zeros((150, 200, 3), np.uint8)
+
+    def falling(part):
+        return np.tile(np.linspace(2, 1, part.shape[1], dtype=np.float32), (part.shape[0], 1))
+
+    found, used, count = refine_by_tiles(color, whole, 2, falling, seed=0, say=lambda *_: None)
+    assert (used, count) == (0, 4)
+    np.testing.assert_allclose(found, whole, rtol=1e-6)
+
+
+def test_an_estimate_by_tiles_is_that_of_the_whole_where_the_network_sees_no_more(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(252, 252))
+    ramp = np.tile(np.linspace(20, 220, 600).astype(np.uint8)[None, :, None], (400, 1, 3))
+    whole = loom.estimate_depth(ramp, path)
+    steps = []
+    tiled = loom.estimate_depth(ramp, path, tiles=2, progress=lambda *each: steps.append(each))
+    assert tiled.tiles == (4, 4)
+    assert steps[-1] == ("tiles", 4, 4)
+    np.testing.assert_allclose(tiled.depth, whole.depth, rtol=0.02)
+
+
+def test_errors_are_those_of_the_papers():
+    truth = np.array([[1.0, 2.0, 4.0, 0.0, 8.0]])
+    depth = np.array([[1.1, 2.0, 6.0, 3.0, np.nan]])
+    found = evaluate_depth(depth, truth)
+    assert found.abs_rel == pytest.approx((0.1 + 0 + 0.5) / 3)
+    assert found.delta1 == pytest.approx(2 / 3)
+    assert found.rmse == pytest.approx(np.sqrt((0.01 + 0 + 4) / 3))
+    assert (found.coverage, found.pixel_count) == (0.75, 3)
+    raw = np.array([[1100, 2000]], np.uint16)
+    assert evaluate_depth(raw, np.array([[1.0, 2.0]])).abs_rel == pytest.approx(0.05)
+    assert np.isnan(evaluate_depth(np.zeros((2, 2)), np.ones((2, 2))).abs_rel)
+    with pytest.raises(ValueError, match="resize one"):
+        evaluate_depth(np.ones((2, 2)), np.ones((2, 3)))

@@ -1,0 +1,281 @@
+"""Heads found in graphs, and files that are damaged or hostile."""
+
+import hypothesis
+import hypothesis.strategies as st
+import numpy as np
+import pytest
+from onnx import TensorProto, helper, numpy_helper
+
+import pointloom as loom
+from pointloom.photogrammetry.depth.graph import load_graph, read_graph
+from pointloom.photogrammetry.depth.heads import (
+    BINS,
+    BROKEN,
+    CLAMPED,
+    EXP,
+    INVERSE,
+    RECIPROCAL,
+    SIGMOID,
+    Head,
+    find_head,
+)
+from pointloom.photogrammetry.depth.readings import recover_pinhole
+
+make = helper.make_node
+
+
+def model_of(*nodes, functions=(), **constants):
+    """A model of these nodes from x to y; constants of any type."""
+    tensors = [
+        value if isinstance(value, TensorProto) else numpy_helper.from_array(np.asarray(value))
+        for value in constants.values()
+    ]
+    for tensor, name in zip(tensors, constants, strict=True):
+        tensor.name = name
+    ends = [[helper.make_tensor_value_info(name, TensorProto.FLOAT, None)] for name in "xy"]
+    graph = helper.make_graph(list(nodes), "g", *ends, tensors)
+    opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
+    return helper.make_model(graph, opset_imports=opsets, functions=list(functions))
+
+
+def head_of(*nodes, **more):
+    return find_head(read_graph(model_of(*nodes, **more)), "y")
+
+
+def scaled(last, number):
+    return make(last, ["x"], ["a"]), make("Mul", ["a", "m"], ["y"]), number
+
+
+@pytest.mark.parametrize(
+    ("number", "factor"),
+    [
+        (np.float32(20), 20), (np.array([[80.0]], np.float32), 80), (np.float64(20), 20), (np.float16(80), 80),
+        (helper.make_tensor("m", TensorProto.FLOAT, [1], [20.0]), 20),
+        (helper.make_tensor("m", TensorProto.FLOAT16, [], [20.0]), 20),
+        (helper.make_tensor("m", TensorProto.DOUBLE, [], [20.0]), 20),
+        (helper.make_tensor("m", TensorProto.INT64, [], [20]), 20),
+    ],
+)  # fmt: skip
+def test_a_number_is_read_however_it_is_stored(number, factor):
+    *nodes, constant = scaled("Sigmoid", number)
+    assert head_of(*nodes, m=constant) == Head(SIGMOID, factor)
+
+
+def test_a_number_that_is_a_node_or_comes_first_is_read_too():
+    nodes = [make("Sigmoid", ["x"], ["a"]), make("Constant", [], ["m"], value=numpy_helper.from_array(np.float32(20)))]
+    assert head_of(*nodes, make("Mul", ["m", "a"], ["y"])) == Head(SIGMOID, 20)
+    nodes[1] = make("Constant", [], ["m"], value_float=20.0)
+    assert head_of(*nodes, make("CastLike", ["m", "a"], ["n"]), make("Mul", ["a", "n"], ["y"])) == Head(SIGMOID, 20)
+    assert head_of(make("Sigmoid", ["x"], ["a"]), make("Div", ["a", "m"], ["y"]), m=np.float32(0.05)).kind == SIGMOID
+
+
+def test_what_changes_shape_or_type_alone_is_passed_over():
+    chain = ["Resize", "Squeeze", "Unsqueeze", "Cast", "Reshape", "Transpose", "Gather", "Slice", "Identity", "Clip"]
+    nodes, value = [make("Relu", ["x"], ["v0"])], "v0"
+    for k, operation in enumerate(chain):
+        nodes.append(
+            make(operation, [value, "", "", ""][: 1 if operation in ("Cast", "Identity") else 4], [f"v{k + 1}"])
+        )
+        value = f"v{k + 1}"
+    assert head_of(*nodes, make("Identity", [value], ["y"])) == Head(INVERSE)
+
+
+@pytest.mark.parametrize(
+    ("nodes", "constants", "head"),
+    [
+        (["Relu x a", "Mul a m y"], {"m": 1.0}, Head(INVERSE)),
+        (["Relu x a", "Mul a m y"], {"m": 20.0}, Head(BROKEN, 20)),
+        (["Relu x a", "Mul a m y"], {"m": 255.0}, Head(INVERSE, 255)),
+        (["Relu x a", "Mul a m y"], {"m": -1.0}, Head()),
+        (["Sigmoid x y"], {}, Head()),
+        (["Clip x zero y"], {"zero": 0.0}, Head(INVERSE)),
+        (["Max x zero y"], {"zero": 0.0}, Head(INVERSE)),
+        (["Exp x y"], {}, Head(EXP)),
+        (["Relu x a", "Reciprocal a y"], {}, Head(RECIPROCAL)),
+        (["Relu x a", "Mul a w b", "Clip b low high c", "Div i c y"], {"low": 1e-4, "high": 1e4, "i": 1.0, "w": 2.0},
+         Head(RECIPROCAL, 2.0)),
+        (["Conv x k a", "Reciprocal a y"], {"k": 1.0}, Head()),
+        (["Softmax x a", "Mul a b c", "ReduceSum c y"], {}, Head(BINS)),
+        (["Relu x a", "ReduceSum a y"], {}, Head()),
+        (["Sub m x a", "Relu a b", "Sub m b y"], {"m": 200.0}, Head(CLAMPED)),
+        (["Sub m x a", "Relu a b", "Sub n b y"], {"m": 200.0, "n": 100.0}, Head()),
+        (["Relu x a", "Sub m a y"], {"m": 200.0}, Head()),
+        (["Relu x a", "ReduceMax a b", "Div a b y"], {}, Head()),
+    ],
+)  # fmt: skip
+def test_the_operation_that_decides_is_found(nodes, constants, head):
+    made = [make(first, inputs, [last]) for first, *inputs, last in (line.split() for line in nodes)]
+    found = head_of(*made, **{name: np.float32(value) for name, value in constants.items()})
+    assert found.kind == head.kind
+    assert found.factor == pytest.approx(head.factor)
+
+
+def test_heads_inside_functions_are_found():
+    opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
+    sigmoid = helper.make_function(
+        "own", "last", ["p", "q"], ["r"], [make("Sigmoid", ["p"], ["s"]), make("Mul", ["s", "q"], ["r"])], opsets
+    )
+    whole = helper.make_function(
+        "own",
+        "model",
+        ["u", "w"],
+        ["z"],
+        [make("last", ["u", "w"], ["t"], domain="own"), make("Squeeze", ["t"], ["z"])],
+        opsets,
+    )
+    for functions, name in (([sigmoid], "last"), ([sigmoid, whole], "model")):
+        nodes = [make("Conv", ["x", "m"], ["a"]), make(name, ["a", "m"], ["y"], domain="own")]
+        assert head_of(*nodes, functions=functions, m=np.float32(80)) == Head(SIGMOID, 80)
+
+
+def test_functions_and_values_that_never_end_say_nothing():
+    opsets = [helper.make_opsetid("own", 1)]
+    endless = helper.make_function("own", "f", ["p"], ["r"], [make("f", ["p"], ["r"], domain="own")], opsets)
+    assert head_of(make("f", ["x"], ["y"], domain="own"), functions=[endless]) == Head()
+    assert head_of(make("Identity", ["y"], ["y"])) == Head()
+
+
+GOOD = model_of(*scaled("Sigmoid", None)[:2], m=np.float32(20))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("models")
+
+
+@hypothesis.given(st.integers(0, len(GOOD.SerializeToString()) - 1), st.integers(0, 255))
+def test_a_damaged_file_gives_a_file_error_or_a_head(folder, at, byte):
+    good, path = GOOD.SerializeToString(), folder / "damaged.onnx"
+    for content in (good[:at] + bytes([byte]) + good[at + 1 :], good[:at]):
+        path.write_bytes(content)
+        try:
+            find_head(load_graph(str(path)), "y")
+        except loom.FileError as error:
+            assert "damaged.onnx" in str(error)
+
+
+def field(number, content):
+    """A field of bytes, as Protocol Buffers write it."""
+    length, size = bytearray(), len(content)
+    while size >= 0x80:
+        length.append(size & 0x7F | 0x80)
+        size >>= 7
+    return bytes([number << 3 | 2, *length, size]) + content
+
+
+def test_thousands_of_nested_graphs_are_an_error(folder):
+    path, graph = folder / "nested.onnx", b""
+    for _ in range(3000):
+        graph = field(1, field(5, field(6, graph)))  # a node with an attribute that is a graph
+    path.write_bytes(field(7, graph))
+    with pytest.raises(loom.FileError, match=r"nested\.onnx"):
+        loom.DepthModel(path)
+
+
+def test_thousands_of_nodes_and_functions_in_a_row_end(folder):
+    nodes = [make("Identity", [f"v{k}"], [f"v{k + 1}"]) for k in range(5000)]
+    opsets = [helper.make_opsetid("own", 1)]
+    calls = [
+        helper.make_function("own", f"f{k}", ["p"], ["r"], [make(f"f{k + 1}", ["p"], ["r"], domain="own")], opsets)
+        for k in range(3000)
+    ]
+    path = folder / "long.onnx"
+    path.write_bytes(model_of(*nodes, make("f0", ["x"], ["y"], domain="own"), functions=calls).SerializeToString())
+    graph = load_graph(str(path))
+    assert (find_head(graph, "v5000"), find_head(graph, "y")) == (Head(), Head())
+
+
+def external(location):
+    tensor = TensorProto(name="m", data_type=TensorProto.FLOAT, dims=[1], data_location=TensorProto.EXTERNAL)
+    tensor.external_data.add(key="location", value=location)
+    return tensor
+
+
+def sparse(tensor):
+    return helper.make_sparse_tensor(tensor, helper.make_tensor("i", TensorProto.INT64, [1], [0]), [1])
+
+
+def branch(tensor):
+    return helper.make_graph([], "b", [], [helper.make_tensor_value_info("m", TensorProto.FLOAT, [1])], [tensor])
+
+
+KEPT_IN = {  # where a tensor can be in a model
+    "initializer": lambda tensor: scaled("Relu", tensor),
+    "attribute": lambda tensor: (make("Constant", [], ["y"], value=tensor), None),
+    "sparse attribute": lambda tensor: (make("Constant", [], ["y"], sparse_value=sparse(tensor)), None),
+    "branch": lambda tensor: (make("If", ["x"], ["y"], then_branch=branch(tensor)), None),
+}
+
+
+@pytest.mark.parametrize("kept_in", KEPT_IN)
+@pytest.mark.parametrize("location", ["../../etc/passwd", "/etc/passwd", "", "..", "folder/weights", "link"])
+def test_weights_outside_the_folder_are_refused_before_onnxruntime_sees_the_file(
+    kept_in, location, tmp_path, monkeypatch
+):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder" / "weights").write_bytes(bytes(4))
+    (tmp_path / "link").symlink_to("/etc/passwd")
+    path = tmp_path / "m.onnx"
+    *nodes, tensor = KEPT_IN[kept_in](external(location))
+    path.write_bytes(model_of(*nodes, **({} if tensor is None else {"m": tensor})).SerializeToString())
+    monkeypatch.setattr("onnxruntime.InferenceSession", lambda *_, **__: pytest.fail("onnxruntime was started"))
+    with pytest.raises(loom.FileError, match=r"m\.onnx"):
+        loom.DepthModel(path)
+
+
+def test_a_number_in_a_file_of_its_own_is_not_read(tmp_path):
+    (tmp_path / "weights").write_bytes(np.float32(20).tobytes())
+    *nodes, tensor = scaled("Relu", external("weights"))
+    (tmp_path / "m.onnx").write_bytes(model_of(*nodes, m=tensor).SerializeToString())
+    assert load_graph(str(tmp_path / "m.onnx")).constants == {}
+
+
+def test_a_model_behind_a_link_takes_its_weights_from_either_folder(tmp_path):
+    blobs, snapshot = tmp_path / "blobs", tmp_path / "snapshot"
+    blobs.mkdir()
+    snapshot.mkdir()
+    (blobs / "a").write_bytes(model_of(*scaled("Relu", None)[:2], m=external("weights")).SerializeToString())
+    (blobs / "b").write_bytes(bytes(4))
+    (snapshot / "m.onnx").symlink_to("../blobs/a")
+    (snapshot / "weights").symlink_to("../blobs/b")
+    assert load_graph(str(snapshot / "m.onnx")).producers["y"].operation == "Mul"
+
+
+def point_map(depth, focal, shift, noise=0.0):
+    height, width = depth.shape
+    v, u = np.mgrid[:height, :width] - np.array([(height - 1) / 2, (width - 1) / 2])[:, None, None]
+    rng = np.random.default_rng(0)
+    points = np.stack([u * depth / focal, v * depth / focal, depth - shift], -1)
+    return points + noise * depth[..., None] * rng.normal(size=points.shape)
+
+
+def slope(height=60, width=90):
+    v, u = np.mgrid[:height, :width]
+    return 2.0 + 3.0 * (1 - v / height) + 0.5 * (u > width / 2)
+
+
+@hypothesis.given(st.floats(40, 400), st.floats(-5, 1.5), st.floats(0.01, 100))
+@hypothesis.settings(max_examples=6, deadline=None)
+def test_focal_length_and_shift_of_a_point_map_come_back(focal, shift, size):
+    points, valid = size * point_map(slope(), focal, shift), np.ones((60, 90), bool)
+    free = recover_pinhole(points, valid, None)
+    assert free is not None
+    assert free.focal == pytest.approx((focal, focal), rel=1e-4)
+    assert free.shift == pytest.approx(size * shift, abs=1e-3 * size)
+    known = recover_pinhole(points, valid, (focal, focal))
+    assert known is not None
+    assert (known.focal, known.shift) == ((focal, focal), pytest.approx(size * shift, abs=1e-3 * size))
+
+
+def test_noise_of_one_percent_moves_the_focal_length_little():
+    found = recover_pinhole(point_map(slope(), 80.0, 0.6, noise=0.01), np.ones((60, 90), bool), None)
+    assert found is not None
+    assert found.focal == pytest.approx((80, 80), rel=0.05)
+
+
+def test_a_wall_from_the_front_fixes_no_focal_length():
+    points, valid = point_map(np.full((60, 90), 3.0), 80.0, 0.6, noise=0.002), np.ones((60, 90), bool)
+    found = recover_pinhole(points, valid, None)
+    assert found is not None
+    assert found.focal is None
+    assert recover_pinhole(points, np.zeros((60, 90), bool), None) is None

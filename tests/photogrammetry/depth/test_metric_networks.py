@@ -1,0 +1,236 @@
+"""Networks of metric depth: what each gives is metres, and a file of another kind than the preset is refused."""
+
+import numpy as np
+import pytest
+from onnx import helper
+from PIL import Image
+
+import pointloom as loom
+from pointloom.photogrammetry.depth.presets import PRESETS
+
+from ...cli.commands import answer, names_in, refusal, run
+from .published_networks import FILES, FOCAL, depth_of, picture_of, published
+from .tiny_networks import FLOAT, linear, save
+
+WHOLE = [name for name in FILES if name != "dav2 broken"]
+METRIC = [name for name in WHOLE if PRESETS[FILES[name][0]].output == "metric"]
+BY_FOCAL = [name for name in METRIC if FILES[name][0].startswith("metric3d")]
+
+
+def camera_of(picture, focal=FOCAL):
+    height, width = picture.shape[:2]
+    return loom.PinholeCameraIntrinsic(width, height, focal * width, focal * width, (width - 1) / 2, (height - 1) / 2)
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("published")
+    return {name: published(folder / f"{name.replace(' ', '_')}.onnx", name) for name in FILES}
+
+
+def canonical(name, picture):
+    """What is to be divided by to get metres: the focal length of the input over that of the family."""
+    if name not in BY_FOCAL:
+        return 1.0
+    model = PRESETS[FILES[name][0]]
+    rows, columns = FILES[name][2]
+    scale = min(rows / picture.shape[0], columns / picture.shape[1])
+    return FOCAL * picture.shape[1] * scale / model.focal
+
+
+@pytest.mark.parametrize("name", [name for name in METRIC if not name.startswith("depth pro")])
+def test_a_metric_network_gives_metres(name, files):
+    picture = picture_of()
+    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0], intrinsic=camera_of(picture))
+    assert (found.unit, found.is_metric, found.intrinsic_source) == ("m", True, "given")
+    seen = found.depth > 0
+    assert seen.mean() > 0.95
+    ratio = found.depth[seen] / (depth_of(picture)[seen] * canonical(name, picture))
+    assert np.median(ratio) == pytest.approx(1, rel=0.005)
+    assert np.percentile(abs(ratio - 1), 90) < 0.03
+
+
+@pytest.mark.parametrize(
+    ("name", "size"),
+    [("depth pro", (60, 80)), ("depth pro metres", (80, 60)), ("moge-2", (80, 60)), ("unidepth", (80, 60))],
+)
+def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(name, size, files):
+    picture = picture_of(*size)
+    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0])
+    assert (found.unit, found.intrinsic_source) == ("m", "the network")
+    wide = 616 / 462 * 80 if name == "unidepth" else size[1]  # of the input with its borders
+    assert found.intrinsic.fx == pytest.approx(FOCAL * wide, rel=0.01)
+    assert (found.intrinsic.cx, found.intrinsic.cy) == pytest.approx(((size[1] - 1) / 2, (size[0] - 1) / 2), abs=0.6)
+    seen = found.depth > 0
+    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
+
+
+@pytest.mark.parametrize("name", ["depth pro", "depth pro metres"])
+def test_a_known_focal_length_is_taken_in_place_of_depth_pro_s(name, files):
+    picture = picture_of()
+    found = loom.estimate_depth(picture, files[name], preset="depth-pro", intrinsic=camera_of(picture, 2 * FOCAL))
+    seen = found.depth > 0
+    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(2, rel=0.005)
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
+    own = PRESETS[FILES[name][0]]
+    for preset in PRESETS.values():
+        if (preset.output == "inverse") == (own.output == "inverse"):
+            continue
+        with pytest.raises(loom.FileError):
+            loom.DepthModel(files[name], preset.name)
+
+
+@pytest.mark.parametrize(
+    ("name", "preset", "wanted"),
+    [
+        ("dav2 indoor", "depth-anything-v2", "sigmoid times 20.*Take the preset depth-anything-v2-metric"),
+        ("dav2 indoor", "depth-anything-3-metric", "Take the preset depth-anything-v2-metric"),
+        ("dav2", "depth-anything-v2-metric", "ReLU, as networks of relative.*Take the preset depth-anything-v2"),
+        ("dav2", "depth-pro", "Take the preset depth-anything-v2"),
+        ("zoedepth", "dpt", "sum over bins.*Take the preset zoedepth"),
+        ("da3", "depth-anything-v2", "Take the preset depth-anything-3"),
+        ("moge-2", "depth-anything-v2", "Take the preset moge-2"),
+        ("unidepth", "depth-anything-v2", "Take the preset unidepth-v2"),
+        ("metric3d", "depth-anything-v2", "clamped.*Take the preset metric3d-v2"),
+        ("metric3d convnext", "metric3d-v2", "metric3d-convnext has this size"),
+    ],
+)
+def test_the_refusal_names_the_preset_to_take(name, preset, wanted, files):
+    with pytest.raises(loom.FileError, match=wanted):
+        loom.DepthModel(files[name], preset)
+
+
+@pytest.mark.parametrize("preset", ["depth-anything-v2", "depth-anything-v2-metric"])
+def test_a_metric_network_with_the_relative_one_s_last_function_is_refused_always(preset, files):
+    with pytest.raises(loom.FileError, match=r"/dav2_broken\.onnx:.*20"):
+        loom.DepthModel(files["dav2 broken"], preset)
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_published_file_leaves_nothing_open(name, files):
+    assert loom.DepthModel(files[name], FILES[name][0]).note is None
+
+
+@pytest.mark.parametrize("name", ["dav2 indoor", "metric3d"])
+def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name, files):
+    picture = picture_of()
+    truth = 3 * depth_of(picture)
+    truth[::2] = 0
+    options = {"preset": FILES[name][0], "intrinsic": camera_of(picture)}
+    found = loom.estimate_depth(picture, files[name], align=truth, **options)
+    assert found.shift == 0
+    assert found.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
+    assert found.inlier_share > 0.9
+    with pytest.raises(ValueError, match=r"^align:.*1.*3"):
+        loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
+
+
+def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
+    assert "does not say that its depth is in metres" in (
+        loom.DepthModel(files["da3"], "depth-anything-3-metric").note or ""
+    )
+
+
+def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(28, 42))
+    for preset, meaning in (
+        ("depth-anything-v2", "more where something is nearer"),
+        ("depth-anything-v2-metric", "metres"),
+    ):
+        assert meaning in (loom.DepthModel(path, preset).note or "")
+
+
+def test_moge_s_sky_is_no_depth(files):
+    picture = picture_of()
+    picture[:6] = 255
+    found = loom.estimate_depth(picture, files["moge-2"], preset="moge-2")
+    assert not found.depth[:5].any()
+    assert (found.depth[8:] > 0).all()
+
+
+def test_points_that_no_camera_puts_where_their_pixels_are_are_refused(tmp_path):
+    nodes = [
+        helper.make_node("ReduceMean", ["image"], ["z"], axes=[1], keepdims=1),
+        helper.make_node("Concat", ["z", "z", "z"], ["all"], axis=1),
+        helper.make_node("Transpose", ["all"], ["points"], perm=[0, 2, 3, 1]),
+        helper.make_node("ReduceMax", ["z"], ["most"], keepdims=0),
+        helper.make_node("Reshape", ["most", "one"], ["metric_scale"]),
+    ]
+    ends = [("image", FLOAT, [1, 3, "h", "w"])], [("points", FLOAT, None), ("metric_scale", FLOAT, None)]
+    path, picture = save(tmp_path / "m.onnx", nodes, *ends, one=np.array([1], np.int64)), picture_of()
+    for camera in (None, camera_of(picture)):
+        with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'points'\):"):
+            loom.estimate_depth(picture, path, preset="moge-2", intrinsic=camera)
+
+
+def test_a_wall_from_the_front_leaves_moge_without_metres_where_the_camera_is_unknown(files):
+    wall = np.full((60, 80, 3), 100, np.uint8)
+    wall[::7, ::5] = 101  # 4 cm of 4.5 m
+    found = loom.estimate_depth(wall, files["moge-2"], preset="moge-2")
+    assert (found.unit, found.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
+    known = loom.estimate_depth(wall, files["moge-2"], preset="moge-2", intrinsic=camera_of(wall))
+    assert known.unit == "m"
+    assert np.median(known.depth / depth_of(wall)) == pytest.approx(1, rel=0.02)
+
+
+def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
+    for size in ((616, 616), (1064, 1064), (616, 1216)):
+        with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*metric3d-v2.*616.*1064.*1064.*616"):
+            loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
+
+
+def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(616, 1064))
+    with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
+        loom.DepthModel(path, "depth-anything-v2")
+    assert "metres" in (loom.DepthModel(path, "metric3d-v2").note or "")
+
+
+@pytest.mark.parametrize("value", [190.0, 0.0])
+def test_a_view_that_no_lens_has_is_an_error(tmp_path, value):
+    nodes = [
+        helper.make_node("ReduceMean", ["x"], ["grey"], axes=[1], keepdims=1),
+        helper.make_node("Relu", ["grey"], ["predicted_depth"]),
+        helper.make_node("ReduceMax", ["grey"], ["most"], keepdims=0),
+        helper.make_node("Mul", ["most", "zero"], ["nothing"]),
+        helper.make_node("Add", ["nothing", "view"], ["field_of_view"]),
+    ]
+    ends = [("x", FLOAT, [1, 3, 1536, 1536])], [("predicted_depth", FLOAT, None), ("field_of_view", FLOAT, None)]
+    path = save(tmp_path / "m.onnx", nodes, *ends, zero=np.float32(0), view=np.float32(value))
+    with pytest.raises(loom.FileError, match=f"field of view of {value:g} degrees, which no lens has"):
+        loom.estimate_depth(picture_of(), path, preset="depth-pro")
+
+
+@pytest.fixture
+def photo(tmp_path):
+    path = tmp_path / "photo.png"
+    Image.fromarray(picture_of()).save(path)
+    return path
+
+
+def words(photo, model, *more):
+    return ["depth", photo, "--model", model, "-o", photo.parent / "out.ply", "--device", "cpu", *more]
+
+
+def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_nothing(photo, files):
+    said = refusal(*words(photo, files["dav2 indoor"]))
+    assert "Take the preset depth-anything-v2-metric" in said
+    assert names_in(photo.parent) == ["photo.png"]
+
+
+def test_the_summary_says_that_a_camera_is_the_network_s(photo, files):
+    result = run(*words(photo, files["unidepth"], "--preset", "unidepth-v2"))
+    assert result.exit_code == 0
+    assert "from the network" in result.stdout
+    assert "shapes are stretched" not in result.stdout
+
+
+def test_what_a_file_does_not_say_is_said_once(photo, tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(28, 42))
+    result = run(*words(photo, path))
+    assert result.exit_code == 0
+    assert result.stdout.count("the file does not say") == 1
+    assert "the file does not say" in answer(*words(photo, path, "--force"))["note"]

@@ -1,0 +1,382 @@
+"""What networks are given and what is taken from them, preset by preset; and models that are not the preset's."""
+
+import sys
+
+import numpy as np
+import onnx
+import pytest
+from onnx import TensorProto, helper
+
+import pointloom as loom
+from pointloom.cli.shell import depth_command
+from pointloom.photogrammetry.depth import network
+from pointloom.photogrammetry.depth.presets import IMAGENET_MEAN, IMAGENET_STD, PRESETS, input_size
+
+from .tiny_networks import FLOAT, busy, fixed_map, in_strides, linear, save, seen_by, with_mean
+
+SIZES = {  # of an input for 640 x 480, 480 x 640, 1920 x 1080, 100 x 100: rows and columns, by the networks' own code
+    "depth-anything-v2": [(518, 686), (686, 518), (518, 924), (518, 518)],
+    "midas-v2.1": [(288, 384), (384, 288), (224, 384), (384, 384)],
+    "midas-v2.1-small": [(192, 256), (256, 192), (128, 256), (256, 256)],
+    "midas-v2.1-onnx": [(384, 384)] * 4,
+    "midas-v2.1-small-onnx": [(256, 256)] * 4,
+    "dpt": [(384, 512), (512, 384), (384, 672), (384, 384)],
+    "depth-anything-v2-metric": [(518, 686), (686, 518), (518, 924), (518, 518)],
+    "zoedepth": [(384, 512), (672, 512), (384, 672), (384, 384)],
+    "depth-pro": [(1536, 1536)] * 4,
+    "moge-2": [(727, 970), (970, 727), (630, 1120), (840, 840)],
+    "unidepth-v2": [(462, 616), (616, 462), (406, 714), (546, 546)],
+    "metric3d-v2": [(616, 1064)] * 4,
+    "metric3d-convnext": [(544, 1216)] * 4,
+    "depth-anything-3": [(378, 504), (504, 378), (280, 504), (504, 504)],
+    "depth-anything-3-metric": [(378, 504), (504, 378), (280, 504), (504, 504)],
+}
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_the_input_has_the_size_that_the_network_was_made_for(name):
+    found = [input_size(PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
+    assert found == SIZES[name]
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_sides_are_whole_multiples_and_never_nothing(name):
+    preset = PRESETS[name]
+    for size in ((1, 1), (5000, 4000), (97, 101), (3, 2000)):
+        try:
+            sides = input_size(preset, *size)
+        except ValueError as error:
+            assert "crop it" in str(error) and size == (3, 2000)
+        else:
+            assert all(side >= preset.multiple and side % preset.multiple == 0 for side in sides)
+
+
+def test_the_command_offers_every_preset():
+    assert tuple(PRESETS) == depth_command.PRESETS
+    assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].licence
+
+
+def picture_of(size, seed=0):
+    return np.random.default_rng(seed).integers(0, 256, (*size, 3), dtype=np.uint8)
+
+
+@pytest.mark.parametrize("name", PRESETS)
+def test_the_normalisation_is_that_of_the_network_s_own_code(name):
+    preset, imagenet = PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
+    own = {"dpt": ((0.5,) * 3, (0.5,) * 3), "metric3d-v2": ((0.0,) * 3, (1.0,) * 3)}
+    own |= {"zoedepth": own["dpt"], "depth-pro": own["dpt"], "metric3d-convnext": own["metric3d-v2"]}
+    own["moge-2"] = own["metric3d-v2"]
+    own |= {f"midas-v2.1{size}-onnx": ((0.0,) * 3, (1.0,) * 3) for size in ("", "-small")}
+    assert (preset.mean, preset.std) == own.get(name, imagenet)
+    assert preset.levels == (255 if name.startswith("metric3d") else 1)
+
+
+def test_no_number_goes_in_that_no_picture_has(tmp_path):
+    model = loom.DepthModel(linear(tmp_path / "m.onnx", weights=(1, 0, 0)), "midas-v2.1-small-onnx")
+    picture = np.zeros((40, 40, 3), np.uint8)
+    picture[:, 20:] = 255  # bicubic kernels go beyond at such edges
+    values = model.run(picture)
+    assert (values.min(), values.max()) == (0, 1)
+
+
+@pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-onnx", "dpt", "depth-anything-3"])
+def test_numbers_go_in_as_the_preset_says(name, tmp_path):
+    preset = PRESETS[name]
+    size = (384, 512) if name == "dpt" else input_size(preset, 480, 640)
+    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=size, squeeze=True, views=preset.takes_views), name)
+    picture = picture_of(size)
+    values, placement = model._run_placed(picture)
+    assert (placement.rows, placement.columns) == placement.used == size
+    np.testing.assert_allclose(values, seen_by(preset, picture), rtol=1e-5, atol=2e-5 * preset.levels)
+
+
+@pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-small", "dpt", "depth-anything-3"])
+def test_a_model_of_any_size_gets_that_of_the_preset(name, tmp_path):
+    preset = PRESETS[name]
+    model = loom.DepthModel(linear(tmp_path / "m.onnx"), name)
+    u, v = np.meshgrid(np.arange(200), np.arange(150))
+    picture = np.stack([u, v, 255 - v], -1).astype(np.uint8)
+    values, placement = model._run_placed(picture)
+    assert (placement.rows, placement.columns) == input_size(preset, 150, 200)
+    assert values.shape == (150, 200)
+    error = np.abs(values - seen_by(preset, picture)) / preset.levels * preset.std[0]
+    assert error.max() < 0.004  # a level of 255: ramps come back where they were, to the borders
+
+
+def test_a_map_of_whole_strides_covers_the_picture_to_its_borders(tmp_path):
+    model = loom.DepthModel(in_strides(tmp_path / "m.onnx"), "depth-anything-v2")
+    ramp = np.tile(np.linspace(0, 250, 500), (500, 1)).astype(np.uint8)
+    values, placement = model._run_placed(np.repeat(ramp[..., None], 3, 2))
+    assert (placement.rows, placement.columns) == (518, 518)
+    assert values.shape == (500, 500)
+    grey = np.mean([(ramp[250] / 255 - mean) / std for mean, std in zip(IMAGENET_MEAN, IMAGENET_STD, strict=True)], 0)
+    cell = 14 * 500 / 518  # pixels that one of its numbers stands for
+    assert np.abs(values[250] - grey).max() < 0.6 * cell * (grey[499] - grey[0]) / 499
+
+
+def test_fixed_inputs_are_taken_as_they_are(tmp_path):
+    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42)))
+    picture = picture_of((28, 42))
+    np.testing.assert_allclose(model._run_placed(picture)[0], seen_by(PRESETS[model.preset], picture), atol=1e-5)
+    assert model._run_placed(picture_of((100, 70)))[0].shape == (100, 70)
+    half = loom.DepthModel(linear(tmp_path / "half.onnx", size=(28, "w")))
+    assert (half._placement(100, 100).rows, half._placement(100, 100).columns) == (28, 518)
+
+
+def test_models_in_half_precision_are_fed_so(tmp_path):
+    model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=TensorProto.FLOAT16))
+    picture = picture_of((28, 42))
+    np.testing.assert_allclose(model._run_placed(picture)[0], seen_by(PRESETS[model.preset], picture), atol=5e-3)
+
+
+def test_what_is_added_around_a_picture_is_the_mean_color(tmp_path):
+    model = loom.DepthModel(with_mean(tmp_path / "m.onnx", (616, 1064)), "metric3d-v2")
+    picture = np.full((300, 400, 3), 10, np.uint8)
+    picture[:, 200:] = 20
+    placement = model._placement(300, 400)
+    assert placement.used == (616, 821)
+    assert (placement.top, placement.left) == (0, 121)
+    share = 821 / 1064
+    mean = 15 * share + 123.675 * (1 - share)
+    values, _ = model._run_placed(picture)
+    assert values[150, 20] == pytest.approx(10 + mean, abs=0.02)
+    assert values[150, 380] == pytest.approx(20 + mean, abs=0.02)
+
+
+def test_square_exports_of_depth_anything_3_see_undistorted_pictures(tmp_path):
+    model = loom.DepthModel(with_mean(tmp_path / "m.onnx", (504, 504)), "depth-anything-3")
+    assert model._placement(1080, 1920).used == (283, 504)
+    picture = np.full((100, 200, 3), 200, np.uint8)
+    picture[0, 0] = 0
+    values, placement = model._run_placed(picture)
+    red = (200 / 255 - 0.485) / 0.229
+    assert placement.used == (252, 504)
+    assert values[50, 100] == pytest.approx(red + red / 2, abs=1e-3)  # the mean around it is 0 once normalised
+
+
+def flat_estimate(tmp_path, name, picture, focal, **options):
+    """The estimate of a network that gives the red of a picture, 0..levels before its normalisation."""
+    preset = PRESETS[name]
+    weights = (preset.std[0] / preset.levels * 255, 0, 0)
+    offset = preset.mean[0] / preset.levels * 255
+    views = preset.takes_views
+    path = linear(tmp_path / "red.onnx", weights=weights, offset=offset, views=views)
+    height, width = picture.shape[:2]
+    fx, fy = 0.9 * focal, 1.1 * focal  # of mean focal
+    camera = loom.PinholeCameraIntrinsic(width, height, fx, fy, (width - 1) / 2, (height - 1) / 2)
+    return loom.estimate_depth(picture, path, preset=name, intrinsic=camera, **options)
+
+
+def two_reds(size, near, far):
+    picture = np.full((*size, 3), near, np.uint8)
+    picture[:, size[1] // 2 :] = far
+    return picture
+
+
+def test_metric3d_gives_metres_by_the_focal_length_of_its_input(tmp_path):
+    for factor in (1, 2):
+        size = 616 // factor, 1064 // factor
+        found = flat_estimate(tmp_path, "metric3d-v2", two_reds(size, 10, 20), 500.0 / factor)
+        assert found.is_metric
+        assert (found.unit, found.scale, found.shift, found.inlier_share) == ("m", 1.0, 0.0, None)
+        assert found.depth[5, 5] == pytest.approx(10 * 500 / 1000, rel=1e-4)
+        assert found.depth[5, -5] == pytest.approx(20 * 500 / 1000, rel=1e-4)
+
+
+def test_depth_anything_3_metric_divides_by_300(tmp_path):
+    for factor in (1, 2):
+        size = 504 // factor, 504 // factor
+        found = flat_estimate(tmp_path, "depth-anything-3-metric", two_reds(size, 10, 20), 600.0 / factor)
+        assert found.is_metric
+        assert found.depth[5, 5] == pytest.approx(10 * 600 / 300, rel=1e-4)
+        assert found.depth[5, -5] == pytest.approx(20 * 600 / 300, rel=1e-4)
+
+
+def test_metres_need_a_focal_length_that_is_known(tmp_path):
+    path = linear(tmp_path / "m.onnx", offset=1.0)
+    found = loom.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
+    assert not found.is_metric
+    assert (found.unit, found.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
+    assert found.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
+
+
+@pytest.mark.parametrize("name", ["depth-anything-v2", "dpt"])
+def test_inverse_depth_without_references_runs_from_1_to_10(tmp_path, name):
+    side = 518 if name == "depth-anything-v2" else 384
+    found = flat_estimate(tmp_path, name, two_reds((side, side), 200, 50), 300.0)
+    assert not found.is_metric
+    assert found.unit == "arbitrary"
+    assert found.depth[5, 5] == pytest.approx(1, rel=1e-4)
+    assert found.depth[5, -5] == pytest.approx(10, rel=1e-3)
+    d = np.array([200.0, 50.0])
+    np.testing.assert_allclose(1 / (found.scale * d + found.shift), [1, 10], rtol=1e-3)
+
+
+def test_relative_depth_without_references_keeps_its_ratios(tmp_path):
+    found = flat_estimate(tmp_path, "depth-anything-3", two_reds((504, 504), 50, 200), 300.0)
+    assert (found.unit, found.shift) == ("arbitrary", 0.0)
+    assert found.depth[5, 5] == pytest.approx(1, rel=1e-3)
+    assert found.depth[5, -5] == pytest.approx(4, rel=1e-3)
+
+
+def two_inputs(path):
+    ends = [("image", FLOAT, [1, 3, "h", "w"]), ("mask", FLOAT, [1, 3, "h", "w"])], [("y", FLOAT, [1, 3, "h", "w"])]
+    return save(path, [helper.make_node("Add", ["image", "mask"], ["y"])], *ends)
+
+
+def one_node(path, operation, shape, out, kind=FLOAT, **attributes):
+    node = helper.make_node(operation, ["x"], ["y"], **attributes)
+    return save(path, [node], [("x", kind, shape)], [("y", kind, out)])
+
+
+def two_outputs(path):
+    nodes = [helper.make_node("ReduceMean", ["x"], [name], axes=[1], keepdims=1) for name in ("normal", "mask")]
+    ends = [("x", FLOAT, [1, 3, "h", "w"])], [(name, FLOAT, [1, 1, "h", "w"]) for name in ("normal", "mask")]
+    return save(path, nodes, *ends)
+
+
+def mean_over(path, shape, axes, out, kind=FLOAT):
+    operation = "ReduceMean" if kind == FLOAT else "ReduceMax"
+    return one_node(path, operation, shape, out, kind, axes=axes, keepdims=0)
+
+
+HW = ["h", "w"]
+MODELS = {
+    "two inputs": (two_inputs, "has the inputs image, mask"),
+    "colours last": (lambda p: mean_over(p, [1, *HW, 3], [3], [1, *HW]), "takes [1, 3, h, w]"),
+    "one colour": (lambda p: one_node(p, "Relu", [1, 1, *HW], [1, 1, *HW]), "takes [1, 3, h, w]"),
+    "three dimensions": (lambda p: one_node(p, "Relu", [3, *HW], [3, *HW]), "takes [1, 3, h, w]"),
+    "a batch of 4": (lambda p: one_node(p, "Relu", [4, 3, *HW], [4, 3, *HW]), "takes [1, 3, h, w]"),
+    "bytes": (lambda p: mean_over(p, [1, 3, *HW], [1], [1, *HW], TensorProto.UINT8), "takes floats"),
+    "500 rows": (lambda p: linear(p, size=(500, 518)), "is the default; another network: --preset"),
+    "two maps": (two_outputs, "has the outputs normal, mask"),
+    "a class": (lambda p: mean_over(p, [1, 3, *HW], [2, 3], [1, 3]), "gives a map"),
+}
+
+
+@pytest.mark.parametrize("title", MODELS)
+def test_a_model_that_is_not_the_preset_s_is_refused_when_it_is_opened(title, tmp_path):
+    make, reason = MODELS[title]
+    with pytest.raises(loom.FileError, match=r"m\.onnx") as error:
+        loom.DepthModel(make(tmp_path / "m.onnx"))
+    assert reason in str(error.value)
+
+
+def test_a_model_of_another_size_than_the_preset_s_is_refused(tmp_path):
+    path = linear(tmp_path / "m.onnx", size=(384, 384))
+    assert loom.DepthModel(path, "midas-v2.1").preset == "midas-v2.1"
+    with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*384.*384.*midas-v2\.1-small-onnx.*256.*256"):
+        loom.DepthModel(path, "midas-v2.1-small-onnx")
+    with pytest.raises(loom.FileError, match="metric3d-v2 has 616 x 1064"):
+        loom.DepthModel(path, "metric3d-v2")
+    with pytest.raises(loom.FileError, match="takes"):  # only Depth Anything 3 has views
+        loom.DepthModel(linear(tmp_path / "views.onnx", views=True), "dpt")
+
+
+def test_a_map_of_another_size_than_its_input_is_an_error(tmp_path):
+    model = loom.DepthModel(in_strides(tmp_path / "m.onnx", 16))
+    with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):.*1.*1.*512.*512.*518.*518"):
+        model._run_placed(picture_of((100, 100)))
+
+
+@pytest.mark.parametrize(
+    ("value", "reason"), [(np.nan, "NaN or infinite"), (np.inf, "NaN or infinite"), (3.0, "3 for every pixel")]
+)
+def test_a_map_without_depth_is_an_error(tmp_path, value, reason):
+    values = np.linspace(1, 2, 518 * 518).reshape(518, 518)
+    values[::7] = value
+    model = loom.DepthModel(fixed_map(tmp_path / "m.onnx", np.full((518, 518), 3.0) if value == 3 else values))
+    with pytest.raises(loom.FileError, match=reason):
+        model._run_placed(picture_of((100, 100)))
+
+
+def test_metric_depth_that_is_never_positive_is_an_error(tmp_path):
+    path = linear(tmp_path / "m.onnx", offset=-1e4)
+    with pytest.raises(loom.FileError, match=r"/m\.onnx:.*0"):
+        loom.estimate_depth(picture_of((50, 50)), path, preset="depth-anything-3-metric")
+
+
+def test_what_is_no_model_is_refused_with_a_remedy(tmp_path):
+    good = linear(tmp_path / "good.onnx").read_bytes()
+    contents = {
+        "random": np.random.default_rng(0).bytes(5000), "text": b"weights: none\n" * 20, "cut": good[: len(good) // 2],
+        "empty": b"", "tail": good + b"\xff" * 7,
+    }  # fmt: skip
+    for name, content in contents.items():
+        path = tmp_path / f"{name}.onnx"
+        path.write_bytes(content)
+        with pytest.raises(loom.FileError, match=f"{name}.onnx") as error:
+            loom.DepthModel(path)
+        assert "onnxruntime_src" not in str(error.value)
+    with pytest.raises(loom.FileError, match="is a folder"):
+        loom.DepthModel(tmp_path)
+    with pytest.raises(loom.FileError, match=r"/none\.onnx:"):
+        loom.DepthModel(tmp_path / "none.onnx")
+
+
+@pytest.mark.parametrize("name", [b"side", b"depth", b"Conv"])
+def test_a_name_that_is_no_text_is_refused_without_a_banner(tmp_path, capsys, name):
+    data = linear(tmp_path / "good.onnx", size=("side", "w")).read_bytes()
+    path = tmp_path / "bad.onnx"
+    path.write_bytes(data.replace(name, b"\xff" + name[1:]))
+    with pytest.raises(loom.FileError, match=r"bad\.onnx"):
+        loom.DepthModel(path)
+    assert capsys.readouterr().out == ""
+
+
+def test_a_model_of_a_later_format_says_what_to_update(tmp_path):
+    model = onnx.load(linear(tmp_path / "m.onnx"))
+    model.ir_version = 99
+    (tmp_path / "later.onnx").write_bytes(model.SerializeToString())
+    with pytest.raises(loom.FileError, match="Update onnxruntime"):
+        loom.DepthModel(tmp_path / "later.onnx")
+
+
+def test_weights_in_a_file_of_their_own_are_found_beside_the_model(tmp_path):
+    model = onnx.load(linear(tmp_path / "m.onnx", size=(28, 42)))
+    onnx.save(model, tmp_path / "split.onnx", save_as_external_data=True, location="split.onnx_data", size_threshold=0)
+    picture = picture_of((28, 42))
+    expected = loom.DepthModel(tmp_path / "m.onnx")._run_placed(picture)[0]
+    np.testing.assert_array_equal(loom.DepthModel(tmp_path / "split.onnx")._run_placed(picture)[0], expected)
+    (tmp_path / "split.onnx_data").unlink()
+    with pytest.raises(loom.FileError, match=r"/split\.onnx:"):
+        loom.DepthModel(tmp_path / "split.onnx")
+
+
+@pytest.mark.parametrize("package", ["onnx", "onnxruntime"])
+def test_without_the_extra_the_error_names_it(package, tmp_path, monkeypatch):
+    path = linear(tmp_path / "m.onnx")
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(loom.FileError, match=r"/m\.onnx:"):
+        loom.DepthModel(path)
+
+
+def test_no_cuda_is_an_error_and_never_the_cpu_in_silence(tmp_path, monkeypatch):
+    import onnxruntime
+
+    path = linear(tmp_path / "m.onnx")
+    assert loom.DepthModel(path).provider == "CPUExecutionProvider"
+    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
+    with pytest.raises(loom.DeviceError, match=r"^device:"):
+        loom.DepthModel(path, device="cuda:0")
+    with pytest.raises(loom.DeviceError, match="device:"):
+        loom.DepthModel(path, device="tpu")
+    # CUDA by name, but its libraries are missing: onnxruntime goes on with the CPU
+    both = ["CUDAExecutionProvider", "CPUExecutionProvider"]
+    monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: both)
+    monkeypatch.setattr(network, "resolve_device", lambda _: _Cuda)
+    with pytest.raises(loom.DeviceError, match=r"^device:"):
+        loom.DepthModel(path, device="cuda")
+    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"  # which it says
+
+
+class _Cuda:
+    is_cuda, ordinal = True, 0
+
+
+@pytest.mark.slow
+def test_the_same_bits_twice_and_with_any_number_of_threads(tmp_path):
+    path, picture = busy(tmp_path / "m.onnx"), picture_of((200, 300))
+    first = loom.DepthModel(path, threads=1)._run_placed(picture)[0]
+    for threads in (1, 2, None):
+        np.testing.assert_array_equal(loom.DepthModel(path, threads=threads)._run_placed(picture)[0], first)

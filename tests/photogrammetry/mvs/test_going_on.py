@@ -1,0 +1,55 @@
+"""A search for depth that is interrupted goes on at the next picture, to the same bits."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.photogrammetry.mvs import plane_search
+
+from .made_pictures import scene, three
+
+
+def bytes_of(maps):
+    return [part.tobytes() for each in maps for part in (each.depth, each.normals, each.confidence)]
+
+
+def test_an_interrupted_search_goes_on_at_the_next_picture(tmp_path, monkeypatch):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    whole = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
+    steps, matched, match = [], [], plane_search._Walk.match
+    monkeypatch.setattr(plane_search._Walk, "match", lambda walk, i: matched.append((walk.number, i)) or match(walk, i))
+
+    def run(stop):
+        matched.clear()
+
+        def progress(name, done, total):
+            steps.append(total)
+            if done == stop:
+                raise KeyboardInterrupt
+
+        return loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going", progress=progress)
+
+    for stop in (2, 4, 6, 9):
+        with pytest.raises(KeyboardInterrupt):
+            run(stop)
+    phases = steps[0] // 3
+    maps = run(None)
+    assert bytes_of(maps) == whole
+    assert matched == [
+        (k // 3, k % 3) for k in range(9, 3 * phases)
+    ]  # the pictures that were done are not matched anew
+
+
+def test_what_was_cut_off_is_matched_again(tmp_path):
+    cameras = three()
+    pictures, sparse = scene(cameras)
+    whole = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    files = sorted((tmp_path / "going").iterdir())
+    files[0].write_bytes(files[0].read_bytes()[:-7])
+    files[1].write_bytes(b"")
+    np.save(files[2], np.zeros((3, 4), np.float32))
+    again = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    assert bytes_of(again) == bytes_of(whole)

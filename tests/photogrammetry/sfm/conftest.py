@@ -1,0 +1,95 @@
+"""Pictures of the made-up scene, what was found in them, and videos of it."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.mapping import map_pictures
+from pointloom.photogrammetry.sfm.matches import match
+
+from .scene import picture, walk
+
+COUNT = 8
+FEATURES = 1200
+
+
+def write_pictures(folder: Path, pictures: Sequence[np.ndarray], names: Sequence[str] = ()) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    for number, pixels in enumerate(pictures):
+        Image.fromarray(pixels).save(folder / (names[number] if names else f"view {number}.png"))
+    return folder
+
+
+def left_half(shape) -> np.ndarray:
+    """A mask that keeps the left half of a picture."""
+    mask = np.zeros(shape, np.uint8)
+    mask[:, : shape[1] // 2] = 255
+    return mask
+
+
+@pytest.fixture(scope="session")
+def walked() -> list[np.ndarray]:
+    return [picture(T) for T in walk(COUNT)]
+
+
+@pytest.fixture(scope="session")
+def stages(walked, tmp_path_factory) -> SimpleNamespace:
+    """Features, matches and the model of 8 pictures, in a folder whose name is hard on paths."""
+    pytest.importorskip("sqlite3")
+    if not has_pycolmap():
+        pytest.skip("pycolmap is not installed")
+    work = tmp_path_factory.mktemp("sfm") / "Küche 1 ✓"
+    pictures = write_pictures(work / "Bilder", walked)
+    features_db, matches_db, sparse = work / "features.db", work / "matches.db", work / "sparse"
+    said: list[tuple[str, int, int]] = []
+
+    def progress(*step):
+        said.append(step)
+
+    features = find_features(pictures, features_db, max_features=FEATURES, progress=progress)
+    before = features_db.read_bytes()
+    matches = match(features_db, matches_db, progress=progress)
+    assert features_db.read_bytes() == before
+    before = matches_db.read_bytes()
+    result = map_pictures(pictures, matches_db, sparse, progress=progress)
+    assert matches_db.read_bytes() == before
+    return SimpleNamespace(**{name: value for name, value in locals().items() if name not in ("before", "walked")})
+
+
+def has_pycolmap() -> bool:
+    """Asked without importing it: beside other packages it may hang."""
+    import importlib.util
+
+    return importlib.util.find_spec("pycolmap") is not None
+
+
+@pytest.fixture
+def make_video(tmp_path) -> Callable[..., Path]:
+    """A function (name, frames, options of ffmpeg) -> path of a video."""
+    if shutil.which("ffmpeg") is None:
+        pytest.skip("ffmpeg is not installed")
+
+    def make(name: str, frames: Sequence[np.ndarray], *options: str, rate: int = 10) -> Path:
+        path, (height, width) = tmp_path / name, frames[0].shape
+        given = ["-f", "rawvideo", "-pix_fmt", "gray", "-s", f"{width}x{height}", "-r", str(rate), "-i", "-"]
+        command = ["ffmpeg", "-v", "error", "-y", *given, "-c:v", "mpeg4", "-q:v", "2", *options, str(path)]
+        subprocess.run(command, input=b"".join(frame.tobytes() for frame in frames), check=True, timeout=60)
+        return path
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def panned() -> list[np.ndarray]:
+    """40 frames of 160 x 120 that move by 3 pixels each."""
+    wide = np.array(Image.fromarray(picture(walk(2)[0])).resize((640, 120), Image.Resampling.BOX))
+    return [np.ascontiguousarray(wide[:, 3 * k : 3 * k + 160]) for k in range(40)]

@@ -1,0 +1,99 @@
+"""Photographs of several lenses, of a lens that was given wrongly, and such as do not tell their focal length."""
+
+from __future__ import annotations
+
+import sqlite3
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.photogrammetry.sfm.features import find_features
+
+from .conftest import has_pycolmap, write_pictures
+from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
+
+COUNT = 8
+
+
+@pytest.fixture(autouse=True)
+def _wants_colmap():
+    if not has_pycolmap():
+        pytest.skip("pycolmap is not installed")
+
+
+def exif_of(film: int, *, focal: float | tuple[int, int] = 4.25) -> Image.Exif:
+    """EXIF of a telephone with a focal length, and with that in terms of 35 mm film."""
+    exif = Image.Exif()
+    exif[0x010F], exif[0x0110], exif[0x8769] = "Maker", "Phone 1", {0x920A: focal, 0xA405: film}
+    return exif
+
+
+def write_photographs(folder, pictures, films) -> None:
+    folder.mkdir()
+    for k, (pixels, film) in enumerate(zip(pictures, films, strict=True)):
+        options = {} if film is None else {"exif": exif_of(film)}
+        Image.fromarray(pixels).save(folder / f"{k}.jpg", quality=95, **options)
+
+
+def cameras_of(database) -> list[tuple[float, int]]:
+    """Focal lengths of the cameras of a database, and whether EXIF told them."""
+    with sqlite3.connect(database) as connection:
+        rows = connection.execute("SELECT params, prior_focal_length FROM cameras ORDER BY 1").fetchall()
+    return sorted((float(np.frombuffer(params)[0]), prior) for params, prior in rows)
+
+
+@pytest.mark.slow
+def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
+    write_photographs(tmp_path / "photos", walked[:5], [28, 50, 28, None, 50])
+    choice = loom.sfm.choose_frames(tmp_path / "photos", tmp_path / "frames")
+    assert any("EXIF tells of 3 cameras or focal lengths" in remark for remark in choice.notes)
+    found = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
+    assert (found.camera_count, found.sizes) == (3, {(WIDTH, HEIGHT): 5})
+    diagonal = np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)
+    expected = [(0.85 * WIDTH, 0), (28 * diagonal, 1), (50 * diagonal, 1)]
+    assert cameras_of(tmp_path / "f.db") == [
+        (pytest.approx(focal, rel=1e-3), prior) for focal, prior in sorted(expected)
+    ]
+    known = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, 159.5, 119.5)
+    one = find_features(tmp_path / "frames", tmp_path / "g.db", max_features=100, intrinsic=known)
+    assert one.camera_count == 1 and [focal for focal, _ in cameras_of(tmp_path / "g.db")] == [FOCAL]
+
+
+@pytest.mark.slow
+def test_a_zoom_that_nobody_told_of_becomes_two_cameras(tmp_path):
+    pictures = [picture(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(walk(COUNT))]
+    result = loom.sfm.reconstruct(write_pictures(tmp_path / "p", pictures), tmp_path / "work", max_features=800)
+    assert result.model is not None and len(result.model) == COUNT and len(set(result.model.cameras)) == 2
+    for name, camera in zip(result.model.names, result.model.cameras, strict=True):
+        factor = 1.5 if int(name.split()[1][0]) % 2 else 1.0
+        assert camera.params[0] == pytest.approx(factor * FOCAL, rel=0.03)
+    assert "2 of other focal lengths do" in " ".join(result.quality.notes)
+
+
+@pytest.mark.slow
+def test_a_camera_that_was_given_wrongly_is_told_with_both_focal_lengths(walked, tmp_path):
+    pictures = write_pictures(tmp_path / "p", walked)
+    wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=800, intrinsic=wrong)
+    assert not result.reliable and "360 px were given" in str(result.warnings)
+    assert result.quality.focal is not None and result.quality.focal.found == pytest.approx(FOCAL, rel=0.03)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("film", [None, 32])
+def test_straight_ahead_no_focal_length_is_found_and_that_of_exif_is_kept(tmp_path, film):
+    poses = [np.eye(4) for _ in range(COUNT)]
+    for k, T in enumerate(poses):
+        T[2, 3] = -0.12 * k
+    write_photographs(tmp_path / "p", [picture(T) for T in poses], [film] * COUNT)
+    result = loom.sfm.reconstruct(tmp_path / "p", tmp_path / "work", max_features=800)
+    assert result.model is not None
+    if film is None:
+        assert not result.reliable and "the pictures do not fix the focal length" in str(result.warnings)
+    else:
+        kept = 32 * np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)  # 296 of 300
+        assert result.model.cameras[0].params[0] == pytest.approx(kept, rel=1e-3)
+        assert "it is EXIF's, 295.8 px" in " ".join(result.quality.notes)
+        assert result.reliable or "focal length" not in str(result.warnings)

@@ -1,0 +1,203 @@
+"""EXIF and XMP of all sorts of programs: absurdities are told or ignored, without a crash or a wrong focal length."""
+
+from __future__ import annotations
+
+import math
+import sqlite3
+import time
+import zlib
+
+import numpy as np
+import pytest
+from PIL import Image
+from PIL.TiffImagePlugin import IFDRational
+
+import pointloom as loom
+from pointloom.photogrammetry.sfm.exif_checks import doubt_of_focal
+from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.picture_folder import read_orientation
+from pointloom.photogrammetry.sfm.picture_places import Xmp, parse_xmp
+
+from .conftest import has_pycolmap
+
+SIZE = (96, 64)
+INNER, GPS = 0x8769, 0x8825
+FOCAL, FILM, ACROSS, UNIT, WIDTH, HEIGHT, ZOOM = 0x920A, 0xA405, 0xA20E, 0xA210, 0xA002, 0xA003, 0xA404
+PLACE = {1: "N", 2: (47.0, 30.0, 36.0), 3: "E", 4: (8.0, 15.0, 0.0), 5: b"\0", 6: 430.5}
+GOOD = {FOCAL: 4.25, FILM: 26, ACROSS: IFDRational(17136, 1), UNIT: 2, WIDTH: 4000, HEIGHT: 3000}  # 5.93 mm across
+
+
+def shot(path, inner=None, gps=None, size=SIZE, seed=0, **more):
+    """A picture with these tags of EXIF; `more` are those of its first table, and what Pillow takes."""
+    path.parent.mkdir(exist_ok=True)
+    exif = Image.Exif()
+    exif[0x010F], exif[0x0110] = "Maker", "Phone 1"
+    for tag, value in more.pop("tags", {}).items():
+        exif[tag] = value
+    exif.get_ifd(INNER).update(inner or {})
+    exif.get_ifd(GPS).update(gps or {})
+    pixels = np.random.default_rng(seed).integers(0, 256, (size[1], size[0], 3), np.uint8)
+    Image.fromarray(pixels).save(path, exif=exif, quality=95, **more)
+    return path
+
+
+FOCAL_LENGTHS = [
+    ("all of it fits", GOOD, None),
+    ("nothing is told", {}, None),
+    ("zero", {FOCAL: 0.0, FILM: 0}, None),
+    ("over zero", {FOCAL: IFDRational(425, 0)}, None),
+    ("not a number", {FOCAL: IFDRational(0, 0), ACROSS: IFDRational(0, 0), WIDTH: 4000}, None),
+    ("negative", {FOCAL: IFDRational(-425, 100)}, None),
+    ("film alone", {FILM: 26}, None),
+    ("a telephoto", {FOCAL: 300.0, FILM: 300}, None),
+    ("a tenth of a metre for a millimetre", {FOCAL: 425.0, FILM: 2600}, "2600 mm on 35 mm film are"),
+    ("the focal length for that on film", {FOCAL: 4.25, FILM: 4}, "4 mm on 35 mm film are 11 px"),
+    ("film that says ten times the sensor's", GOOD | {FILM: 260}, "that on film says 693 px, that of the sensor 69 px"),
+    ("film of a whole crop too little", GOOD | {FILM: 13}, "that on film says 35 px, that of the sensor 69 px"),
+    ("digital zoom", GOOD | {FILM: 78, ZOOM: 3.0}, None),
+    (
+        "centimetres for inches",
+        {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 5, WIDTH: 4000},
+        "the sensor would be 0.000233 mm wide",
+    ),
+    (
+        "inches for micrometres",
+        {FOCAL: 4.25, ACROSS: 0.67, UNIT: 2, WIDTH: 4000},
+        "the sensor would be 1.52e+05 mm wide",
+    ),
+    ("inches for centimetres beside film", GOOD | {UNIT: 3}, "that on film says 69 px, that of the sensor 175 px"),
+    ("a sensor that is none beside film", GOOD | {UNIT: 4}, None),
+    ("a unit that there is not", {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 77, WIDTH: 4000}, None),
+    ("no width", GOOD | {WIDTH: 0, HEIGHT: 0}, None),
+    ("no width and no film", {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 2, WIDTH: 0}, None),
+    (
+        "metres of focal length",
+        {FOCAL: 4250.0, ACROSS: 17136.0, UNIT: 2, WIDTH: 4000},
+        "4250 mm over a sensor of 5.93 mm",
+    ),
+]
+
+
+@pytest.mark.parametrize(("told", "expected"), [case[1:] for case in FOCAL_LENGTHS], ids=[c[0] for c in FOCAL_LENGTHS])
+def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, told, expected):
+    doubt = doubt_of_focal(shot(tmp_path / "a.jpg", told), SIZE)
+    assert doubt is None if expected is None else doubt is not None and expected in doubt
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
+    for k, (_, told, _) in enumerate(FOCAL_LENGTHS):  # each of a size of its own, and so a camera
+        shot(tmp_path / "in" / f"{k:02d}.jpg", told, size=(96 + 2 * k, 64), seed=k)
+    found = find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
+    with sqlite3.connect(tmp_path / "f.db") as database:
+        query = (
+            "SELECT name, params, width, prior_focal_length FROM images JOIN cameras USING (camera_id) ORDER BY name"
+        )
+        rows = database.execute(query).fetchall()
+    assert len(rows) == len(FOCAL_LENGTHS)
+    for (_, told, doubt), (name, params, width, prior) in zip(FOCAL_LENGTHS, rows, strict=True):
+        share = float(np.frombuffer(params)[0]) / width
+        assert math.isfinite(share) and 0.2 <= share <= 10, (name, told, share)
+        if not prior:
+            assert share == pytest.approx(0.85), (name, told)
+        assert not (prior and doubt), (name, told)
+    told = [remark.split(":")[0] for remark in found.notes]
+    assert told == [
+        f"EXIF's focal length of {k:02d}.jpg is rejected"
+        for k, (_, _, doubt) in enumerate(FOCAL_LENGTHS)
+        if doubt is not None
+    ]
+    assert found.to_dict()["notes"] == list(found.notes)
+
+
+@pytest.mark.parametrize("metres", [-4e8, 20_001.0])
+def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_path, metres):
+    sign = b"\1" if metres < 0 else b"\0"
+    places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(metres)})])
+    assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": metres}
+    assert places.notes() == [f"the altitude of 1 picture is rejected: a.jpg ({metres:g} m)"]
+    assert places.to_dict()["altitudes_refused"] == {"a.jpg": metres}
+
+
+@pytest.mark.parametrize("value", [0, 9, b"\0\2", b"\1\1"])
+def test_an_orientation_that_there_is_not_is_as_stored_and_told(tmp_path, value):
+    source = tmp_path / "in"
+    path = shot(source / "a.jpg", tags={0x0112: 6 if isinstance(value, bytes) else value})
+    if isinstance(value, bytes):  # the type of the tag: text, bytes, a fraction, none that there is
+        data, entry = path.read_bytes(), b"\x01\x12\0\3\0\0\0\1"
+        assert data.count(entry) == 1
+        path.write_bytes(data.replace(entry, b"\x01\x12" + value + b"\0\0\0\1"))
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert choice.sizes == {SIZE: 1} and read_orientation(path) == 1
+    told = any("tells no way to lie that there is, taken as stored: a.jpg" in remark for remark in choice.notes)
+    assert told == (value in (9, b"\0\2"))  # of the others Pillow says nothing at all
+
+
+def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_picture(tmp_path):
+    source = tmp_path / "in"
+    shot(source / "b.jpg")
+    data = shot(source / "a.jpg", tags={0x0112: 6}).read_bytes()
+    (source / "a.jpg").write_bytes(data.replace(b"\x01\x12\0\3\0\0\0\1", b"\x01\x12\0\5\0\0\0\1"))
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert choice.names == ("b.jpg",) and choice.left_out["a.jpg"].startswith("damaged picture")
+
+
+def test_an_orientation_that_the_told_size_contradicts_is_told(tmp_path):
+    source = tmp_path / "in"
+    shot(source / "a.jpg", {WIDTH: SIZE[1], HEIGHT: SIZE[0]}, tags={0x0112: 6})  # turned by a program that left the tag
+    shot(source / "b.jpg", {WIDTH: SIZE[0], HEIGHT: SIZE[1]}, tags={0x0112: 6})
+    xmp = b'<x:xmpmeta><rdf:Description tiff:Orientation="1"/></x:xmpmeta>'
+    shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF's word counts
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert choice.sizes == {SIZE[::-1]: 3}
+    (remark,) = [remark for remark in choice.notes if "turned before" in remark]
+    assert remark.endswith(": a.jpg")
+
+
+def test_exif_too_long_for_a_jpeg_is_left_out_and_the_picture_is_not(tmp_path):
+    source = tmp_path / "in"
+    shot(source / "a.png", {0x927C: b"m" * 200_000}, tags={0x0112: 6})
+    assert loom.sfm.choose_frames(source, tmp_path / "out").names == ("a.jpg",)
+
+
+XMPS = {
+    "cut off": b'<x:xmpmeta><rdf:Description drone-dji:AbsoluteAltitude="+431.2" drone-dji:GimbalYawDegree="+1',
+    "entities": b'<!DOCTYPE x [<!ENTITY a "9"><!ENTITY b "&a;&a;&a;">]><x drone-dji:RelativeAltitude="&b;"/>',
+    "zeros": b"\0" * 1000,
+    "no text": bytes(range(256)) * 4,
+    "infinite": b'<x drone-dji:AbsoluteAltitude="1e999" drone-dji:RelativeAltitude="nan"/>',
+    "degrees": b'<x Camera:Yaw="1e9" Camera:Pitch="0" Camera:Roll="0"/>',
+}
+
+
+@pytest.mark.parametrize("name", XMPS)
+def test_xmp_that_makes_no_sense_says_nothing(tmp_path, name):
+    path = shot(tmp_path / "a.jpg", gps={k: v for k, v in PLACE.items() if k != 6}, xmp=XMPS[name])
+    places = loom.sfm.read_picture_places([path])
+    assert len(places) == 1 and not places.refused and places.attitudes == {}
+    assert places.places[0].altitude == (431.2 if name == "cut off" else None)
+
+
+def test_xmp_of_megabytes_is_looked_through_in_no_time(tmp_path):
+    start = time.process_time()
+    for filler in (b"Camera:" + b"a" * 50, b"drone-dji:A    ", b'Camera:Yaw="', b"<" * 20):
+        assert parse_xmp(filler * (30_000_000 // len(filler))).attitude is None
+    assert parse_xmp(b"drone-dji:" + b"a" * 20_000_000) == Xmp()
+    assert time.process_time() - start < 20  # a search that is quadratic in a megabyte takes hours
+
+
+def test_a_picture_with_a_bomb_of_text_is_left_out_or_read_and_never_unpacked_whole(tmp_path):
+    """A PNG whose XMP unpacks to 64 MB."""
+    source = tmp_path / "in"
+    shot(source / "b.png")
+    data = shot(source / "a.png").read_bytes()
+    squeezer = zlib.compressobj(9)
+    bomb = b"".join(squeezer.compress(bytes(1 << 20)) for _ in range(64)) + squeezer.flush()
+    body = b"XML:com.adobe.xmp\0\1\0\0\0" + bomb
+    chunk = len(body).to_bytes(4, "big") + b"iTXt" + body + zlib.crc32(b"iTXt" + body).to_bytes(4, "big")
+    (source / "a.png").write_bytes(data[:33] + chunk + data[33:])
+    places = loom.sfm.read_picture_places(source)
+    assert len(places) == 0 and places.picture_count == 2
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert "b.png" in choice.names and (("a.png" in choice.names) != ("a.png" in choice.left_out))

@@ -1,0 +1,244 @@
+"""Pictures with known poses: what is matched along their lines, and which poses are rejected."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.kernels.features.epipolar_matching import LineFeatures, LineSearches, match_along_lines
+from pointloom.photogrammetry.sfm import triangulation
+from pointloom.photogrammetry.sfm.guided_matches import (
+    essential_of,
+    match_guided,
+    pairs_in_view,
+    read_matches,
+    write_matches,
+)
+from pointloom.photogrammetry.sfm.model_quality import ModelQuality, assess_model
+from pointloom.photogrammetry.sfm.pose_check import check_poses
+from pointloom.photogrammetry.sfm.posed_pictures import with_poses as pictures_with_poses
+
+from .conftest import has_pycolmap, write_pictures
+from .made_features import FOCAL, POINTS, features_of, rays_as, some_looks, walk, with_poses
+from .scene import FOCAL as SCENE_FOCAL
+from .scene import HEIGHT, WIDTH
+from .scene import walk as scene_poses
+
+
+def silent(*_step):
+    pass
+
+
+@pytest.fixture(scope="module")
+def model():
+    return walk()
+
+
+@pytest.fixture(scope="module")
+def features(model):
+    return features_of(model, count=60, strangers=24)
+
+
+def checked(model, features):
+    return check_poses(rays_as(model, features), model, pairs_in_view(model.cameras, model.T_camera_world))
+
+
+def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, features, device):
+    pairs = np.array([[0, 1], [1, 0], [2, 5]])
+    essential = essential_of(model.T_camera_world, pairs)
+    counts = np.diff(features.firsts)[pairs[:, 0]]
+    starts = np.concatenate([[0], np.cumsum(counts)])
+    limits = np.full((3, 2), (2.0 / FOCAL) ** 2)
+    searches = LineSearches(starts, pairs, essential.reshape(-1, 9), limits, device)
+    on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
+    found = match_along_lines(searches, on_device, int(starts[-1]))
+    for k, (a, b) in enumerate(pairs):
+        x, y = (np.pad(features.rays[features.of(i)], ((0, 0), (0, 1)), constant_values=1.0) for i in (a, b))
+        off = np.abs(x @ essential[k].T @ y.T)
+        there = off / np.linalg.norm((x @ essential[k].T)[:, :2], axis=1)[:, None]
+        back = off / np.linalg.norm((y @ essential[k])[:, :2], axis=1)
+        p, q = (features.descriptors[features.of(i)].astype(np.int64) for i in (a, b))
+        sqdists = ((p[:, None] - q[None]) ** 2).sum(axis=2)
+        sqdists[np.maximum(there, back) > 2.0 / FOCAL] = 0x7FFFFFFF
+        mine = found[starts[k] : starts[k + 1]]
+        np.testing.assert_array_equal(mine[:, 1], sqdists.min(axis=1))
+        np.testing.assert_array_equal(mine[:, 2], np.sort(sqdists, axis=1)[:, 1])
+        some = mine[:, 0] >= 0
+        np.testing.assert_array_equal(mine[some, 0], sqdists.argmin(axis=1)[some])
+        assert (mine[~some, 1] == 0x7FFFFFFF).all()
+
+
+def test_guided_matches_are_the_points_that_both_see(model, features, tmp_path):
+    pairs = pairs_in_view(model.cameras, model.T_camera_world)
+    assert [0, 1] in pairs.tolist()
+    found = match_guided(features, model, pairs, distance=2.0, device="cpu", progress=silent)
+    for k, (a, b) in enumerate(found.pairs):
+        matches = found.of(k)
+        p, q = (features.descriptors[features.of(i)][matches[:, s]] for s, i in enumerate((a, b)))
+        alike = np.abs(p.astype(int) - q).max(axis=1) <= 12
+        assert alike.mean() > 0.95 and len(matches) > 36
+    write_matches(tmp_path / "matches.npz", found)
+    again = read_matches(tmp_path / "matches.npz")
+    np.testing.assert_array_equal(again.matches, found.matches)
+
+
+def test_pictures_that_look_apart_or_from_one_place_are_no_pairs(model):
+    poses = np.array([model.T_camera_world[0], model.T_camera_world[1], model.T_camera_world[1]])
+    assert [1, 2] not in pairs_in_view(model.cameras[:3], poses).tolist()  # at one place
+    poses[2, :3, :3] = np.diag([-1.0, 1.0, -1.0]) @ poses[2, :3, :3]
+    assert pairs_in_view(model.cameras[:3], poses).tolist() == [[0, 1]]  # the last looks the other way
+
+
+def test_right_poses_are_accepted_in_any_frame_and_unit(model, features):
+    check = checked(model, features)
+    assert check.share > 0.95 and check.distance < 0.4
+    assert not check.are_wrong and check.reasons(len(model)) == []
+    T = np.diag([7.0, 7.0, 7.0, 1.0])
+    T[:3, :3] = 7.0 * np.array([[0.0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    T[:3, 3] = 1e6, 2e5, -30.0
+    moved = model.transform(T)
+    assert checked(moved, features).share == pytest.approx(check.share, abs=0.02)
+
+
+FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
+QUARTER = np.array([[0.0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+
+
+def inverses(T):
+    return np.linalg.inv(T)
+
+
+def of_centers(T):
+    """World-to-camera rotations with the cameras' centres for translations."""
+    out = T.copy()
+    out[:, :3, 3] = np.linalg.inv(T)[:, :3, 3]
+    return out
+
+
+@pytest.mark.parametrize(
+    ("mistake", "said"),
+    [
+        (inverses, "each pose is turned round"),
+        (lambda T: FLIP @ T, "y up, z back"),
+        (lambda T: inverses(FLIP @ T), "y up, z back"),
+        (of_centers, "the world before the camera"),
+        (lambda T: QUARTER @ T, "turned by 90 degrees"),
+        (lambda T: T[::-1], "reverse order"),
+        (lambda T: np.roll(T, 1, axis=0), "the one 1 before it"),
+        (lambda T: T[np.random.default_rng(1).permutation(len(T))], "of other pictures, in another order"),
+    ],
+    ids=["inverted", "OpenGL", "OpenGL inverted", "centres", "portrait", "reversed", "shifted", "shuffled"],
+)
+def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, said):
+    wrong = with_poses(model, np.ascontiguousarray(mistake(model.T_camera_world)))
+    check = checked(wrong, features)
+    assert check.are_wrong
+    (reason,) = check.reasons(len(model))
+    assert said in reason
+    quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
+    assert "; ".join(quality.warnings) == reason
+    again = ModelQuality.from_json(quality.to_dict())
+    assert (again.warnings, again.poses.share) == (quality.warnings, check.share)
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.25])
+def test_another_focal_length_is_told(model, features, factor):
+    check = checked(with_poses(model, model.T_camera_world, FOCAL * factor), features)
+    assert check.focal == pytest.approx(1 / factor, rel=0.03)
+    (reason,) = check.reasons(len(model))
+    assert "focal length" in reason
+
+
+def test_pictures_that_show_nothing_of_one_another_are_told(model, features):
+    rng = np.random.default_rng(3)
+    strange = dataclasses.replace(features, descriptors=some_looks(rng, len(features.descriptors)))
+    (reason,) = checked(model, strange).reasons(len(model))
+    assert "no two pictures" in reason and "of other pictures" in reason
+
+
+def test_one_wrong_pose_among_many_is_named(model, features):
+    poses = model.T_camera_world.copy()
+    poses[3] = np.linalg.inv(poses[3]) @ QUARTER
+    check = checked(with_poses(model, poses), features)
+    assert check.strays == (model.names[3],)
+    assert model.names[3] in check.notes()[0]
+
+
+def blank(folder, names, size=(WIDTH, HEIGHT)):
+    folder.mkdir()
+    for name in names:
+        Image.new("L", size).save(folder / name)
+    return sorted(folder.iterdir())
+
+
+def cameras_named(*names):
+    camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [300, 300, 160, 120])
+    poses = np.tile(np.eye(4), (len(names), 1, 1))
+    poses[:, 0, 3] = -np.arange(len(names))
+    return loom.SfmModel(names, [camera] * len(names), poses)
+
+
+def test_cameras_find_their_pictures_by_name_with_or_without_the_ending(tmp_path):
+    paths = blank(tmp_path / "p", ["IMG_1.png", "IMG_2.1.png", "IMG_3.jpg", "other.png"])
+    found = pictures_with_poses(tmp_path / "p", paths, cameras_named("left/IMG_3.jpg", "IMG_1", "IMG_2.1", "IMG_9"))
+    assert found.model.names == ("IMG_1.png", "IMG_2.1.png", "IMG_3.jpg")
+    assert found.model.centers[:, 0].tolist() == [1, 2, 0]  # each with its own pose
+    assert (found.without_pose, found.without_picture) == (("other.png",), ("IMG_9",))
+    assert found.notes == ("1 pictures have no pose: other.png", "1 poses have no picture: IMG_9")
+
+
+def test_names_that_do_not_fit_or_mean_several_are_refused(tmp_path):
+    paths = blank(tmp_path / "p", ["1.png", "1.jpg", "10.png"])
+    with pytest.raises(FileError, match=r"/p:.*1.*1\.jpg.*1\.png"):
+        pictures_with_poses(tmp_path / "p", paths, cameras_named("1", "10"))
+    with pytest.raises(FileError, match=r"/p:.*1.*3"):
+        pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "0", "2"))  # 1 is no part of 10
+    with pytest.raises(FileError, match=r"/p:.*10\.png"):
+        pictures_with_poses(tmp_path / "p", paths, cameras_named("10", "a/10.png"))
+
+
+def test_a_picture_of_another_size_than_its_camera_is_refused(tmp_path):
+    paths = blank(tmp_path / "p", ["a.png", "b.png"], (WIDTH // 2, HEIGHT // 2))
+    with pytest.raises(FileError, match=r"/a\.png:.*160.*120.*320.*240"):
+        pictures_with_poses(tmp_path / "p", paths, cameras_named("a", "b"))
+
+
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_points_stand_where_features_say_and_poses_stay(model, features, tmp_path, monkeypatch):
+    rows = range(4)
+    four = loom.SfmModel([model.names[i] for i in rows], model.cameras[:4], model.T_camera_world[:4])
+    write_pictures(tmp_path / "p", [np.full((480, 640), 40 * i + 90, np.uint8) for i in rows], four.names)
+    monkeypatch.setattr(triangulation, "read_feature_rays", lambda *_: features_of(four))
+    matches, check = triangulation.match_posed(tmp_path / "db", four, device="cpu", progress=silent)
+    whole, _ = triangulation.points_of(
+        tmp_path / "db" / "x", four, matches, check, tmp_path / "p", seed=0, max_seconds=60.0, max_memory=None
+    )
+    np.testing.assert_array_equal(whole.T_camera_world, four.T_camera_world)
+    rng = np.random.default_rng(0)
+    truth = rng.uniform(-1, 1, (POINTS, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)
+    off = np.linalg.norm(whole.points[:, None] - truth[None], axis=2).min(axis=1)
+    assert len(whole.points) > 80 and np.median(off) < 0.01 and off.max() < 0.1
+    assert np.median(whole.errors) < 0.5 and whole.view_counts.min() >= 3
+    assert (whole.colors == 150).all(axis=1).mean() > 0.5  # the mean of 90, 130, 170 and 210, where all see a point
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_pictures_with_poses_become_points_on_the_surface(walked, tmp_path):
+    names = [f"view {k}.png" for k in range(len(walked))]
+    folder = write_pictures(tmp_path / "pictures", walked, names)
+    camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [SCENE_FOCAL, SCENE_FOCAL, WIDTH / 2, HEIGHT / 2])
+    right = loom.SfmModel([name[:-4] for name in names], [camera] * len(names), np.array(scene_poses(len(names))))
+    found = loom.sfm.triangulate(folder, right, max_features=1200)
+    assert found.reliable and len(found.model.points) > 300
+    again = loom.sfm.triangulate(folder, right, max_features=1200)
+    np.testing.assert_array_equal(found.model.points, again.model.points)
+    inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
+    wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
+    assert "turned round" in str(wrong.warnings) and not len(wrong.model.points)
+    assert wrong.to_dict()["quality"]["poses"]["share"] < 0.4

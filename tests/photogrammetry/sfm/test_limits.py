@@ -1,0 +1,186 @@
+"""Programs that are run beside ours: limits, deaths, last words, and nothing left behind."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import queue
+import select
+import signal
+import threading
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+import pointloom as loom
+from pointloom.photogrammetry.sfm import colmap_jobs, colmap_worker, features, limited_process
+from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.limited_process import LimitedProcess
+from pointloom.photogrammetry.sfm.mapping import map_pictures
+from pointloom.photogrammetry.sfm.matches import match
+
+from .conftest import write_pictures
+
+# What a worker does instead of its job, and what is then said.
+FAIL = 'print("{{\\"failed\\": \\"{}\\"}}")'
+DEATHS = {
+    "killed": ("os.kill(os.getpid(), signal.SIGKILL)", r"was ended by SIGKILL.*fewer or smaller pictures"),
+    "crashed": ("print('no', file=sys.stderr); os.abort()", r"was ended by SIGABRT; its last words: no"),
+    "hung": ("time.sleep(60)", r"was stopped after 1 s, its limit \(max_seconds\).*Give it more time"),
+    "greedy": ("b = bytearray(10**9); time.sleep(60)", r"of memory; its limit \(max_memory\) is 200.0 MiB"),
+    "out of memory": (FAIL.format("out of memory"), r"out of memory. Give it more memory"),
+    "full disk": (FAIL.format("database or disk is full"), r"free on the disk of .*Free some space"),
+    "without pycolmap": ('print(\'{"missing": "it"}\')', r'the package pycolmap. pip install "pointloom\[sfm\]"'),
+    "refusing": (FAIL.format("ValueError: no"), r"finding features failed: ValueError: no"),
+    "silent": ("pass", r"finding features ended with exit code 0"),
+    "mumbling": ("print('no json'); print('[1]'); sys.exit(7)", r"finding features ended with exit code 7"),
+}
+
+
+@pytest.fixture
+def worker(tmp_path, monkeypatch):
+    """A function that puts other lines in the place of COLMAP's worker."""
+
+    def replace(lines: str) -> None:
+        (tmp_path / "worker.py").write_text(f"import os, signal, subprocess, sys, time\n{lines}\nsys.stdout.flush()\n")
+        monkeypatch.setattr(colmap_jobs, "_WORKER", tmp_path / "worker.py")
+
+    return replace
+
+
+@pytest.mark.parametrize("death", DEATHS)
+def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked, tmp_path, worker, death):
+    lines, said = DEATHS[death]
+    worker(lines)
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
+    began = time.monotonic()
+    with pytest.raises(loom.FileError, match=said):
+        find_features(pictures, tmp_path / "f.db", **limits)
+    assert time.monotonic() - began < 30
+    assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
+
+
+@pytest.mark.parametrize("package", ["pycolmap", "cv2"])
+def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked, tmp_path, monkeypatch, package):
+    (tmp_path / "gone").mkdir()
+    (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
+    monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    if package == "pycolmap":
+        with pytest.raises(loom.FileError, match="/pictures:"):
+            find_features(pictures, tmp_path / "f.db")
+    else:
+        (tmp_path / "video.mp4").write_bytes(b"video")
+        with pytest.raises(loom.FileError, match=r"/video\.mp4:"):
+            loom.sfm.choose_frames(tmp_path / "video.mp4", tmp_path / "out", reader="opencv")
+
+
+def is_alive(pid: int) -> bool:
+    with contextlib.suppress(OSError):
+        return " Z " not in Path(f"/proc/{pid}/stat").read_text()
+    return False
+
+
+def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker):
+    place, watched = tmp_path / "pids", []
+    os.mkfifo(place)
+    worker(
+        "child = subprocess.Popen(['sleep', '60'])\n"
+        f"open({os.fspath(place)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
+        "signal.signal(signal.SIGINT, signal.SIG_IGN)\ntime.sleep(60)"
+    )
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+
+    def interrupt() -> None:
+        pids = [int(text) for text in place.read_text().split()]  # once the worker has written them
+        watched.extend(os.pidfd_open(pid) for pid in pids)
+        signal.raise_signal(signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job of a script's begins with it ignored
+    threading.Thread(target=interrupt, daemon=True).start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            find_features(pictures, tmp_path / "f.db")
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert len(watched) == 2
+    for process in watched:
+        assert select.select([process], [], [], 60)[0]  # it has ended
+        os.close(process)
+    assert not (tmp_path / "f.db").exists()
+
+
+def test_an_error_of_the_caller_ends_the_program():
+    with pytest.raises(ZeroDivisionError), LimitedProcess(["sleep", "60"]) as process:
+        assert process._process is not None
+        pid = process._process.pid
+        _ = 1 // 0
+    assert not is_alive(pid)
+
+
+def test_a_program_that_is_not_there_leaves_nothing_open():
+    with pytest.raises(FileNotFoundError), LimitedProcess(["/no/such/program"]):
+        pass
+
+
+def test_what_a_program_says_last_is_quoted_in_one_line():
+    with LimitedProcess(["sh", "-c", "seq 1000 >&2; exit 3"]) as process:
+        assert process.wait() == 3
+        assert process.last_words() == "995 / 996 / 997 / 998 / 999 / 1000"
+        assert process.why_ended() == "ended with exit code 3"
+
+
+def test_memory_that_a_program_held_is_known(monkeypatch):
+    program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
+    memory_of = limited_process._memory_of
+    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(held := memory_of(pid)), held)[1])
+    with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
+        while seen.get(timeout=60) <= 10**8:
+            pass
+    assert 10**8 < process.peak_bytes < 3 * 10**8
+
+
+def test_threads_that_find_features_fit_into_memory(monkeypatch):
+    monkeypatch.setattr(features, "usable_cores", lambda: 64)
+    size = (3072, 2048)
+    assert features.threads_for([size], 1600, 2**30) == 1
+    assert features.threads_for([size], 1600, 8 * 2**30) == 13
+    assert features.threads_for([(320, 240)], 1600, 8 * 2**30) == 64
+
+
+def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
+    def model(count: int) -> SimpleNamespace:
+        write = lambda place: Path(place).write_text(str(count))  # noqa: E731
+        return SimpleNamespace(num_reg_images=lambda: count, num_points3D=lambda: 0, write=write)
+
+    options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
+    found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
+    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    pycolmap.Database = SimpleNamespace(open=lambda _: contextlib.nullcontext(SimpleNamespace(read_all_cameras=list)))
+    job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": tmp_path}
+    job |= {"model": tmp_path / "model", "mapper": "incremental"}
+    done = colmap_worker.map_pictures(pycolmap, job, io.StringIO())
+    assert done == {"sizes": [30, 30, 7, 3], "cameras": {}}  # of no points nothing is asked
+    assert (tmp_path / "model").read_text() == "30"
+    assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
+
+
+def test_what_is_no_database_is_refused(tmp_path):
+    (tmp_path / "no.db").write_bytes(b"no database" * 100)
+    for call in (
+        lambda: match(tmp_path / "no.db", tmp_path / "m.db"),
+        lambda: map_pictures(tmp_path, tmp_path / "no.db", tmp_path / "sparse"),
+    ):
+        with pytest.raises(loom.FileError, match=r"no\.db:"):
+            call()
+    assert {path.name for path in tmp_path.iterdir()} == {"no.db"}
+
+
+@pytest.mark.slow
+def test_a_database_without_matches_says_so(stages, tmp_path):
+    with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
+        map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")

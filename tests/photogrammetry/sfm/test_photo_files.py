@@ -1,0 +1,197 @@
+"""Folders of HEIC, TIFF, WebP and DNG: the right pixels, upright, with what EXIF tells of the lens; damage told.
+
+telephone.heic was written by libheif's encoder: 48 x 64 pixels once upright, a white patch to the upper right.
+"""
+
+from __future__ import annotations
+
+import importlib
+import shutil
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from PIL.TiffImagePlugin import IFDRational
+
+import pointloom as loom
+from pointloom.io.pictures import photo_files
+from pointloom.photogrammetry.sfm.picture_folder import read_lens
+
+from .conftest import write_pictures
+
+HEIC = Path(__file__).with_name("telephone.heic")
+LENS = ("Maker", "Telephone 1", "5.2", "26", "")
+
+
+def scene() -> np.ndarray:
+    """48 x 64 pixels of colour that grows to the right and down, with a white patch to the upper left."""
+    y, x = np.mgrid[0:48, 0:64]
+    pixels = np.stack([4 * x, 5 * y, np.full_like(x, 40)], axis=2).astype(np.uint8)
+    pixels[4:14, 6:26] = 250
+    return pixels
+
+
+def exif(orientation: int) -> Image.Exif:
+    told = Image.Exif()
+    told[0x010F], told[0x0110], told[0x0112] = "Maker", "Telephone 1", orientation
+    inner = told.get_ifd(0x8769)
+    inner[0x920A], inner[0xA405] = IFDRational(26, 5), 26
+    return told
+
+
+def written(folder: Path, name: str) -> np.ndarray:
+    with Image.open(folder / name) as picture:
+        assert picture.getexif().get(0x0112, 1) == 1
+        return np.array(picture.convert("RGB")).astype(int)
+
+
+def dng(path: Path, grey: np.ndarray, *, cut: int = 0, orientation: int = 1) -> Path:
+    """A DNG of one 16-bit mosaic, red first, little-endian: the fewest tags that a raw decoder wants."""
+    height, width = grey.shape
+    data = grey.astype("<u2").tobytes()
+    matrix = [(1, 1) if i % 4 == 0 else (0, 1) for i in range(9)]
+    tags: dict[int, tuple[int, list]] = {
+        254: (4, [0]), 256: (4, [width]), 257: (4, [height]), 258: (3, [16]), 259: (3, [1]), 262: (3, [32803]),
+        271: (2, list(b"Maker\0")), 272: (2, list(b"Telephone 1\0")), 273: (4, [0]), 274: (3, [orientation]),
+        277: (3, [1]), 278: (4, [height]), 279: (4, [len(data)]), 33421: (3, [2, 2]), 33422: (1, [0, 1, 1, 2]),
+        50706: (1, [1, 4, 0, 0]), 50708: (2, list(b"Maker Telephone 1\0")), 50714: (4, [0]), 50717: (4, [65535]),
+        50721: (10, matrix), 50728: (5, [(1, 1)] * 3), 50778: (3, [21]),
+    }  # fmt: skip
+    forms = {1: "B", 2: "B", 3: "H", 4: "I", 5: "II", 10: "ii"}
+    behind = 8 + 2 + 12 * len(tags) + 4
+    entries, extra = b"", b""
+    for tag, (kind, values) in tags.items():
+        body = b"".join(struct.pack(f"<{forms[kind]}", *(v if isinstance(v, tuple) else (v,))) for v in values)
+        if tag == 273:
+            place = len(entries) + 8
+        if len(body) > 4:
+            extra += b"\0" * (len(extra) % 2)
+            body, extra = struct.pack("<I", behind + len(extra)), extra + body
+        entries += struct.pack("<HHI", tag, kind, len(values)) + body.ljust(4, b"\0")
+    start = struct.pack("<I", behind + len(extra))
+    entries = entries[:place] + start + entries[place + 4 :]
+    whole = b"II*\0" + struct.pack("<IH", 8, len(tags)) + entries + b"\0" * 4 + extra + data
+    path.write_bytes(whole[: len(whole) - cut])
+    return path
+
+
+def mosaic() -> np.ndarray:
+    """A white square to the upper left on grey, 48 x 64."""
+    grey = np.full((48, 64), 6000, np.uint16) + np.arange(64, dtype=np.uint16) * 40
+    grey[6:18, 8:24] = 50000
+    return grey
+
+
+@pytest.mark.parametrize("orientation", [1, 6])
+@pytest.mark.parametrize("name", ["a.tif", "a.webp"])
+def test_tiff_and_webp_lie_upright_and_keep_their_lens(tmp_path, name, orientation):
+    (tmp_path / "in").mkdir()
+    options = {"lossless": True} if name.endswith("webp") else {}
+    Image.fromarray(scene()).save(tmp_path / "in" / name, exif=exif(orientation).tobytes(), **options)
+    choice = loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out", kind="png")
+    upright = scene() if orientation == 1 else np.rot90(scene(), 3)
+    assert choice.names == ("a.png",) and np.array_equal(written(tmp_path / "out", "a.png"), upright)
+    assert read_lens(tmp_path / "in" / name) == LENS == read_lens(tmp_path / "out" / "a.png")
+
+
+def test_a_telephone_s_heic_lies_upright_and_keeps_its_lens(tmp_path):
+    pytest.importorskip("pi_heif")
+    (tmp_path / "in").mkdir()
+    shutil.copy(HEIC, tmp_path / "in" / "IMG_0001.HEIC")
+    choice = loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
+    assert choice.names == ("IMG_0001.jpg",) and choice.sizes == {(48, 64): 1}
+    pixels = written(tmp_path / "out", "IMG_0001.jpg")
+    error = np.abs(pixels - np.rot90(scene(), 3).astype(int))
+    assert np.median(error) < 6 and pixels[8:20, 36:40].min() > 225
+    assert read_lens(tmp_path / "out" / "IMG_0001.jpg") == LENS
+
+
+@pytest.mark.parametrize("orientation", [1, 6])
+def test_a_dng_is_developed_and_turned(tmp_path, orientation):
+    pytest.importorskip("rawpy")
+    (tmp_path / "in").mkdir()
+    path = dng(tmp_path / "in" / "raw.dng", mosaic(), orientation=orientation)
+    loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out", kind="png")
+    pixels = written(tmp_path / "out", "raw.png")
+    assert pixels.shape == ((48, 64, 3) if orientation == 1 else (64, 48, 3))
+    inside, outside = (pixels[12, 16], pixels[40, 50]) if orientation == 1 else (pixels[16, 35], pixels[50, 7])
+    assert inside.min() > 150 and outside.max() < 120 and np.ptp(inside) < 60
+    assert read_lens(path)[:2] == LENS[:2]
+
+
+@pytest.mark.parametrize("share", [0.0, 0.9])
+@pytest.mark.parametrize("kind", ["heic", "tif", "webp", "dng"])
+def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
+    pytest.importorskip({"heic": "pi_heif", "dng": "rawpy"}.get(kind, "PIL"))
+    source = write_pictures(tmp_path / "in", [scene()], ["good.png"])
+    whole = tmp_path / f"whole.{kind}"
+    if kind == "heic":
+        shutil.copy(HEIC, whole)
+    elif kind == "dng":
+        dng(whole, mosaic())
+    else:
+        Image.fromarray(scene()).save(whole)
+    data = whole.read_bytes()
+    (source / f"bad.{kind}").write_bytes(data[: int(share * len(data))])
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert choice.names == ("good.png",) and list(choice.left_out) == [f"bad.{kind}"]
+    assert f"bad.{kind}" in choice.notes[0]
+    assert kind != "dng" or choice.left_out["bad.dng"].split(":")[0] == ("cut off" if share else "empty")
+
+
+@pytest.mark.parametrize("tenths", [1, 5, 9])
+def test_a_dng_of_any_tenths_of_its_size_is_a_named_error(tmp_path, tenths):
+    pytest.importorskip("rawpy")
+    path = dng(tmp_path / "a.dng", mosaic())
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) * tenths // 10])
+    for read in (photo_files.read_photo_header, photo_files.read_photo):
+        with pytest.raises(loom.FileError, match=r"a\.dng"):
+            read(path)
+
+
+def test_what_a_name_promises_falsely_is_left_out(tmp_path):
+    pytest.importorskip("pi_heif"), pytest.importorskip("rawpy")
+    source = write_pictures(tmp_path / "in", [scene()], ["good.png"])
+    for kind in ("heic", "tif", "webp", "dng"):
+        (source / f"bad.{kind}").write_bytes(b"no picture at all, but text" * 20)
+    left_out = loom.sfm.choose_frames(source, tmp_path / "out").left_out
+    assert set(left_out) == {"bad.heic", "bad.tif", "bad.webp", "bad.dng"}
+
+
+@pytest.mark.parametrize(("kind", "module"), [("heic", "pi_heif"), ("dng", "rawpy")])
+def test_without_the_extra_the_line_that_installs_it_is_named(tmp_path, monkeypatch, kind, module):
+    real = importlib.import_module
+
+    def missing(name, *rest):
+        if name in ("pi_heif", "pillow_heif", "rawpy"):
+            raise ImportError(name)
+        return real(name, *rest)
+
+    monkeypatch.setattr(importlib, "import_module", missing)
+    source = write_pictures(tmp_path / "in", [scene()], ["a.png"])
+    (source / f"b.{kind}").write_bytes(b"x" * 100)
+    with pytest.raises(loom.FileError, match=rf'b.{kind}: .{kind} needs the package {module}.*"pointloom\[photos\]"'):
+        loom.sfm.choose_frames(source, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_raw_file_beside_its_jpeg_is_the_same_photograph(tmp_path):
+    source = write_pictures(tmp_path / "in", [scene(), scene()], ["IMG_1.jpg", "IMG_2.jpg"])
+    (source / "Img_1.DNG").write_bytes(b"not even read")
+    choice = loom.sfm.choose_frames(source, tmp_path / "out")
+    assert choice.names == ("IMG_1.jpg", "IMG_2.jpg") and choice.frame_count == 2
+    assert choice.notes == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
+
+
+def test_deep_grey_tiff_becomes_grey_of_8_bits(tmp_path):
+    (tmp_path / "in").mkdir()
+    deep = (scene()[..., 0].astype(np.uint16)) * 256
+    Image.fromarray(deep).save(tmp_path / "in" / "a.tif")
+    loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out", kind="png")
+    assert np.abs(written(tmp_path / "out", "a.png")[..., 1] - scene()[..., 0]).max() <= 1
+    Image.fromarray(np.ones((48, 64), np.float32)).save(tmp_path / "in" / "b.tif")
+    with pytest.raises(loom.FileError, match=r"b\.tif:"):
+        photo_files.read_photo(tmp_path / "in" / "b.tif")

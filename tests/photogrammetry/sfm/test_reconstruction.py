@@ -1,0 +1,182 @@
+"""Structure from motion of a made-up scene, whose cameras are known."""
+
+from __future__ import annotations
+
+import json
+import sqlite3
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.photogrammetry.sfm import features, matches
+from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.mapping import map_pictures
+from pointloom.photogrammetry.sfm.matches import match
+
+from .conftest import COUNT, FEATURES, write_pictures
+from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
+
+
+def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
+    a, b = source - source.mean(0), target - target.mean(0)
+    u, d, vt = np.linalg.svd(b.T @ a)
+    flip = np.array([1, 1, np.sign(np.linalg.det(u @ vt))])
+    R, scale = (u * flip) @ vt, (d * flip).sum() / (a**2).sum()
+    return scale, R, target.mean(0) - scale * R @ source.mean(0)
+
+
+def content(database) -> list:
+    with sqlite3.connect(database) as connection:
+        tables = ("images", "cameras", "keypoints", "descriptors", "matches", "two_view_geometries")
+        return [connection.execute(f"SELECT * FROM {table} ORDER BY 1").fetchall() for table in tables]
+
+
+@pytest.mark.slow
+def test_all_pictures_are_placed_where_they_were_taken(stages):
+    model = stages.result.model
+    assert stages.result.reliable and len(model) == COUNT and stages.result.missing == ()
+    truth = np.linalg.inv(walk(COUNT))
+    scale, R, t = fit_similarity(model.centers, truth[:, :3, 3])
+    off = np.linalg.norm(scale * model.centers @ R.T + t - truth[:, :3, 3], axis=1)
+    assert off.max() < 0.003 * np.linalg.norm(np.ptp(truth[:, :3, 3], axis=0))
+    turns = np.einsum("nji,jk,nkl->nil", truth[:, :3, :3], R, model.T_world_camera[:, :3, :3])
+    assert np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1))).max() < 0.1
+    assert model.cameras[0].params[0] == pytest.approx(FOCAL, rel=0.01)
+
+
+@pytest.mark.slow
+def test_points_lie_where_the_pictures_show_them(stages):
+    model = stages.result.model
+    seen = model.observations
+    poses, points = model.T_camera_world[seen[:, 0]], model.points[seen[:, 1]]
+    local = np.einsum("nij,nj->ni", poses[:, :3, :3], points) + poses[:, :3, 3]
+    off = np.linalg.norm(model.cameras[0].project(local) - model.pixels, axis=1)
+    assert np.median(off) < 0.1 and off.max() < 6
+
+
+@pytest.mark.slow
+def test_each_stage_says_what_it_found(stages):
+    assert stages.features.names == tuple(f"view {k}.png" for k in range(COUNT))
+    assert min(stages.features.counts) > 0.8 * FEATURES and stages.features.poor_names == ()
+    assert stages.features.sizes == {(WIDTH, HEIGHT): COUNT}
+    assert (stages.matches.pairs, stages.matches.pair_count) == ("exhaustive", COUNT * (COUNT - 1) // 2)
+    assert stages.matches.verified_count == 28 and stages.matches.isolated == ()
+    assert stages.result.quality.model_sizes == (COUNT,)
+    assert all(peak > 2**20 for peak in (stages.features.peak_bytes, stages.matches.peak_bytes))
+    for stage, total in (("features", COUNT), ("pairs", 28), ("model", COUNT)):
+        steps = [step for step in stages.said if step[0] == stage]
+        assert {step[2] for step in steps} == {total}
+        assert (steps[0][1], steps[-1][1]) == (0, total)
+    assert {path.name for path in stages.work.iterdir()} == {"Bilder", "features.db", "matches.db", "sparse"}
+
+
+@pytest.mark.slow
+def test_mapping_begins_with_the_focal_length_of_a_telephone(stages):
+    """With COLMAP's own, 1.2 of the width, cameras that turn much and move little get one that is too large."""
+    with sqlite3.connect(stages.features_db) as connection:
+        ((params,),) = connection.execute("SELECT params FROM cameras").fetchall()
+    assert np.frombuffer(params, np.float64).tolist() == [pytest.approx(0.85 * WIDTH), WIDTH / 2, HEIGHT / 2, 0]
+
+
+@pytest.mark.slow
+def test_the_model_is_the_same_from_run_to_run(stages, tmp_path):
+    map_pictures(stages.pictures, stages.matches_db, tmp_path / "again")
+    for name in ("cameras.bin", "images.bin", "points3D.bin"):
+        assert (tmp_path / "again" / name).read_bytes() == (stages.sparse / name).read_bytes()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("cores", [1, 3])
+def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_path, monkeypatch, cores):
+    monkeypatch.setattr(features, "usable_cores", lambda: cores)
+    monkeypatch.setattr(matches, "usable_cores", lambda: cores)
+    find_features(stages.pictures, tmp_path / "f.db", max_features=FEATURES)
+    match(tmp_path / "f.db", tmp_path / "m.db")
+    assert content(tmp_path / "m.db") == content(stages.matches_db)
+
+
+@pytest.mark.slow
+def test_pairs_of_a_sequence_are_those_that_are_tried(stages, tmp_path):
+    report = match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
+    with sqlite3.connect(tmp_path / "m.db") as connection:
+        assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
+    assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # 1, 2 and 4 further on
+
+
+@pytest.mark.slow
+def test_a_camera_that_is_known_is_kept_and_scaled_to_the_pictures(walked, tmp_path):
+    pictures = write_pictures(tmp_path / "pictures", walked)
+    twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=500)
+    assert len(result.model) == COUNT and result.reliable
+    camera = result.model.cameras[0]
+    assert (camera.model, camera.params) == ("PINHOLE", (FOCAL, FOCAL, WIDTH / 2, HEIGHT / 2))
+    assert set(result.seconds) == {"features", "pairs", "model"}
+    with pytest.raises(loom.FileError, match="sparse:"):
+        loom.sfm.reconstruct(pictures, tmp_path / "work")
+
+
+def test_a_camera_of_other_pictures_is_refused(walked, tmp_path):
+    other = loom.PinholeCameraIntrinsic(640, 640, 500, 500, 320, 320)
+    pictures = write_pictures(tmp_path / "in", walked[:2])
+    with pytest.raises(ValueError, match="intrinsic:"):
+        find_features(pictures, tmp_path / "f.db", intrinsic=other)
+
+
+@pytest.mark.slow
+def test_a_camera_that_only_turns_is_found_out(tmp_path):
+    """COLMAP places all of them, with a focal length that makes up motion."""
+    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(6, turn_only=True)])
+    result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
+    assert "move, do not only turn" in str(result.warnings)
+
+
+def test_blank_images_give_no_model_but_a_warning(tmp_path):
+    pictures = write_pictures(tmp_path / "pictures", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
+    found = find_features(pictures, tmp_path / "f.db")
+    assert found.counts == (0, 0, 0) and len(found.poor_names) == 3
+    matched = match(tmp_path / "f.db", tmp_path / "m.db")
+    assert matched.verified_count == 0 and len(matched.isolated) == 3
+    result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
+    assert result.model is None and len(result.missing) == 3
+    assert "none of the 3 pictures could be placed" in str(result.warnings)
+    for report in (found, matched, result):
+        assert json.loads(json.dumps(report.to_dict(), allow_nan=False))
+
+
+@pytest.mark.parametrize(
+    ("name", "remedy"), [("empty.png", "empty"), ("grey.png", "16-bit grey"), ("side.jpg", "lies on its side")]
+)
+def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path, name, remedy):
+    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    if name == "empty.png":
+        (pictures / name).touch()
+    else:
+        pixels = walked[0].astype(np.uint16) * 256 if name == "grey.png" else walked[0]
+        Image.fromarray(pixels).save(pictures / name, **({} if name == "grey.png" else {"exif": exif}))
+    with pytest.raises(loom.FileError, match=rf"{name}.*{remedy}"):
+        find_features(pictures, tmp_path / "f.db")
+
+
+def test_a_picture_alone_is_refused(walked, tmp_path):
+    with pytest.raises(loom.FileError, match="/one:"):
+        find_features(write_pictures(tmp_path / "one", walked[:1]), tmp_path / "f.db")
+
+
+@pytest.mark.slow
+def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
+    found = map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
+    map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
+    assert found.model is not None and found.model.names == stages.result.model.names
+    for name in ("cameras.bin", "images.bin", "points3D.bin"):
+        assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
+    apart = [
+        np.linalg.norm(model.centers[:, None] - model.centers[None], axis=2)
+        for model in (found.model, stages.result.model)
+    ]
+    scale = (apart[0] * apart[1]).sum() / (apart[0] ** 2).sum()
+    assert np.abs(scale * apart[0] - apart[1]).max() < 0.01 * apart[1].max()

@@ -1,0 +1,92 @@
+"""Made flights: cameras whose place on the Earth is known, the model that pictures would give, and what they tell."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import pointloom as loom
+from pointloom.photogrammetry.sfm.picture_places import PicturePlace, PicturePlaces
+from pointloom.registration.rigid import make_pose
+
+CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])
+FRAME = loom.video.WorldFrame(47.5, 8.25, 400.0)
+
+
+def look(eye, way, up=(0.0, 0.0, 1.0)):
+    """The pose of a level camera."""
+    z = np.array(way, float) / np.linalg.norm(way)
+    x = np.cross(z, up)
+    x /= np.linalg.norm(x)
+    return make_pose(np.stack([x, np.cross(z, x), z], axis=1), np.array(eye, float))
+
+
+def nadir(rows=4, columns=6, seed=0):
+    """Rows to and fro at 50 m, looking straight down but for a tremble."""
+    rng = np.random.default_rng(seed)
+    return np.array([
+        look((9 * i + rng.normal(0, 0.3), 16 * j, 50 + rng.normal(0, 0.5)), (*rng.normal(0, 0.03, 2), -1.0),
+             up=(0.0, 1.0 if j % 2 else -1.0, 0.0))
+        for j in range(rows) for i in range(columns)
+    ])  # fmt: skip
+
+
+def oblique(count=24, seed=0):
+    """A round about something, looking down at it."""
+    rng = np.random.default_rng(seed)
+    return np.array([
+        look((30 * np.cos(a), 30 * np.sin(a), 12 + rng.normal(0, 0.5)), (-np.cos(a), -np.sin(a), -0.4))
+        for a in np.linspace(0, 6, count)
+    ])  # fmt: skip
+
+
+def walk(count=20, seed=0):
+    """Straight along a street at breast height, looking at the houses on both sides."""
+    rng = np.random.default_rng(seed)
+    ways = [(rng.normal(0, 0.4), 1.0 if k % 3 else -1.0, rng.normal(0, 0.1)) for k in range(count)]
+    return np.array([look((3.0 * k, 0.0, 1.5), way) for k, way in enumerate(ways)])
+
+
+def hidden(poses, seed=0):
+    """The model of the poses in an arbitrary frame and unit, and T_world_model that undoes it."""
+    rng = np.random.default_rng(seed)
+    q = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    T = make_pose(0.137 * q * np.sign(np.linalg.det(q)), np.array([3.0, -2.0, 7.0]))
+    names = [f"IMG_{k:04d}.jpg" for k in range(len(poses))]
+    model = loom.SfmModel(names, [CAMERA] * len(poses), np.linalg.inv(poses))
+    return model.transform(T), np.linalg.inv(T)
+
+
+def told(poses, noise=0.0, wild=(), altitudes=True, attitudes=None, sigma=None, seed=0):
+    """What pictures at these poses tell, with noise [m] in plan and twice as much in height; some are wild."""
+    rng = np.random.default_rng(seed)
+    enu = poses[:, :3, 3] + rng.normal(size=(len(poses), 3)) * np.array([1, 1, 2]) * noise
+    for k in wild:
+        enu[k] += (40.0, -30.0, 5.0)
+    rows = FRAME.to_geodetic(enu).tolist()
+    places = [
+        PicturePlace(f"IMG_{k:04d}.JPG", lat, lon, height if altitudes else None, horizontal_sigma=sigma)
+        for k, (lat, lon, height) in enumerate(rows)
+    ]
+    return PicturePlaces(tuple(places), attitudes or {}, {}, len(poses))
+
+
+def attitudes_of(poses):
+    """Yaw, pitch and roll [degrees] of cameras in a world whose z is up, by name."""
+    found = {}
+    for k, R in enumerate(poses[:, :3, :3]):
+        pitch = np.degrees(np.arcsin(R[2, 2]))
+        roll = np.degrees(np.arctan2(-R[2, 0], -R[2, 1]))
+        found[f"IMG_{k:04d}.JPG"] = (0.0, float(pitch), float(roll))
+    return found
+
+
+def errors(fit, model, poses):
+    """Scale error as a share, tilt of up [degrees], and the largest distance of a camera from the truth [m]."""
+    _, true = hidden(poses)
+    scales = [float(np.cbrt(np.linalg.det(T[:3, :3]))) for T in (fit.T_world_model, true)]
+    R = fit.T_world_model[:3, :3] @ true[:3, :3].T / scales[0] / scales[1]
+    found = model.transform(fit.T_world_model).centers
+    if fit.frame is not None:
+        found = FRAME.to_enu(fit.frame.to_geodetic(found))
+    gaps = np.linalg.norm(found - poses[:, :3, 3], axis=1)
+    return scales[0] / scales[1] - 1, float(np.degrees(np.arccos(min(1.0, R[2, 2])))), float(gaps.max())

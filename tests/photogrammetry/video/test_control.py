@@ -1,0 +1,245 @@
+"""Ground control and scale bars bring a model to its place, tell their residuals, and name what is wrong with them."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.photogrammetry.video.ground_control import ControlMark, GroundControl, ScaleBar
+from pointloom.photogrammetry.video.job import check_marks
+from pointloom.photogrammetry.video.units import Units, fit_units
+
+from .made_control import GROUND, NAMES, SIGMA, control_of, marks_of, model_of
+from .made_flights import FRAME, errors, nadir, oblique, told
+
+POSES = oblique()
+POINTS = GROUND - (22, 24, 0)  # about the middle of the round
+MODEL = model_of(POSES)
+
+
+def settle(places=None, bars=(), align=None, **made):
+    return fit_units(Units(control=control_of(POSES, POINTS, bars=bars, **made), places=places, align=align), MODEL)
+
+
+def row(fit, name):
+    return next(point for point in fit.control.points if point.name == name)
+
+
+@pytest.mark.parametrize("poses", [nadir(), oblique()])
+def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly(poses):
+    points = GROUND if poses[0, 2, 3] > 30 else POINTS
+    control = control_of(poses, points, checks=("E",))
+    model = model_of(poses)
+    fit = fit_units(Units(control=control), model)
+    assert (fit.units, fit.by, fit.reliable, fit.notes, fit.is_upright) == ("metres", "control", True, (), True)
+    scale, tilt, off = errors(fit, model, poses)
+    assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is turned by 0.0003 degrees
+    found = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)
+    np.testing.assert_allclose(found, FRAME.to_utm(poses[:, :3, 3]), atol=1e-6)
+    assert fit.control.rms("control") < 1e-6 and fit.control.rms("check") < 1e-6
+
+
+def test_maps_may_be_asked_for_where_control_has_a_system():
+    control = control_of(POSES, POINTS)
+    assert Units(control=control).may_place
+    assert not Units(control=replace(control, crs="")).may_place
+
+
+def test_noise_leaves_what_the_fit_says():
+    off, expected = [], []
+    for seed in range(2):
+        fit = settle(noise=0.5, checks=("E", "G"), seed=seed)
+        assert fit.reliable and not [p for p in fit.control.points if p.use == "unused"]
+        scale, tilt, far = errors(fit, MODEL, POSES)
+        assert abs(scale) < 3.5 * fit.control.scale_sigma < 0.01
+        assert tilt < 3.5 * fit.control.tilt_sigma < 0.5 and far < 0.3
+        assert 0.2 < fit.control.misfit < 2
+        off += [row(fit, name).residual / row(fit, name).sigma for name in ("E", "G")]
+        expected += [row(fit, name).residual for name in "ABCDF"]
+    assert 0.3 < np.std(off) < 1.5  # check points are as far off as they are told to be
+    assert 0.005 < np.std(expected) < 0.1
+
+
+def test_a_check_point_does_not_move_the_model():
+    before = settle(checks=("E",))
+    after = settle(checks=("E",), wrong=[("E", (0.0, 0.0, 5.0))])
+    np.testing.assert_array_equal(before.T_world_model, after.T_world_model)
+    assert after.reliable
+    np.testing.assert_allclose(row(after, "E").residual, (0, 0, -5), atol=1e-3)
+    assert "standard deviations off" in row(after, "E").remark
+
+
+@pytest.mark.parametrize(("wrong", "metres"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
+def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, metres):
+    fit = settle(noise=0.3, wrong=[(wrong, metres)], seed=2)
+    assert [point.name for point in fit.control.points if point.use == "unused"] == [wrong]
+    assert f"left out, {wrong} by " in str(fit.warnings) and "check their coordinates and marks" in str(fit.warnings)
+    np.testing.assert_allclose(row(fit, wrong).residual, -np.array(metres), atol=0.15)
+    assert errors(fit, MODEL, POSES)[2] < 0.2
+
+
+def test_two_blunders_among_seven_points_do_not_hide_each_other():
+    fit = settle(noise=0.3, wrong=[("A", (2.0, 0, 0)), ("B", (0.0, 2.5, 0))])
+    assert [point.name for point in fit.control.points if point.use == "unused"] == ["A", "B"]
+    assert errors(fit, MODEL, POSES)[2] < 0.3
+
+
+def test_four_points_that_contradict_each_other_are_told_and_none_is_blamed():
+    control = control_of(POSES, POINTS[:4], NAMES[:4], wrong=[("B", (3.0, 0, 0))])
+    fit = fit_units(Units(control=control), MODEL)
+    assert {point.use for point in fit.control.points} == {"control"}
+    assert "times farther off than they are told to be sure" in str(fit.warnings) and "5 or more points tell" in str(
+        fit.warnings
+    )
+
+
+def test_points_that_are_somewhat_worse_than_told_are_said_to_be():
+    fit = settle(noise=0.1, wrong=[(n, 0.12 * np.sin(k + np.arange(3))) for k, n in enumerate(NAMES)])
+    assert fit.reliable and 2 < fit.control.misfit < 5
+    assert "times farther off" in str(fit)
+
+
+def test_a_mark_of_something_else_is_left_out_and_named():
+    marks = marks_of(POSES, POINTS, noise=0.2)
+    k = next(k for k, mark in enumerate(marks) if mark.point == "B")
+    marks[k] = ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
+    fit = settle(marks=marks)
+    assert marks[k].picture.lower() in row(fit, "B").remark.lower() and row(fit, "B").use == "control"
+    assert fit.reliable and np.linalg.norm(row(fit, "B").residual) < 0.1
+
+
+def test_a_point_in_one_picture_alone_is_unused_and_says_why():
+    marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.picture == "IMG_0003.JPG"]
+    marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), most=1)
+    fit = settle(marks=marks)
+    assert row(fit, "D").use == "unused" and "1 picture of the model shows it; mark it in two" in row(fit, "D").remark
+    assert fit.reliable
+
+
+@pytest.mark.parametrize(
+    ("points", "names", "reason"),
+    [
+        (POINTS[:2], NAMES[:2], "2 control points: 3 or more that are not on a line"),
+        (np.outer(np.arange(1, 5), (4.0, 3.0, 0.0)), NAMES[:4], "A, B, C, D lie on a line"),
+    ],
+)
+def test_points_that_settle_nothing_are_refused_before_the_work(points, names, reason):
+    with pytest.raises(ValueError, match=reason):
+        Units(control=control_of(POSES, points, names))
+
+
+def test_points_that_are_lost_leave_gps_and_say_so():
+    marks = [m for m in marks_of(POSES, POINTS) if m.point in "AB"]
+    fit = settle(told(POSES), marks=marks)
+    assert (fit.by, fit.control) == ("exif", None)
+    assert "2 of 7 control points can be used (C: no picture shows it; mark it in two or more; D:" in str(fit.warnings)
+    assert settle(marks=marks).units == "arbitrary"
+
+
+def test_control_wins_over_gps_whose_gaps_are_told():
+    places = told(POSES, 0.5)
+    fit = settle(places)
+    assert (fit.by, fit.reliable, fit.gps) == ("control", True, None)
+    assert errors(fit, MODEL, POSES)[2] < 1e-6
+    assert len(fit.control.gps.names) == len(POSES)
+    assert 0.4 < fit.control.gps.horizontal_rms < 1.1  # 0.71 is expected
+    assert "GPS of 24 pictures, not used" in str(fit)
+
+
+def test_another_zone_than_that_of_gps_is_reported():
+    places = FRAME.to_utm(POINTS, 32632)
+    rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
+    control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
+    fit = fit_units(Units(control=control, places=told(POSES)), MODEL)
+    assert "km from where GPS says" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
+
+
+@pytest.mark.parametrize(
+    ("crs", "place", "reason"),
+    [
+        ("EPSG:32632", (8.25, 47.5, 400.0), "x is 8.25, and EPSG:32632 has 100000"),
+        ("EPSG:32632", (5260000.0, 443500.0, 400.0), "x is the easting"),
+        ("EPSG:4326", (470.5, 8.25, 400.0), "x the longitude and y the latitude"),
+        ("EPSG:999999", (443500.0, 5260000.0, 400.0), "no coordinate system"),
+        ("EPSG:4978", (4.2e6, 6e5, 400.0), "expected metres of a map"),
+        ("EPSG:2263", (9.8e5, 2e5, 40.0), "US survey foot"),
+    ],
+)
+def test_coordinates_that_cannot_be_in_their_system_are_refused(crs, place, reason):
+    if crs not in ("EPSG:32632", "EPSG:4326"):
+        pytest.importorskip("pyproj")
+    with pytest.raises(ValueError, match=reason):
+        GroundControl([loom.registration.ControlPoint("A", place)], [], crs=crs)
+
+
+def test_large_coordinates_without_a_system_lose_an_origin_that_is_told():
+    far = np.add(POINTS, (612000.0, 204000.0, 430.0))
+    control = control_of(POSES, POINTS, crs="")
+    rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, far, strict=True)]
+    fit = fit_units(Units(control=GroundControl(rows, control.marks)), MODEL)
+    assert fit.frame is None and fit.control.origin.tolist() == [612000.0, 204000.0, 400.0]
+    found = MODEL.transform(fit.T_world_model).centers + fit.control.origin
+    np.testing.assert_allclose(found, POSES[:, :3, 3] + (612000, 204000, 430), atol=1e-6)
+    assert "origin 612000 204000 400" in fit.comments
+
+
+def bar(a, b, off=0.0, sigma=0.002):
+    return ScaleBar(a, b, float(np.linalg.norm(POINTS[NAMES.index(a)] - POINTS[NAMES.index(b)])) + off, sigma)
+
+
+def bars_alone(*bars, noise=0.0, align="none"):
+    control = GroundControl([], marks_of(POSES, POINTS, noise=noise), bars)
+    return fit_units(Units(control=control, align=align), MODEL)
+
+
+def test_scale_bars_alone_set_the_scale_and_nothing_else():
+    fit = bars_alone(bar("A", "B"), bar("C", "E"))
+    assert (fit.units, fit.by, fit.reliable, fit.frame, fit.is_upright) == ("metres", "scale_bars", True, None, False)
+    np.testing.assert_allclose(fit.T_world_model, np.diag([fit.scale] * 3 + [1]))
+    assert abs(errors(fit, MODEL, POSES)[0]) < 1e-9
+    assert max(abs(each.error) for each in fit.control.bars) < 1e-6
+    assert bars_alone(bar("A", "B"), align=None).up.direction is not None  # cameras still make it upright
+
+
+def test_a_wrong_bar_among_three_is_left_out_and_two_that_disagree_are_told():
+    fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0), bar("D", "F"), noise=0.2)
+    assert [each.use for each in fit.control.bars] == ["control", "unused", "control"]
+    assert "contradict the rest and were left out, C to E is" in str(fit.warnings)
+    assert abs(errors(fit, MODEL, POSES)[0]) < 0.005
+    fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0))
+    assert "scale bars contradict each other" in str(fit.warnings) and {each.use for each in fit.control.bars} == {
+        "control"
+    }
+
+
+def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
+    plain, sharp = settle(noise=0.5), settle(noise=0.5, bars=[bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)])
+    assert sharp.control.scale_sigma < plain.control.scale_sigma
+    wrong = settle(noise=0.3, bars=[bar("A", "C", 2.0)])
+    assert wrong.control.bars[0].use == "unused" and "A to C is" in str(wrong.warnings)
+    assert errors(wrong, MODEL, POSES)[2] < 0.3
+    check = settle(bars=[bar("A", "E")], checks=("E",))
+    assert check.control.bars[0].use == "check" and abs(check.control.bars[0].error) < 1e-6
+
+
+def test_few_points_beside_bars_are_not_used_and_that_is_said():
+    control = control_of(POSES, POINTS[:2], NAMES[:2], bars=[bar("A", "B")])
+    fit = fit_units(Units(control=control), MODEL)
+    assert fit.by == "scale_bars" and fit.reliable and "the points are not used: 2 control points" in str(fit)
+
+
+def test_the_report_has_residual_sigma_and_use_of_each_point_and_bar():
+    fit = settle(told(POSES, altitudes=False), [bar("A", "B")], noise=0.3, checks=("E",))
+    found = json.loads(json.dumps(fit.to_dict(), allow_nan=False))["control"]
+    assert (found["epsg"], found["crs"], len(found["points"]), len(found["bars"])) == (32632, "EPSG:32632", 7, 1)
+    assert {point["name"]: point["use"] for point in found["points"]}["E"] == "check"
+    assert all(len(point["residual_m"]) == 3 and min(point["sigma_m"]) >= 0 for point in found["points"])
+    assert found["bars"][0]["sigma_m"] > 0.002 and abs(found["bars"][0]["error_m"]) < 0.1
+    assert found["gps"]["shift_m"][2] is None
+
+
+def test_marks_of_pictures_that_were_not_taken_are_passed_over():
+    mark = ControlMark("A", "IMG_0009.jpg", (3, 4))
+    check_marks(GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])

@@ -1,0 +1,159 @@
+"""`pointloom video --cameras`: pictures are taken with the cameras of their names, and wrong poses make no cloud."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import pointloom as loom
+from pointloom.core.errors import DatasetError, FileError
+from pointloom.io.models.colmap import read_colmap_model
+from pointloom.photogrammetry.sfm.pose_check import PoseCheck
+from pointloom.photogrammetry.video import chain, known_motion
+from pointloom.photogrammetry.video.units import OF_POSES, fit_as_given, fit_units
+
+from ...cli.commands import answer, refusal, unreliable
+from ..sfm.conftest import has_pycolmap, write_pictures
+from ..sfm.scene import FOCAL, HEIGHT, WIDTH, picture, walk
+
+COUNT = 6
+METASHAPE = (
+    "<document version='1.5.0'><chunk><sensors><sensor id='0' type='frame'><calibration type='frame' class='adjusted'>"
+    "<resolution width='{width}' height='{height}'/><f>{focal}</f>{more}</calibration></sensor></sensors>"
+    "<cameras>{cameras}</cameras></chunk></document>"
+)
+
+
+def silent(*_step):
+    pass
+
+
+def write_metashape(path, names, poses, *, more="", size=(WIDTH, HEIGHT), focal=FOCAL):
+    cameras = "".join(
+        f"<camera id='{k}' sensor_id='0' label='{name}'><transform>{' '.join(map(repr, T.ravel().tolist()))}"
+        "</transform></camera>"
+        for k, (name, T) in enumerate(zip(names, poses, strict=True))
+    )
+    path.write_text(METASHAPE.format(cameras=cameras, width=size[0], height=size[1], focal=focal, more=more))
+    return path
+
+
+def noise(count, size=(48, 64)):
+    return list(np.random.default_rng(0).integers(0, 256, (count, *size), dtype=np.uint8))
+
+
+def take(tmp_path, source, cameras, **options):
+    folder = tmp_path / "frames"
+    folder.mkdir()
+    settings = loom.video.Settings(cameras=cameras, **options)
+    told = known_motion.take_pictures(folder, silent, source=source, max_frames=150, posed=settings)
+    return told, read_colmap_model(folder / "cameras"), folder / "pictures"
+
+
+def steps(count):
+    poses = np.tile(np.eye(4), (count, 1, 1))
+    poses[:, 0, 3] = np.arange(count)
+    return poses
+
+
+def test_pictures_are_taken_with_the_cameras_of_their_names_and_the_rest_is_told(tmp_path):
+    source = write_pictures(tmp_path / "in", noise(4), ["b.png", "a.png", "c.png", "extra.png"])
+    xml = write_metashape(tmp_path / "c.xml", ["c", "a", "b", "gone"], steps(4), size=(64, 48), focal=60)
+    told, model, pictures = take(tmp_path, source, xml)
+    assert dict(zip(model.names, model.centers[:, 0], strict=True)) == {"a.png": 1.0, "b.png": 2.0, "c.png": 0.0}
+    assert (told["kept"], told["missing"]) == (3, 1)
+    assert told["notes"] == ["1 pictures have no pose: extra.png", "1 poses have no picture: gone"]
+    assert (pictures / "a.png").read_bytes() == (source / "a.png").read_bytes()
+
+
+def test_a_picture_that_exif_would_turn_stays_as_it_is_stored(tmp_path):
+    source = tmp_path / "in"
+    source.mkdir()
+    exif = Image.Exif()
+    exif[0x0112] = 6
+    for name, pixels in zip(("a.jpg", "b.jpg"), noise(2), strict=True):
+        Image.fromarray(pixels).save(source / name, exif=exif)
+    xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48), focal=60)
+    _, model, pictures = take(tmp_path, source, xml)
+    assert model.names == ("a.png", "b.png")
+    stored = np.asarray(Image.open(source / "a.jpg").convert("RGB"))
+    with Image.open(pictures / "a.png") as kept:
+        assert kept.getexif().get(0x0112, 1) == 1
+        np.testing.assert_array_equal(np.asarray(kept.convert("RGB")), stored)
+
+
+def test_a_lens_that_colmap_does_not_have_is_straightened_first(tmp_path):
+    source = write_pictures(tmp_path / "in", noise(2), ["a.png", "b.png"])
+    xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48), focal=60, more="<k4>0.1</k4>")
+    assert loom.read_cameras(xml).cameras[0].model == "METASHAPE"
+    _, model, pictures = take(tmp_path, source, xml)
+    assert model.cameras[0].is_pinhole
+    assert loom.read_color(pictures / "a.png").shape[:2] == (model.cameras[0].height, model.cameras[0].width)
+
+
+def test_a_trajectory_takes_the_lens_that_is_given(tmp_path):
+    source = write_pictures(tmp_path / "in", noise(3), ["1.0.png", "2.0.png", "3.0.png"])
+    loom.write_trajectory(tmp_path / "p.tum", loom.Trajectory(steps(3), timestamps=[1.0, 2.0, 3.0]))
+    lens = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    _, model, _ = take(tmp_path, source, tmp_path / "p.tum", intrinsic=lens)
+    assert model.centers[:, 0].tolist() == [0, 1, 2] and model.cameras[0].intrinsic == lens
+
+
+def test_cameras_that_do_not_go_with_the_source_are_refused(tmp_path):
+    (tmp_path / "walk.mp4").write_bytes(b"a film")
+    xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48))
+    with pytest.raises(DatasetError, match=r"/walk\.mp4:"):
+        take(tmp_path, tmp_path / "walk.mp4", xml)
+    source = write_pictures(tmp_path / "in", noise(2), ["a.png", "b.png"])
+    (tmp_path / "frames").rmdir()
+    lens = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    with pytest.raises(FileError, match=r"c\.xml"):
+        take(tmp_path, source, xml, intrinsic=lens)
+
+
+def test_the_unit_is_that_of_the_poses_unless_more_is_known():
+    camera = loom.CameraModel("PINHOLE", 64, 48, [60, 60, 32, 24])
+    model = loom.SfmModel(["1.png", "2.png"], [camera] * 2, steps(2))
+    assert fit_as_given(fit_units(loom.video.Units(), model)).units == OF_POSES
+    assert fit_as_given(fit_units(loom.video.Units(scale=2.0), model)).units == "metres"
+
+
+def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkeypatch):
+    source = write_pictures(tmp_path / "in", noise(3), ["a.png", "b.png", "c.png"])
+    xml = write_metashape(tmp_path / "c.xml", ["a", "b", "c"], steps(3), size=(64, 48), focal=60)
+    check = PoseCheck(500, 0.03, 1.0, "each pose is turned round", 0.9)
+    nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
+    monkeypatch.setattr(known_motion, "match_posed", lambda *_, **__: (nothing, check))
+    monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, say, *, frames, seed: {})
+    report = unreliable("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
+    assert "only 3 % of the matches" in str(report["warnings"]) and "each pose is turned round" in str(
+        report["warnings"]
+    )
+    assert "move, do not only turn" not in str(report["warnings"])
+    assert report["files"] == [] and not (tmp_path / "mesh.ply").exists() and not (tmp_path / "c.ply").exists()
+
+
+def test_a_trajectory_without_a_lens_is_refused(tmp_path):
+    source = write_pictures(tmp_path / "in", noise(2), ["1.0.png", "2.0.png"])
+    loom.write_trajectory(tmp_path / "p.tum", loom.Trajectory(steps(2), timestamps=[1.0, 2.0]))
+    assert "--intrinsic" in refusal("video", source, "-o", tmp_path / "m.ply", "--cameras", tmp_path / "p.tum")
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
+def test_pictures_and_metashapes_cameras_become_points_on_the_true_surface(tmp_path):
+    poses = walk(COUNT)
+    names = [f"view {k}" for k in range(COUNT)]
+    source = write_pictures(tmp_path / "in", [picture(T) for T in poses], [f"{name}.png" for name in names])
+    xml = write_metashape(tmp_path / "c.xml", names, np.linalg.inv(np.array(poses)))
+    cloud = tmp_path / "points.pcd"
+    report = answer("video", source, "-o", cloud, "--cameras", xml, "--max-size", 160)
+    assert report["units"] == OF_POSES and report["files"] == [str(cloud)]
+    points = loom.read_point_cloud(cloud).points
+    assert len(points) > 3000
+    normal = np.cross((3, 0, 0.8), (0, 2.2, 0.3))  # of the wall, most of what is seen
+    off = np.abs((points - (0, 0, 4)) @ normal) / np.linalg.norm(normal)
+    assert np.median(off) < 0.01 and 2.0 < points[:, 2].min() < points[:, 2].max() < 5.5

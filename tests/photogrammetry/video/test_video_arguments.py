@@ -1,0 +1,102 @@
+"""The call behind `pointloom video` refuses arguments that make no sense before it does anything."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import DeviceError, FileError
+from pointloom.photogrammetry.video.job import reconstruct
+from pointloom.photogrammetry.video.outputs import Outputs
+from pointloom.photogrammetry.video.settings import Settings
+
+from ...cli.commands import names_in
+from ...hostile import faults_of, missing_from, public_arguments, read_table
+
+PLACING = 'masks=None, camera_model="SIMPLE_RADIAL", pairs="auto", max_features=500, panorama=False, mapper="auto"'
+MAPS = 'ortho="ortho.tif", dem="dem.tif", cell=0.1'
+CALLS = f"""
+loom.video.reconstruct(source=film, settings=settings, outputs=outputs, work=work, device="cpu", progress=None)
+loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, seed=0, cameras=None, {PLACING})
+loom.video.Units(scale=2.0, known=None, align=None, places=None, control=None, scale_bars=None)
+loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:32632", checks=["A"], path="gcp.txt")
+loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
+loom.video.ScaleBar(a="A", b="B", metres=1.5, sigma=0.01)
+loom.video.read_ground_control(path=gcp, scale_bars=None)
+loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
+frame.to_enu(places=[[47.5, 8.25, 430.0]])
+frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
+frame.to_utm(points=[[1.0, 2.0, 3.0]], epsg=32632)
+loom.video.Outputs(mesh="room.ply", cloud="c.ply", trajectory="p.log", picture="room.png", training="scene", {MAPS})
+"""
+TABLE = {name.removeprefix("video."): call for name, call in read_table(CALLS, {"frame": "WorldFrame"}).items()}
+RESULTS = {"Fit", "PlacesFit", "KnownPlaces", "StageReport", "VideoFigures", "VideoResult"}
+RESULTS |= {"ControlFit", "ControlResidual", "BarResidual", "GpsGaps"}
+INSIDE = {f"Outputs.{name}" for name in ("check", "check_fit", "check_units", "write", "write_training")}
+INSIDE |= {"PlacesFit.why_doubted", "Units.check_names", "Settings.read_posed", "Settings.digest_of_cameras"}
+
+
+def test_the_table_names_every_argument_of_every_public_call():
+    assert missing_from(TABLE, public_arguments(loom.video, RESULTS | INSIDE)) == {}
+
+
+@pytest.fixture
+def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
+    monkeypatch.chdir(tmp_path)  # where a string of digits is a good name of a folder
+    settings, outputs = loom.video.Settings(), loom.video.Outputs()
+    named = {"loom": loom, "film": film, "settings": settings, "outputs": outputs, "units": loom.video.Units()}
+    gcp = tmp_path / "gcp.txt"
+    gcp.write_text("EPSG:32632\n447000 5260000 410 320 240 a.jpg A\n")
+    point = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0])
+    marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
+    bar = loom.video.ScaleBar("A", "B", 1.5)
+    named |= {"gcp": gcp, "point": point, "marks": marks, "bar": bar}
+    return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_the_good_arguments_are_taken(name, things):
+    function, expressions = TABLE[name]
+    eval(function, things)(**{key: eval(value, dict(things)) for key, value in expressions.items()})
+
+
+CASES = [(name, argument) for name, (_, arguments) in TABLE.items() for argument in arguments]
+
+
+@pytest.mark.parametrize(("name", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(name, argument, things):
+    function, expressions = TABLE[name]
+    good = {key: eval(value, dict(things)) for key, value in expressions.items()}
+    faults = faults_of(lambda **given: eval(function, dict(things))(**given), good, argument)
+    assert not faults, "\n".join(faults)
+
+
+def test_fewer_frames_and_smaller_sizes_than_the_least_are_refused():
+    for given in ({"max_frames": 1}, {"max_size": 63}):
+        with pytest.raises(ValueError, match=next(iter(given))):
+            Settings(**given)
+
+
+@pytest.mark.parametrize(
+    ("given", "error"),
+    [
+        ({"source": None}, TypeError),
+        ({"outputs": "room.ply"}, TypeError),
+        ({"device": "gpu"}, (DeviceError, ValueError)),
+        ({"resume": True}, ValueError),
+    ],
+)
+def test_calls_that_make_no_sense_do_nothing(quick, film, tmp_path, given, error):
+    call = {"source": film, "outputs": Outputs(mesh=tmp_path / "room.ply")} | given
+    with pytest.raises(error):
+        reconstruct(call.pop("source"), **call)
+    assert quick.ran == []
+    assert names_in(tmp_path) == ["walk.mp4"]
+
+
+def test_two_outputs_in_one_file_are_refused(quick, film, tmp_path):
+    with pytest.raises(FileError, match=r"room\.ply"):
+        reconstruct(film, outputs=Outputs(mesh=tmp_path / "room.ply", cloud=tmp_path / "." / "room.ply"))
+    assert quick.ran == []

@@ -1,0 +1,295 @@
+"""Clusters through any number of tiles have the labels of one machine."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.io.points.las_writer import write_las
+from pointloom.io.table import PointTable
+from pointloom.kernels.lang import int32, vec3
+from pointloom.kernels.memory import download, full, upload
+from pointloom.kernels.search.point_tree import PointTree
+from pointloom.kernels.segmentation.cluster_labels import NOISE, label_borders, rename_cores
+from pointloom.kernels.segmentation.dbscan import cluster_cores
+from pointloom.tiling import label_join, tasks
+from pointloom.tiling.status import tile_status
+from pointloom.tiling.steps import parse
+
+from .scenes import CORNER, STEP, finished, in_memory, plan_of, survey, tiled, whole_cloud
+
+DBSCAN = {"step": "cluster_dbscan", "eps": 0.9, "min_points": 5}
+EUCLIDEAN = {"step": "cluster_euclidean", "tolerance": 0.7, "min_cluster_size": 2}
+
+
+def labels_in_memory(cloud, step):
+    params = {name: value for name, value in step.items() if name != "step"}
+    cloud = cloud.copy()
+    cloud["cluster"] = getattr(cloud, step["step"])(**params)
+    return cloud
+
+
+def labelled(cloud):
+    """Rows of position, label and what tells a point from its twin, sorted."""
+    columns = [np.rint((cloud.points - cloud.origin) / STEP).astype(np.int64), np.asarray(cloud["cluster"])[:, None]]
+    if "gps_time" in cloud.attributes:
+        columns.append(np.asarray(cloud["gps_time"], np.float64)[:, None].view(np.int64))
+    rows = np.column_stack(columns)
+    return rows[np.lexsort(rows.T)]
+
+
+def check(paths, steps, folder, device="cpu", **how):
+    """Hold that tiles give the labels of one machine; those labels."""
+    found, plan = tiled(paths, steps, folder, device, **how)
+    cloud = whole_cloud(paths, np.array(plan["origin"]))
+    cloud = in_memory(cloud, steps[:-1], plan["voxel_corner"])
+    expected = labels_in_memory(cloud, steps[-1])
+    np.testing.assert_array_equal(labelled(found), labelled(expected))
+    assert np.asarray(found["cluster"]).dtype == np.int32
+    return np.asarray(expected["cluster"])
+
+
+def write(folder, points, files=1):
+    """Points in files, in their order."""
+    paths = []
+    for number, rows in enumerate(np.array_split(np.asarray(points, np.float64) + CORNER, files)):
+        paths.append(folder / f"part{number}.laz")
+        write_las(paths[-1], PointTable(rows), scale=STEP, offset=CORNER)
+    return paths
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"), count=3000)
+
+
+@pytest.mark.parametrize(
+    ("step", "size"),
+    [
+        (DBSCAN, 14.0),
+        (EUCLIDEAN, 20.0),
+        *(pytest.param(*pair, marks=pytest.mark.slow) for pair in [(DBSCAN, 10.0), (EUCLIDEAN, 8.1), (DBSCAN, 100.0)]),
+    ],
+)
+def test_labels_of_tiles_of_any_size_are_those_of_one_machine(device, files, tmp_path, step, size):
+    labels = check(files, [step], tmp_path / "job", device, size=size)
+    assert labels.max() > 20
+    assert (labels < 0).any()
+
+
+def test_labels_after_other_steps_are_those_of_one_machine(files, tmp_path):
+    steps = [
+        {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+        {"step": "voxel_down_sample", "voxel_size": 0.4},
+        {"step": "cluster_dbscan", "eps": 0.7, "min_points": 3},
+    ]
+    labels = check(files, steps, tmp_path / "job", size=20.0)
+    assert labels.max() > 10
+
+
+@pytest.mark.slow
+def test_a_spiral_through_all_tiles_is_one_cluster(tmp_path):
+    turn = np.sqrt(np.linspace(1, 400, 3000)) * 2 * np.pi * 0.45
+    points = np.column_stack([20 + 0.3 * turn * np.cos(turn), 20 + 0.3 * turn * np.sin(turn), np.zeros(len(turn))])
+    paths = write(tmp_path, np.random.default_rng(1).permutation(points), files=3)
+    labels = check(paths, [{"step": "cluster_dbscan", "eps": 0.4, "min_points": 3}], tmp_path / "job", size=6.0)
+    assert labels.max() == 0
+
+
+def test_clusters_that_meet_at_a_corner_alone_are_one(tmp_path):
+    ramp = np.arange(0, 20.01, 0.25)
+    diagonal = np.column_stack([ramp, ramp, np.zeros(len(ramp))])
+    ends = [[0, 0, 0], [20, 20, 0], [0, 20, 9]]
+    paths = write(tmp_path, np.concatenate([ends, diagonal[::-1]]))
+    labels = check(paths, [{"step": "cluster_dbscan", "eps": 0.36, "min_points": 2}], tmp_path / "job", size=5.0)
+    assert labels.max() == 0
+    assert (labels == -1).sum() == 1
+
+
+def test_a_border_point_between_clusters_takes_the_one_of_the_lowest_row(tmp_path):
+    """The middle point, on a tile's border, is as near to a core on the left as to one on the right."""
+    side = np.array([[0.0, 0, 0], [-0.2, 0, 0], [-0.2, 0.2, 0], [-0.3, 0.1, 0]])
+    left, right = side + np.array([9.1, 5, 0]), side * np.array([-1, 1, 1]) + np.array([10.9, 5, 0])
+    far = [[0, 0, 0], [20, 10, 0]]
+    for number, points in enumerate([(left, right), (right, left)]):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        middle = [[10.0, 5, 0]]
+        paths = write(folder, np.concatenate([far, middle, *points]))
+        step = {"step": "cluster_dbscan", "eps": 0.95, "min_points": 4}
+        labels = check(paths, [step], folder / "job", size=10.0)
+        assert labels.tolist() == [-1, -1, 0, 0, 0, 0, 0, 1, 1, 1, 1]
+
+
+@pytest.mark.slow
+def test_reaches_larger_than_tiles_and_twins_of_other_files(tmp_path):
+    rng = np.random.default_rng(5)
+    points = np.round(rng.random((400, 3)) * (9, 9, 1) / 0.05) * 0.05
+    points[:40, :2] = rng.integers(0, 4, (40, 2)) * 3.0  # corners of tiles
+    points = np.concatenate([[[0, 0, 0], [9, 9, 0]], points, points[::9]])  # twins, most of them in another file
+    paths = write(tmp_path, points, files=3)
+    labels = check(paths, [{"step": "cluster_dbscan", "eps": 3.4, "min_points": 150}], tmp_path / "job", size=3.0)
+    assert labels.max() >= 0
+    assert (labels < 0).any()
+
+
+@pytest.mark.slow
+def test_sizes_bound_connected_parts(files, tmp_path):
+    bounded = EUCLIDEAN | {"min_cluster_size": 3, "max_cluster_size": 40}
+    labels = check(files, [bounded], tmp_path / "job", size=9.0)
+    assert labels.max() > 5
+    assert np.bincount(labels[labels >= 0]).min() == 3
+    assert np.bincount(labels[labels >= 0]).max() <= 40
+
+
+@pytest.mark.slow
+def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
+    """A part ends where it needs the others' tiles; whoever comes when all are through a pass joins it, once."""
+    loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=11.0)
+    for part in ((1, 3), (2, 3), (3, 3)):
+        assert loom.tiling.run_tiles(tmp_path / "job", part=part).done < 16
+    status = tile_status(tmp_path / "job")
+    assert status.waiting > 0 and (status.which_pass, status.passes) == (2, 2)
+    assert f"pass 2 of 2: {status.through} of 16 tiles through" in str(status)
+    with pytest.raises(loom.FileError, match="is not finished"):
+        loom.tiling.finish_tiles(tmp_path / "job")
+    assert loom.tiling.run_tiles(tmp_path / "job").is_finished
+    found = finished(tmp_path / "job")
+    cloud = whole_cloud(files, found.origin)
+    np.testing.assert_array_equal(labelled(found), labelled(labels_in_memory(cloud, DBSCAN)))
+    assert not (tmp_path / "job" / "left").exists()
+
+
+def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypatch):
+    loom.tiling.plan_tiles(files, [DBSCAN], tmp_path / "job", size=20.0)
+    join = tasks.join_step
+
+    def spoiled(folder, number, step, left, owner):
+        path = folder / "left" / str(number) / f"{left.tiles[0]}.npy"
+        path.write_bytes(path.read_bytes()[:-100])
+        return join(folder, number, step, left, owner)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(tasks, "join_step", spoiled)
+        with pytest.raises(loom.FileError, match=r"/job:.*1"):
+            loom.tiling.run_tiles(tmp_path / "job")
+    status = tile_status(tmp_path / "job")
+    assert status.waiting == 9 and (status.which_pass, status.through) == (2, 0)
+    assert not [*(tmp_path / "job" / "joined").iterdir()]
+
+
+@pytest.mark.parametrize(("step", "most"), [(DBSCAN, 2), pytest.param(EUCLIDEAN, 7, marks=pytest.mark.slow)])
+def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files, tmp_path, monkeypatch, step, most):
+    monkeypatch.setattr(label_join, "MOST_RANKED", most)
+    ranked = []
+    rank = label_join._rank_stretch
+
+    def counted(*arguments):
+        begin = arguments[-1]
+        end = rank(*arguments)
+        ranked.append(end - begin)
+        return end
+
+    monkeypatch.setattr(label_join, "_rank_stretch", counted)
+    labels = check(files, [step], tmp_path / "job", size=21.0)
+    assert len(ranked) > 1 and max(ranked) <= 2 * most and sum(ranked) == labels.max() + 1
+
+
+def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, monkeypatch):
+    for module in (label_join, parse):
+        monkeypatch.setattr(module, "MOST_INT32", 5)
+    found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
+    assert np.asarray(found["cluster"]).dtype == np.int64
+    cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
+    np.testing.assert_array_equal(labelled(found), labelled(cloud))
+
+
+def test_steps_behind_clusters_keep_the_labels(files, tmp_path):
+    """Those of the whole, from before the step; of two such steps the second one's."""
+    steps = [EUCLIDEAN, DBSCAN, {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.8}]
+    found, plan = tiled(files, steps, tmp_path / "job", size=21.0)
+    cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
+    cloud = in_memory(cloud, steps[2:], plan["voxel_corner"])
+    assert 1000 < len(cloud) < 3000
+    np.testing.assert_array_equal(labelled(found), labelled(cloud))
+
+
+@pytest.mark.slow
+def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, tmp_path):
+    job = tmp_path / "job"
+    text = "[[step]]\nstep = 'cluster_dbscan'\neps = 0.9\nmin_points = 5\n"
+    (tmp_path / "steps.toml").write_text(text)
+    loom.tiling.plan_tiles(files, tmp_path / "steps.toml", job, size=30.0)
+    assert loom.tiling.run_tiles(job).is_finished
+    expected = labelled(finished(job))
+    (job / "tiles" / "1_1.laz").write_bytes(b"LASF, and nothing else")
+    with pytest.raises(loom.FileError, match=r"1_1\.laz"):
+        loom.tiling.finish_tiles(job, overwrite=True)
+    assert loom.tiling.run_tiles(job).is_finished
+    found = whole_cloud([loom.tiling.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))
+    np.testing.assert_array_equal(labelled(found), expected)
+
+
+KILLED = """
+import os, signal, sys
+import pointloom as loom
+from pointloom.tiling import runners, {module}
+def die(*arguments, **named):
+    os.kill(os.getpid(), signal.SIGKILL)
+die.dumps = die
+{module}.{name} = die
+loom.tiling.run_tiles(sys.argv[1])
+"""
+SOURCES = str(Path(__file__).parents[2] / "src")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [
+        ("tasks", "join_step"),  # all tiles are through the first pass, nothing is joined
+        ("label_join", "_rank_stretch"),  # tiles' arrays are there without the labels
+        ("borders", "json"),  # all is written, and has not its name yet
+        ("borders", "Joined"),  # it has its name, the manifest does not say so
+        ("work_tile", "read_joined"),  # in the second pass
+    ],
+)
+def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name):
+    job = tmp_path / "job"
+    loom.tiling.plan_tiles(files, [DBSCAN], job, size=14.0)
+    program = KILLED.format(module=module, name=name)
+    environment = os.environ | {"PYTHONPATH": SOURCES}
+    done = subprocess.run([sys.executable, "-c", program, str(job)], env=environment, check=False, timeout=120)
+    assert done.returncode == -signal.SIGKILL
+    status = tile_status(job)
+    assert status.done == 0 and (status.which_pass, status.passes) == (2, 2)
+    assert loom.tiling.run_tiles(job).is_finished
+    assert not [*(job / "joined").glob("*.part")]
+    cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
+    np.testing.assert_array_equal(labelled(finished(job)), labelled(cloud))
+
+
+@pytest.mark.parametrize(
+    ("names", "expected"),
+    [((5, 3), (5, 3, 3)), ((2, 7), (2, 2, 7)), ((-1, 4), (-1, 4, 4)), ((4, -1), (4, 4, -1)), ((-1, -1), (-1, -1, -1))],
+)
+def test_cores_get_other_names_by_which_borders_choose(device, names, expected):
+    """The point between two clusters takes the lower name; those of a cluster without one are no cores to it."""
+    along = np.array([0.0, 0.1, 0.2, 0.3, 1.2, 2.1, 2.2, 2.3, 2.4])
+    order = np.random.default_rng(2).permutation(9)
+    order = order[np.argsort(along[order] > 1, kind="stable")]  # the left cluster's rows come first
+    points = np.zeros((9, 3), np.float32)
+    points[:, 0] = along[order]
+    tree = PointTree(upload(points, vec3, device))
+    labels = full(9, NOISE, int32, tree.device)
+    cores, count = cluster_cores(tree, 0.95, 4, labels)
+    assert count == 2
+    rename_cores(cores, upload(np.array(names, np.int32), int32, tree.device), labels)
+    label_borders(cores, labels)
+    sides = np.repeat(np.array(expected), (4, 1, 4))
+    assert download(labels).tolist() == sides[order].tolist()

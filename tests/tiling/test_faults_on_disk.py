@@ -1,0 +1,364 @@
+"""Full disks, files that are damaged or written to meanwhile, copies of open jobs: an error by name, or done again."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+from functools import partial
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.tiling import buckets, finish, sources, tasks
+from pointloom.tiling.manifest import NAME, Manifest, a_worker, canonical, hash_of, only_one
+from pointloom.tiling.plan import open_plan
+from pointloom.tiling.runners import retry_tiles
+from pointloom.tiling.status import tile_status
+
+from .scenes import RADIUS, finished, rows_of
+
+resource = pytest.importorskip("resource")
+
+
+def assert_goes_on(job, expected):
+    assert loom.tiling.run_tiles(job).is_finished
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+@contextlib.contextmanager
+def files_up_to(size):
+    """No file may grow beyond so many bytes, as on a full disk."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def on_a_full_disk(monkeypatch, table, size):
+    """Tasks of a table find no room for files beyond a size."""
+    work = tasks.do_task
+
+    def full(plan, folder, task, owner):
+        with files_up_to(size) if task.table == table else contextlib.nullcontext():
+            return work(plan, folder, task, owner)
+
+    monkeypatch.setattr(tasks, "do_task", full)
+
+
+def test_a_disk_that_is_full_while_rows_are_laid_is_named_and_leaves_nothing(job, expected, monkeypatch):
+    with monkeypatch.context() as patch:
+        on_a_full_disk(patch, "sources", 2000)
+        with pytest.raises(FileError, match=r"/part0\.laz:"):
+            loom.tiling.run_tiles(job)
+    assert not [*(job / "buckets").iterdir()]
+    retry_tiles(job)
+    assert_goes_on(job, expected)
+
+
+def test_a_disk_that_is_full_while_tiles_are_written_fails_them_by_name(job, expected, monkeypatch):
+    with monkeypatch.context() as patch:
+        on_a_full_disk(patch, "tiles", 300)  # less than a header
+        status = loom.tiling.run_tiles(job)
+    assert status.failed == 4 and all("File too large" in error for error in status.troubles.values())
+    assert not [*(job / "tiles").iterdir()]
+    retry_tiles(job)
+    assert_goes_on(job, expected)
+
+
+def test_a_disk_without_room_for_the_manifests_log_is_no_reason_to_plan_anew(job, expected):
+    with files_up_to(0), pytest.raises(FileError, match=r"plan\.sqlite"):
+        tile_status(job)
+    assert_goes_on(job, expected)
+
+
+def test_a_manifest_that_has_no_room_is_named_and_nothing_is_lost(job, expected):
+    with Manifest(job) as manifest:
+        manifest.base.execute("PRAGMA max_page_count = 1")
+        full = pytest.raises(FileError, match=r"/plan\.sqlite:")
+        with full, manifest.change() as base:
+            base.executemany("INSERT INTO checksums VALUES (?, 1)", [(number,) for number in range(5000)])
+        assert not manifest.base.in_transaction
+        manifest.base.execute("PRAGMA max_page_count = 100000")
+        assert manifest.claim("tiles", "dead")["id"] == 0
+    assert_goes_on(job, expected)
+
+
+@pytest.mark.parametrize("name", ["result.laz", "result.copc.laz"])
+def test_a_disk_that_is_full_at_the_end_keeps_what_was_there_and_the_tiles(job, expected, name, monkeypatch):
+    loom.tiling.run_tiles(job)
+    (job / name).write_bytes(b"before")
+
+    def full(write, *given):
+        with files_up_to(2000):
+            return write(*given)
+
+    with monkeypatch.context() as patch:
+        for writer in ("_merge", "write_tree"):
+            patch.setattr(finish, writer, partial(full, getattr(finish, writer)))
+        with pytest.raises(FileError, match=r"cannot be written.*File too large"):
+            loom.tiling.finish_tiles(job, job / name)
+    assert (job / name).read_bytes() == b"before" and not [*job.glob(".*.part")]
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+@pytest.mark.parametrize("fault", ["flipped", "cut", "gone"])
+def test_a_tile_that_is_no_longer_what_was_written_is_named_and_made_again(job, expected, fault):
+    loom.tiling.run_tiles(job)
+    path = job / "tiles" / "1_1.laz"
+    content = bytearray(path.read_bytes())
+    content[-200] ^= 16
+    path.write_bytes(content if fault == "flipped" else content[:-100])
+    if fault == "gone":
+        path.unlink()
+    with pytest.raises(FileError, match=r"1_1\.laz"):
+        loom.tiling.finish_tiles(job)
+    assert not (job / "result.laz").exists() and tile_status(job).waiting == 1
+    assert_goes_on(job, expected)
+
+
+def test_a_tile_that_is_gone_once_the_rows_by_tile_are_too_has_them_laid_again(job, expected):
+    loom.tiling.run_tiles(job)
+    finished(job)
+    for name in ("0_0", "1_1"):
+        (job / "tiles" / f"{name}.laz").unlink()
+    with pytest.raises(FileError, match=r"/0_0\.laz:.*1"):
+        loom.tiling.finish_tiles(job)
+    assert_goes_on(job, expected)
+
+
+def test_a_damaged_chunk_of_an_octree_fails_its_tiles_by_name(files, tmp_path):
+    cloud = loom.read_point_cloud(files[0])
+    loom.write_point_cloud(tmp_path / "whole.copc.laz", cloud, scale=1e-4)
+    content = (tmp_path / "whole.copc.laz").read_bytes()
+    rng = np.random.default_rng(0)
+    begin = sources.open_las(tmp_path / "whole.copc.laz").header.begin
+    told = {"same": 0, "named": 0}
+    expected = None
+    for number in range(8):
+        path, job = tmp_path / f"flipped{number}.copc.laz", tmp_path / f"job{number}"
+        changed = bytearray(content)
+        changed[begin + 8 + int(rng.integers(0, 400))] ^= 1 << int(rng.integers(0, 8)) if number else 0
+        path.write_bytes(changed)
+        loom.tiling.plan_tiles(path, RADIUS, job, size=100.0)
+        status = loom.tiling.run_tiles(job)
+        if number == 0:
+            expected = status.points_out
+        told["named" if status.failed else "same"] += 1
+        assert all("damaged" in error for error in status.troubles.values()), status
+        assert status.failed or status.points_out == expected or number
+    assert told["named"] >= 4, told
+
+
+@pytest.mark.parametrize("fault", ["flipped", "cut"])
+def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
+    loom.tiling.run_tiles(job)
+    with Manifest(job) as manifest, manifest.change() as base:
+        base.execute("UPDATE tiles SET state = 'waiting' WHERE id = 0")
+    path = job / "buckets" / "000000" / "0.blocks"
+    content = bytearray(path.read_bytes())
+    content[-5] ^= 1
+    path.write_bytes(content if fault == "flipped" else content[:-7])
+    status = loom.tiling.run_tiles(job)
+    assert status.failed == 1 and "0.blocks" in status.troubles["0_0"]
+    assert ("does not go with its checksum" if fault == "flipped" else "damaged") in status.troubles["0_0"]
+
+
+def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
+    """A worker of a cluster may outlive its runner, and begin a file that another run has laid meanwhile."""
+    loom.tiling.run_tiles(job)
+    manifest, plan = open_plan(job)
+    with manifest, a_worker(job) as alive:
+        before = (job / "buckets" / "000000" / "index.json").stat()
+        (row,) = manifest.rows("SELECT points, full, bytes FROM sources WHERE id = 0")
+        found = buckets.fill_buckets(plan, job, 0, "late")
+        assert (found.points, found.full, found.size) == tuple(row) and sum(found.tiles.values()) == found.points
+        assert (job / "buckets" / "000000" / "index.json").stat() == before
+        shutil.rmtree(job / "buckets" / "000000")
+        for owner in (alive, "remote-1", "dead"):
+            (job / "buckets" / f"000000.{owner}.part").mkdir()
+        assert buckets.fill_buckets(plan, job, 0, "again") == found
+        left = sorted(path.name for path in (job / "buckets").glob("*.part"))
+        assert left == sorted([f"000000.{alive}.part", "000000.remote-1.part"])
+
+
+def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
+    with Manifest(job) as manifest:
+        manifest.claim("tiles", "dead")
+    loom.tiling.run_tiles(job)
+    shutil.rmtree(job / "buckets" / "000001")
+    with Manifest(job) as manifest, manifest.change() as base:
+        base.execute("UPDATE tiles SET state = 'waiting' WHERE id < 3")
+    status = loom.tiling.run_tiles(job)
+    assert status.failed == 3 and "call retry_tiles(folder)" in status.troubles["0_0"]
+    assert retry_tiles(job).sources_waiting == 1
+    assert_goes_on(job, expected)
+
+
+def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, expected):
+    loom.tiling.run_tiles(job)
+    (job / ".result.laz.killed.part").write_bytes(b"half")
+    with only_one(job, "finish"), pytest.raises(FileError, match="/job:"):
+        loom.tiling.finish_tiles(job)
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*job.rglob("*.part")] and not [*(job / "locks").iterdir()]
+
+
+def test_a_file_that_is_written_to_while_its_rows_are_laid_is_refused(job, files, monkeypatch):
+    fill = buckets._fill
+
+    def touched(plan, file, part):
+        found = fill(plan, file, part)
+        os.utime(files[0], ns=(1, 1))
+        return found
+
+    monkeypatch.setattr(buckets, "_fill", touched)
+    with pytest.raises(FileError, match=r"part0\.laz"):
+        loom.tiling.run_tiles(job)
+    assert tile_status(job).done == 0 and not (job / "buckets" / "000000").exists()
+
+
+def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp_path, monkeypatch):
+    path = tmp_path / "whole.copc.laz"
+    loom.write_point_cloud(path, loom.read_point_cloud(files[0]), scale=1e-4)
+    loom.tiling.plan_tiles(path, RADIUS, tmp_path / "job", size=100.0)
+    read = sources._rows_of_copc
+    monkeypatch.setattr(sources, "_rows_of_copc", lambda *given: (read(*given), os.utime(path, ns=(1, 1)))[0])
+    status = loom.tiling.run_tiles(tmp_path / "job")
+    assert status.failed == 1 and "has changed since" in status.troubles["0_0"]
+
+
+def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
+    """The folder is copied while its manifest is open and a tile is claimed; the copy has no such worker."""
+    with Manifest(job) as manifest, a_worker(job) as alive:
+        manifest.claim("sources", alive)
+        shutil.copytree(job, tmp_path / "copy")
+        assert_goes_on(tmp_path / "copy", expected)
+        assert manifest.counts("sources")["running"] == 1
+
+
+@pytest.mark.slow
+def test_a_manifest_that_was_copied_without_its_log_or_in_part_is_gone_on_with_or_refused(files, tmp_path, expected):
+    job, copy = tmp_path / "job", tmp_path / "copy"
+    loom.tiling.plan_tiles(files, RADIUS, job, size=10.0)
+    with Manifest(job) as manifest:  # open, so that the log is not yet in the file
+        loom.tiling.run_tiles(job)
+        copy.mkdir()
+        shutil.copy(job / NAME, copy / NAME)
+        assert manifest.counts()["done"]
+    assert tile_status(copy).done < tile_status(job).done
+    assert_goes_on(copy, expected)
+    content = (job / NAME).read_bytes()
+    (copy / NAME).write_bytes(content[: len(content) // 2])
+    with pytest.raises(FileError, match=r"plan\.sqlite"):
+        loom.tiling.run_tiles(copy)
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="another user's rights are taken on by root alone")
+@pytest.mark.parametrize("what", ["sources", "job", "file"])
+def test_folders_and_files_without_rights_are_named(files, tmp_path, what):
+    data, job = tmp_path / "data", tmp_path / "job"
+    data.mkdir()
+    shutil.copy(files[0], data / "one.laz")
+    loom.tiling.plan_tiles(data, RADIUS, job, size=20.0)
+    for folder in (tmp_path, *tmp_path.parents):
+        if "pytest-" in str(folder):
+            folder.chmod(0o755)
+    {"sources": data, "job": job, "file": data / "one.laz"}[what].chmod(0)
+    os.seteuid(65534)
+    try:
+        with pytest.raises(FileError, match=r"(data|one\.laz|job.*): .*[Pp]ermission denied"):
+            if what == "job":
+                loom.tiling.run_tiles(job)
+            loom.tiling.plan_tiles(data, RADIUS, tmp_path / "other", size=20.0)
+    finally:
+        os.seteuid(0)
+
+
+@pytest.mark.slow
+def test_two_runs_with_workers_on_one_folder_do_all_tiles_once(files, tmp_path, expected):
+    job = tmp_path / "job"
+    loom.tiling.plan_tiles(files, RADIUS, job, size=4.0)
+    program = "import sys, pointloom as loom; assert loom.tiling.run_tiles(sys.argv[1], workers=1).is_finished"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "POINTLOOM_CPU_THREADS": "1"}
+    runs = [subprocess.Popen([sys.executable, "-c", program, str(job)], env=environment) for _ in range(2)]
+    assert [run.wait() for run in runs] == [0, 0]
+    status = tile_status(job)
+    assert status.points_in == status.points
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*(job / "locks").iterdir()] and not [*job.rglob("*.part")]
+
+
+def rewritten(job, change):
+    """Change the plan of a manifest and its hash, as a stranger's program can."""
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base, base:
+        plan = json.loads(base.execute("SELECT value FROM meta WHERE key = 'plan'").fetchone()[0])
+        change(plan)
+        told = {"plan": canonical(plan), "hash": hash_of(plan)}
+        base.executemany("UPDATE meta SET value = ? WHERE key = ?", [(value, key) for key, value in told.items()])
+
+
+PLANS = {
+    "no points": lambda plan: plan["sources"][0].pop("points"),
+    "a number for a path": lambda plan: plan["sources"][0].update(path=5),
+    "NUL in a path": lambda plan: plan["sources"][0].update(path="a\0b"),
+    "no origin": lambda plan: plan.pop("origin"),
+    "a list for a source": lambda plan: plan["sources"].append([]),
+    "a huge number": lambda plan: plan.update(slack=10**400),
+    "an unknown output": lambda plan: plan.update(output="x"),
+    "a side of zero": lambda plan: plan.update(size=0.0),
+    "an unknown step": lambda plan: (plan["steps"].append({"step": "shell"}), plan["guesses"].append(0.0)),
+    "steps without names": lambda plan: plan.update(steps=[1]),
+    "more tiles than memory": lambda plan: plan.update(shape=[2**31, 2**31]),
+}
+
+
+@pytest.mark.parametrize("change", PLANS.values(), ids=PLANS)
+def test_a_plan_of_wrong_values_is_an_error_that_names_the_manifest(job, change):
+    rewritten(job, change)
+    for call in (tile_status, loom.tiling.run_tiles, loom.tiling.finish_tiles):
+        with pytest.raises(FileError, match=r"plan\.sqlite"):
+            call(job)
+
+
+FOREIGN = {
+    "the owner": "UPDATE tiles SET state = 'running', owner = '{path}'",
+    "the owner, from the folder": "UPDATE tiles SET state = 'running', owner = '../../kept.txt'",
+    "a trigger": "CREATE TRIGGER t AFTER UPDATE ON tiles BEGIN DELETE FROM meta; END",
+    "an endless view": "DROP TABLE joins; CREATE VIEW joins AS "
+    "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS id, '' AS state FROM n",
+    "another table": "DROP TABLE checksums; ALTER TABLE tiles ADD COLUMN more",
+}
+
+
+@pytest.mark.parametrize("change", FOREIGN.values(), ids=FOREIGN)
+def test_a_manifest_of_somebody_else_removes_and_runs_nothing(job, tmp_path, change):
+    kept = tmp_path / "kept.txt"
+    kept.write_text("mine")
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base:
+        base.executescript(change.format(path=kept))
+    with pytest.raises(FileError, match=r"plan\.sqlite"):
+        loom.tiling.run_tiles(job)
+    assert kept.read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["locks", "tiles", "buckets", NAME])
+def test_a_job_writes_through_no_link(job, tmp_path, name):
+    elsewhere = tmp_path / "elsewhere"
+    if (job / name).exists():
+        (job / name).rename(elsewhere)
+    else:
+        elsewhere.mkdir()
+        (elsewhere / ("0" * 32)).write_text("mine")
+    (job / name).symlink_to(elsewhere)
+    with pytest.raises(FileError, match=rf"{name}:"):
+        loom.tiling.run_tiles(job)
+    assert elsewhere.is_file() or [*elsewhere.iterdir()] == [elsewhere / ("0" * 32)]

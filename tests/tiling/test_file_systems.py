@@ -1,0 +1,92 @@
+"""A job's folder that several machines have: no log in shared memory, and the same rows."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.tiling import manifest
+from pointloom.tiling.manifest import NAME, Manifest, is_shared
+
+from .scenes import finished, rows_of, survey, tiled
+
+STEPS = [
+    {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+    {"step": "voxel_down_sample", "voxel_size": 0.5},
+]
+MOUNTS = r"""22 1 254:0 / / rw,relatime shared:1 - ext4 /dev/vda rw
+30 22 0:40 / {0}/far rw - nfs4 server:/data rw,vers=4.2
+31 30 0:41 / {0}/far/near rw - xfs /dev/vdb rw
+32 22 0:42 / {0}/two\040words rw shared:7 master:3 - fuse.sshfs host: rw
+33 22 0:43 / {0}/over rw - ext4 /dev/vdc rw
+34 33 0:44 / {0}/over rw - lustre ost:/l rw
+"""
+
+
+@pytest.fixture
+def mounts(tmp_path, monkeypatch):
+    (tmp_path / "mountinfo").write_text(MOUNTS.replace("{0}", str(tmp_path.resolve())))
+    monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "mountinfo")
+
+
+@pytest.mark.parametrize(
+    ("folder", "expected"),
+    [
+        ("far", True),
+        ("far/job", True),
+        ("far/near/job", False),
+        ("farther", False),
+        ("two words/job", True),
+        ("over", True),
+        ("", False),
+    ],
+)
+def test_the_mount_that_holds_a_folder_says_whether_machines_share_it(folder, expected, tmp_path, mounts):
+    assert is_shared(tmp_path / folder) is expected
+
+
+def test_without_a_table_of_mounts_folders_are_local(tmp_path, monkeypatch):
+    monkeypatch.setattr(manifest, "MOUNTS", tmp_path / "nowhere")
+    assert not is_shared(tmp_path)
+
+
+def mode_of(job):
+    with contextlib.closing(sqlite3.connect(job / NAME)) as base:
+        return base.execute("PRAGMA journal_mode").fetchone()[0]
+
+
+@pytest.mark.slow
+def test_parts_of_an_array_job_share_a_folder_without_a_log(tmp_path, monkeypatch):
+    files = survey(tmp_path, count=1000)
+    expected = rows_of(tiled(files, STEPS, tmp_path / "expected", size=100.0)[0])
+    assert mode_of(tmp_path / "expected") == "wal"
+    monkeypatch.setattr(manifest, "is_shared", lambda _: True)
+    job = tmp_path / "job"
+    loom.tiling.plan_tiles(files, STEPS, job, size=20.0)
+    assert mode_of(job) == "delete"
+    for _ in range(2):  # of two passes a part ends where it needs the other's
+        with ThreadPoolExecutor() as pool:
+            [*pool.map(lambda part: loom.tiling.run_tiles(job, part=part), [(1, 3), (2, 3), (3, 3)])]
+    assert mode_of(job) == "delete" and not [*job.glob("*-wal")]
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+def test_a_job_that_was_planned_beside_its_disk_leaves_the_log_where_it_is_mounted(tmp_path, monkeypatch):
+    job = tmp_path / "job"
+    loom.tiling.plan_tiles(survey(tmp_path, count=200), STEPS, job, size=20.0)
+    with Manifest(job) as here, monkeypatch.context() as patch:
+        here.counts()
+        patch.setattr(manifest, "is_shared", lambda _: True)
+        patch.setattr(manifest, "PATIENCE", 0.2)
+        with pytest.raises(FileError, match=r"plan\.sqlite"):
+            Manifest(job)
+    assert mode_of(job) == "wal"
+    monkeypatch.setattr(manifest, "is_shared", lambda _: True)
+    assert loom.tiling.run_tiles(job).is_finished
+    assert mode_of(job) == "delete"

@@ -1,0 +1,317 @@
+"""A volume by cubes gives the mesh of one volume, whatever the cubes' size; what goes wrong is named and mended."""
+
+import json
+import os
+import shutil
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.datasets.scenes.room import write_room_sequence
+from pointloom.io.pictures.image_files import write_png
+from pointloom.io.points.ply import read_ply_mesh
+from pointloom.meshing.volume.volume_part import VolumePart
+from pointloom.tiling.jobs import fusion
+from pointloom.tiling.jobs.run_jobs import job_status, retry_job
+from pointloom.tiling.manifest import Manifest, a_worker
+
+from .scenes import kill_runner
+
+VOXEL = 0.08
+# Six blocks, three, all of the room in eight cubes about its corner.
+SIZES = [4.0, *(pytest.param(size, marks=pytest.mark.slow) for size in (2.0, 20.0))]
+
+
+@pytest.fixture(scope="module")
+def walk(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("walk") / "room"
+    write_room_sequence(folder, frame_count=14, width=80, height=60)
+    return folder
+
+
+@pytest.fixture
+def own_walk(walk, tmp_path):
+    return Path(shutil.copytree(walk, tmp_path / "own"))
+
+
+@pytest.fixture(scope="module")
+def whole(walk):
+    return triangles_of(fused(walk))
+
+
+def fused(walk, **how):
+    """The mesh of one volume as it stands in a file."""
+    intrinsic = how.pop("intrinsic", None)
+    mesh = loom.fuse(loom.open_frames(walk, intrinsic=intrinsic), **{"voxel_size": VOXEL} | how).mesh
+    with TemporaryDirectory() as folder:
+        loom.write_triangle_mesh(Path(folder) / "mesh.ply", mesh)
+        return read_ply_mesh(Path(folder) / "mesh.ply")
+
+
+def triangles_of(mesh, *, sort=True):
+    """Each triangle as the bits of its corners' positions and colours, in a fixed order."""
+    values = np.asarray(mesh.vertices, np.float64).view(np.int64)
+    if mesh.vertex_colors is not None:
+        colors = np.rint(np.asarray(mesh.vertex_colors, np.float64) * 255).astype(np.int64)
+        values = np.concatenate([values, colors], axis=1)
+    rows = values[np.asarray(mesh.triangles)].reshape(len(mesh.triangles), -1)
+    return rows[np.lexsort(rows.T)] if sort else rows
+
+
+def by_cubes(walk, job, *, device="cpu", workers=0, **how):
+    loom.tiling.plan_fusion(walk, job, **{"voxel_size": VOXEL} | how)
+    status = loom.tiling.run_job(job, device=device, workers=workers)
+    assert status.is_finished, status
+    return read_ply_mesh(loom.tiling.finish_fusion(job))
+
+
+def moved(walk, shift):
+    """The frames of a folder, taken elsewhere."""
+    for path in walk.glob("*.pose.txt"):
+        pose = np.loadtxt(path)
+        pose[:3, 3] += shift
+        np.savetxt(path, pose, fmt="%.17g")
+    return walk
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_cubes_of_any_size_have_the_triangles_of_one_volume(device, walk, whole, tmp_path, size):
+    found = by_cubes(walk, tmp_path / "job", device=device, size=size)
+    np.testing.assert_array_equal(triangles_of(found), whole)
+
+
+@pytest.mark.slow
+def test_scenes_far_away_are_those_of_one_volume(own_walk, tmp_path):
+    moved(own_walk, (20_000.0, -3_000.0, 100.0))
+    one = fused(own_walk, weight_threshold=0)
+    found = by_cubes(own_walk, tmp_path / "job", size=2.0, weight_threshold=0)
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+    assert len(found.vertices) == len(one.vertices)
+
+
+def test_a_wall_exactly_on_the_sides_of_cubes_is_neither_lost_nor_doubled(tmp_path):
+    folder, camera = tmp_path / "wall", loom.PinholeCameraIntrinsic(64, 48, 50.0, 50.0, 31.5, 23.5)
+    folder.mkdir()
+    for number in range(2):
+        write_png(folder / f"frame-{number:06d}.depth.png", np.full((48, 64), 1280, np.uint16))
+        np.savetxt(folder / f"frame-{number:06d}.pose.txt", np.eye(4))
+    how = {"voxel_size": 0.08, "truncation": 0.32, "weight_threshold": 0}
+    one = fused(folder, intrinsic=camera, **how)
+    found = by_cubes(folder, tmp_path / "job", size=0.64, intrinsic=camera, **how)
+    assert found.vertex_colors is None
+    assert (np.asarray(one.vertices)[:, 2] == np.float32(1.28)).all()
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+    assert len(found.vertices) == len(one.vertices)
+
+
+@pytest.mark.slow
+def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    by_cubes(walk, job, size=2.0)
+    folder = loom.tiling.finish_fusion(job, tmp_path / "parts")
+    files = sorted(folder.glob("*.ply"))
+    listed = [part["file"] for part in json.loads((folder / "parts.json").read_text())["parts"]]
+    assert sorted(listed) == [path.name for path in files]
+    parts = [read_ply_mesh(path) for path in files]
+    rows = np.concatenate([triangles_of(part, sort=False) for part in parts])
+    np.testing.assert_array_equal(rows[np.lexsort(rows.T)], whole)
+    assert loom.tiling.finish_fusion(job, folder) == folder
+    with pytest.raises(FileError, match="exists already"):
+        loom.tiling.finish_fusion(job, folder, overwrite=False)
+    with pytest.raises(FileError, match=r"written as \.ply, or as a folder"):
+        loom.tiling.finish_fusion(job, tmp_path / "mesh.obj")
+    with pytest.raises(FileError, match=r"holds other files"):
+        loom.tiling.finish_fusion(job, walk)
+
+
+def test_a_cube_holds_its_own_blocks_and_one_layer(walk, tmp_path, monkeypatch):
+    """What is in memory is a cube's, and each frame is read for the cubes that it touches alone."""
+    held, read = [], Counter()
+    extract = VolumePart.extract_part
+    monkeypatch.setattr(
+        VolumePart, "extract_part", lambda self, least: held.append(self.block_count) or extract(self, least)
+    )
+    integrate = fusion.FusionJob._integrate
+    monkeypatch.setattr(
+        fusion.FusionJob,
+        "_integrate",
+        lambda self, volume, frame: read.update([type(volume).__name__]) or integrate(self, volume, frame),
+    )
+    by_cubes(walk, tmp_path / "job", size=3 * 8 * VOXEL)
+    cubes = job_status(tmp_path / "job").done - 1
+    assert max(held) <= 4**3 and len(held) == cubes
+    assert read["BlockFinder"] == 14
+    assert 14 <= read["VolumePart"] < 14 * cubes / 3
+
+
+@pytest.mark.slow
+def test_a_frame_that_is_broken_in_the_middle_is_named_and_mended(own_walk, whole, tmp_path):
+    job, path = tmp_path / "job", own_walk / "frame-000007.depth.png"
+    content = path.read_bytes()
+    path.write_bytes(content[:-200] + bytes(200))
+    loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=2.0)
+    status = loom.tiling.run_job(job)
+    assert (status.failed, status.stage, status.is_finished) == (1, "frames", False)
+    assert "frame-000007.depth.png" in str(status) and "frames 0 to 13" in status.troubles
+    with pytest.raises(FileError, match=r"(?s)is not finished: .*frame-000007"):
+        loom.tiling.finish_fusion(job)
+    path.write_bytes(content)
+    assert retry_job(job).waiting == 1
+    assert loom.tiling.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+
+
+@pytest.mark.slow
+def test_frames_without_a_pose_are_named_or_left_out(own_walk, tmp_path):
+    (own_walk / "frame-000003.pose.txt").unlink()
+    (own_walk / "frame-000005.color.png").unlink()
+    path = own_walk / "frame-000009.depth.png"
+    path.write_bytes(path.read_bytes()[:-200] + bytes(200))
+    with pytest.raises(FileError, match=r"frame-000005"):
+        loom.tiling.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+    assert not (tmp_path / "job").exists()
+    found = by_cubes(own_walk, tmp_path / "job", size=2.0, leave_out=True)
+    said = str(job_status(tmp_path / "job"))
+    assert all(f"frame-00000{number}" in said for number in (3, 5, 9))
+    for number in (3, 5, 9):
+        for kept in own_walk.glob(f"frame-00000{number}.*"):
+            kept.unlink()
+    threshold = 1  # of 12 frames that could be planned with, and of the 11 that can be read
+    one = fused(own_walk, weight_threshold=threshold)
+    np.testing.assert_array_equal(triangles_of(found), triangles_of(one))
+
+
+def test_a_missing_pose_alone_is_told_with_the_remedy(own_walk, tmp_path):
+    (own_walk / "frame-000003.pose.txt").unlink()
+    with pytest.raises(FileError, match=r"frame-000003.*leave_out"):
+        loom.tiling.plan_fusion(own_walk, tmp_path / "job", voxel_size=VOXEL)
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        ({"size": 0.6}, "size"),
+        ({"size": -1}, "size"),
+        ({"truncation": 0.01}, "truncation"),
+        ({"weight_threshold": -1}, "weight_threshold"),
+        ({"every": 0}, "every"),
+        ({"depth_max": float("nan")}, "depth_max"),
+    ],
+)
+def test_bad_arguments_are_told_before_anything_is_made(walk, tmp_path, how, message):
+    with pytest.raises(ValueError, match=message):
+        loom.tiling.plan_fusion(walk, tmp_path / "job", **{"voxel_size": VOXEL} | how)
+    assert not (tmp_path / "job").exists()
+
+
+def test_a_cube_of_one_block_may_be_given_as_its_size(walk, tmp_path):
+    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=8 * VOXEL)
+    with Manifest(tmp_path / "job", is_job=True) as manifest:
+        assert manifest.plan["blocks"] == 1
+
+
+def test_another_plan_other_frames_and_another_kind_of_job_are_refused(own_walk, tmp_path):
+    job = tmp_path / "job"
+    first = loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=20.0)
+    assert loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=20.0) == first
+    with pytest.raises(FileError, match=r"blocks 6, was 31"):
+        loom.tiling.plan_fusion(own_walk, job, voxel_size=VOXEL, size=4.0)
+    with pytest.raises(FileError, match="plan_fusion"):
+        loom.tiling.run_tiles(job)
+    loom.tiling.run_job(job)
+    path = own_walk / "frame-000007.depth.png"
+    told = path.stat()
+    os.utime(path, ns=(0, 0))
+    with pytest.raises(FileError, match=r"/own:.*0.*13"):
+        loom.tiling.run_job(job)
+    os.utime(path, ns=(told.st_atime_ns, told.st_mtime_ns))
+    moved(own_walk, (0.1, 0, 0))
+    with pytest.raises(FileError, match="/own:"):
+        loom.tiling.run_job(job)
+    with pytest.raises(FileError, match="plan_fusion"):
+        loom.tiling.run_job(tmp_path)
+
+
+@pytest.mark.slow
+def test_a_damaged_surface_is_named(walk, tmp_path):
+    job = tmp_path / "job"
+    by_cubes(walk, job, size=2.0)
+    path = max((job / "cubes").iterdir(), key=lambda path: path.stat().st_size)
+    path.write_bytes(path.read_bytes()[:1000])
+    with pytest.raises(FileError, match=rf"{path.name}:"):
+        loom.tiling.finish_fusion(job)
+
+
+def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=20.0)
+    with Manifest(job, is_job=True) as manifest:
+        for death in range(3):
+            assert manifest.claim("tasks", f"dead {death}")["name"] == "frames 0 to 13"
+            manifest.give_back()
+    assert loom.tiling.run_job(job).aside == 1
+    retry_job(job)
+    with Manifest(job, is_job=True) as manifest, a_worker(job) as alive:
+        manifest.claim("tasks", alive)
+        manifest.give_back()
+        assert job_status(job).running == 1
+    assert loom.tiling.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+
+
+@pytest.mark.slow
+def test_shares_and_two_runs_at_once_do_every_task_once(walk, whole, tmp_path, monkeypatch):
+    job, done = tmp_path / "job", Counter()
+    do = fusion.FusionJob.do
+    monkeypatch.setattr(
+        fusion.FusionJob, "do", lambda self, stage, name, told: done.update([name]) or do(self, stage, name, told)
+    )
+    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=2.0)
+    assert loom.tiling.run_job(job, part=(1, 3)).done == 0
+    assert not loom.tiling.run_job(job, part=(2, 3)).is_finished
+    with ThreadPoolExecutor() as pool:
+        [*pool.map(loom.tiling.run_job, [job, job])]
+    assert job_status(job).is_finished and set(done.values()) == {1}
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)
+
+
+def test_progress_is_told_of_frames_and_of_cubes(walk, tmp_path, monkeypatch):
+    monkeypatch.setattr(fusion, "CHUNK", 4)
+    told = []
+    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=20.0)
+    loom.tiling.run_job(tmp_path / "job", progress=lambda *words: told.append(words))
+    assert list(dict.fromkeys(stage for stage, _, _ in told)) == ["frames", "cubes"]
+    assert told[0] == ("frames", 0, 4) and ("frames", 4, 4) in told
+    assert told[-1][1] == told[-1][2] > 0
+
+
+@pytest.mark.slow
+def test_the_task_of_a_worker_that_is_killed_is_done_again(walk, whole, tmp_path):
+    psutil, killed = pytest.importorskip("psutil"), []
+
+    def kill_one(stage, done, _):
+        if stage == "cubes" and done and not killed:
+            workers = [one for one in psutil.Process().children() if "spawn_main" in " ".join(one.cmdline())]
+            killed.append(workers[0])
+            workers[0].kill()
+
+    loom.tiling.plan_fusion(walk, tmp_path / "job", voxel_size=VOXEL, size=0.65)
+    assert loom.tiling.run_job(tmp_path / "job", workers=2, progress=kill_one).is_finished and killed
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(tmp_path / "job"))), whole)
+
+
+@pytest.mark.slow
+def test_a_runner_that_is_killed_is_gone_on_with(walk, whole, tmp_path):
+    job = tmp_path / "job"
+    loom.tiling.plan_fusion(walk, job, voxel_size=VOXEL, size=0.65)
+    kill_runner("loom.tiling.run_job", job, "cubes")
+    before = job_status(job)
+    assert before.done and not before.is_finished
+    assert loom.tiling.run_job(job).is_finished
+    np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)

@@ -1,0 +1,257 @@
+"""Worker processes of dask.distributed: tiles, and functions over many arguments."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.tiling import processes, tile_tree
+from pointloom.tiling.processes import Processes
+from pointloom.tiling.runners import retry_tiles
+from pointloom.tiling.status import tile_status
+
+from .scenes import finished, kill_runner, rows_of, survey
+
+distributed = pytest.importorskip("distributed")
+
+STEPS = [
+    {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+    {"step": "voxel_down_sample", "voxel_size": 0.5},
+]
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"), count=2000)
+
+
+@pytest.fixture(scope="module")
+def expected(files, tmp_path_factory):
+    job = tmp_path_factory.mktemp("alone")
+    loom.tiling.plan_tiles(files, STEPS, job, size=30.0)
+    assert loom.tiling.run_tiles(job).is_finished
+    return rows_of(finished(job))
+
+
+@pytest.fixture(scope="module")
+def scheduler():
+    """Address of a scheduler with one worker, both threads of this process."""
+    with distributed.LocalCluster(
+        1, processes=False, threads_per_worker=1, host="127.0.0.1", protocol="tcp", dashboard_address="127.0.0.1:0"
+    ) as found:
+        yield found.scheduler_address
+
+
+def test_a_cluster_gives_the_rows_of_one_process(files, expected, scheduler, tmp_path):
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    told = []
+    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler, progress=lambda *words: told.append(words))
+    assert status.is_finished and told[-1] == ("pass 2 of 2", 4, 4)
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+def failing(cloud):
+    raise ValueError("this step always fails")
+
+
+@pytest.mark.slow
+def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_path):
+    steps = [{"step": "function", "call": failing, "reach": 0}]
+    loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=30.0)
+    status = loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
+    assert status.failed == 4 and not status.waiting
+    assert all("this step always fails" in text for text in status.troubles.values())
+
+
+def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
+    monkeypatch.setattr(processes, "PATIENCE", 0.2)
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    with pytest.raises(loom.FileError, match=r"/plan\.sqlite:.*//127\.0\.0\.1.*9"):
+        loom.tiling.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
+    assert tile_status(tmp_path / "job").waiting == 4
+
+
+def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monkeypatch):
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    monkeypatch.setattr(processes, "_prepare", _another_version)
+    with pytest.raises(loom.FileError, match=r"/plan\.sqlite:.*0\.0\.1"):
+        loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
+    assert tile_status(tmp_path / "job").waiting == 4
+
+
+def _another_version(device):
+    return "0.0.1"
+
+
+def test_workers_and_a_scheduler_are_refused(files, tmp_path):
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    with pytest.raises(ValueError, match="workers, scheduler:"):
+        loom.tiling.run_tiles(tmp_path / "job", workers=2, scheduler="tcp://127.0.0.1:9")
+
+
+def test_workers_without_distributed_are_an_error_that_names_the_extra(files, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    with pytest.raises(loom.FileError, match=r"/plan\.sqlite:"):
+        loom.tiling.run_tiles(tmp_path / "job", workers=2)
+
+
+def dies(cloud, folder, deaths):
+    """Kill the worker, so often."""
+    if len([*Path(folder).iterdir()]) < deaths:
+        (Path(folder) / str(os.getpid())).touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return cloud
+
+
+@pytest.mark.slow
+def test_a_tile_at_which_workers_die_is_done_again_and_set_aside_after_three_deaths(
+    files, expected, two_workers, tmp_path
+):
+    for deaths in (2, 3):
+        folder, job = tmp_path / str(deaths), tmp_path / f"job{deaths}"
+        folder.mkdir()
+        step = {"step": "function", "call": dies, "reach": 0, "arguments": {"folder": str(folder), "deaths": deaths}}
+        loom.tiling.plan_tiles(files, [step, *STEPS], job, size=100.0)
+        status = loom.tiling.run_tiles(job, scheduler=two_workers)
+        assert len([*folder.iterdir()]) == deaths
+        if deaths == 2:
+            assert status.is_finished
+        else:
+            assert (status.aside, status.failed) == (1, 0)
+            assert "the worker died 3 times at it" in str(status)
+            retry_tiles(job)
+            assert loom.tiling.run_tiles(job, functions=[dies]).is_finished
+        np.testing.assert_array_equal(rows_of(finished(job)), expected)
+
+
+@pytest.mark.slow
+def test_a_script_may_start_workers_and_prints_nothing_of_them(files, expected, tmp_path):
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    script = tmp_path / "script.py"
+    text = "import os, sys, pointloom as loom\n"
+    text += "if __name__ == '__main__':\n    before = dict(os.environ)\n"
+    text += "    before.pop('__DASK_PARENT_PID', None)\n"
+    text += (
+        "    print(loom.tiling.run_tiles(sys.argv[1], workers=2))\n    assert before.items() <= os.environ.items()\n"
+    )
+    script.write_text(text)
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, str(script), str(tmp_path / "job")]
+    ended = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (ended.returncode, ended.stderr) == (0, "") and ended.stdout.startswith("4 of 4 tiles done")
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+@pytest.mark.slow
+def test_workers_of_a_runner_that_is_killed_end_and_the_job_goes_on(files, expected, tmp_path):
+    job = tmp_path / "job"
+    loom.tiling.plan_tiles(files, STEPS, job, size=4.0)
+    kill_runner("loom.tiling.run_tiles", job, "pass 2", workers=2)
+    before = tile_status(job)
+    assert before.done and not before.is_finished
+    assert loom.tiling.run_tiles(job).is_finished
+    np.testing.assert_array_equal(rows_of(finished(job)), expected)
+    assert not [*(job / "locks").iterdir()]
+
+
+@pytest.mark.slow
+def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tmp_path, monkeypatch):
+    monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 0.3)
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    alone = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": "127.0.0.1:0"}
+    with distributed.LocalCluster(n_workers=0, processes=False, **alone) as empty:
+        with pytest.raises(loom.FileError, match="there was no worker at"):
+            loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+        monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 60)
+        asked, ended = threading.Event(), processes._ended
+        monkeypatch.setattr(processes, "_ended", lambda *given: (asked.set(), ended(*given))[1])
+        closing = threading.Thread(target=lambda: asked.wait(60) and empty.close())
+        closing.start()
+        with pytest.raises(loom.FileError, match="has gone"):
+            loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
+        closing.join()
+    assert tile_status(tmp_path / "job").waiting == 4
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("openssl") is None, reason="certificates are made by openssl")
+def test_a_scheduler_with_certificates_takes_those_who_have_them(files, expected, tmp_path):
+    key, certificate = str(tmp_path / "key.pem"), str(tmp_path / "certificate.pem")
+    made = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2", "-subj", "/CN=localhost"]
+    subprocess.run([*made, "-keyout", key, "-out", certificate], check=True, capture_output=True)
+    roles = {f"tls_{role}_{what}": value for role in ("scheduler", "worker", "client")
+             for what, value in (("key", key), ("cert", certificate))}  # fmt: skip
+    security = distributed.Security(tls_ca_file=certificate, require_encryption=True, **roles)
+    told = {"host": "127.0.0.1", "protocol": "tls", "dashboard_address": "127.0.0.1:0", "security": security}
+    loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
+    with distributed.LocalCluster(1, processes=False, threads_per_worker=1, **told) as found:
+        address = found.scheduler_address
+        with pytest.raises(loom.FileError, match=r"no scheduler at tls://.*TLS"):
+            loom.tiling.run_tiles(tmp_path / "job", scheduler=address)
+        assert loom.tiling.run_tiles(tmp_path / "job", scheduler=address, security=security).is_finished
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), expected)
+
+
+def add(more, value):
+    return os.getpid(), more + value
+
+
+def die(folder, deaths, value):
+    """Kill this process at a value, so often."""
+    if value == 2 and len([*folder.iterdir()]) < deaths:
+        (folder / str(os.getpid())).touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return value
+
+
+def refuse(value):
+    raise loom.FileError("made.laz", f"holds {value}", remedy="Take another")
+
+
+def test_no_processes_map_in_this_one(tmp_path):
+    with Processes(0, tmp_path) as pool:
+        assert [*pool.map(partial(add, 1), [(1,)])] == [(os.getpid(), 2)]
+
+
+@pytest.mark.slow
+def test_processes_map_in_order_and_repeat_what_a_dead_one_had(tmp_path):
+    (tmp_path / "again").mkdir()
+    with Processes(2, tmp_path / "made.laz") as pool:
+        for more in (10, 20):
+            found = [*pool.map(partial(add, more), ((k,) for k in range(9)))]
+            assert [value for _, value in found] == [more + k for k in range(9)]
+            assert os.getpid() not in {process for process, _ in found}
+        with pytest.raises(loom.FileError, match=r"holds 3\. Take another"):
+            [*pool.map(refuse, [(3,)])]
+        assert [*pool.map(partial(die, tmp_path / "again", 2), ((k,) for k in range(5)))] == [*range(5)]
+        with pytest.raises(loom.FileError, match=r"made\.laz"):
+            [*pool.map(partial(die, tmp_path / "again", 99), ((k,) for k in range(5)))]
+
+
+@pytest.mark.slow
+def test_any_number_of_workers_writes_the_same_octree(tmp_path, monkeypatch):
+    monkeypatch.setattr(tile_tree, "MOST", 900)
+    monkeypatch.setattr(tile_tree, "LEAST", 30)
+    keep = {"step": "remove_radius_outlier", "nb_points": 1, "radius": 50.0}
+    loom.tiling.plan_tiles(survey(tmp_path, count=4000), [keep], tmp_path / "job", size=15.0)
+    assert loom.tiling.run_tiles(tmp_path / "job").is_finished
+    made = []
+    for workers in (0, 2):
+        told: list[tuple[str, int, int]] = []
+        path = tmp_path / f"{workers}.copc.laz"
+        tell = lambda *step, told=told: told.append(step)  # noqa: E731
+        loom.tiling.finish_tiles(tmp_path / "job", path, workers=workers, progress=tell)
+        made.append(path.read_bytes())
+        assert told[-1][1] == told[-1][2] and len({step[1] for step in told}) > 4
+    assert made[0] == made[1]

@@ -1,0 +1,257 @@
+"""Scans placed by a job are those placed in memory by the same pairs; what goes wrong is named and mended."""
+
+import errno
+from collections import Counter
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.registration.pose_graphs.multiway import FragmentPair
+from pointloom.tiling.jobs import scans as scans_job
+from pointloom.tiling.jobs.run_jobs import job_status, retry_job
+from pointloom.tiling.jobs.scans import groups_of, meeting_boxes, most_alike, nearest_of, place_box
+from pointloom.tiling.manifest import Manifest
+
+SIZE = 0.08
+STRAY = 3  # the scan that overlaps no other
+
+
+def relief(x, y):
+    """A surface that looks different everywhere."""
+    z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
+    return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
+
+
+@pytest.fixture(scope="module")
+def surveyed(tmp_path_factory):
+    """Files of four scans along a relief, the last of something else, and the places of the first three."""
+    folder, rng = tmp_path_factory.mktemp("scans"), np.random.default_rng(3)
+    paths, poses = [], []
+    for k in range(4):
+        x, y = rng.uniform(-1.1, 1.1, (2, 4000))
+        x = x + 0.9 * k - 1.6
+        T = np.eye(4)
+        T[:3, :3], T[:3, 3] = Rotation.random(random_state=k).as_matrix(), rng.uniform(-3, 3, 3)
+        points = (np.column_stack([x, y, relief(x, y)]) - T[:3, 3]) @ T[:3, :3]
+        if k == STRAY:
+            points = rng.normal(0, 1, (3000, 3)) * [1, 1, 0.01]
+        paths.append(folder / f"{k}.ply")
+        loom.write_point_cloud(paths[-1], loom.PointCloud(points))
+        poses.append(T)
+    return paths, np.array(poses)
+
+
+def in_memory(paths, device="cpu", **how):
+    clouds = [loom.read_point_cloud(path, device=device) for path in paths]
+    return loom.registration.register_fragments(clouds, voxel_size=SIZE, **how)
+
+
+def by_tasks(paths, job, device="cpu", **how):
+    loom.tiling.plan_registration(paths, job, voxel_size=SIZE, **how)
+    status = loom.tiling.run_job(job, device=device)
+    assert status.is_finished, status
+    return loom.tiling.finish_registration(job)
+
+
+@pytest.fixture(scope="module")
+def expected(surveyed):
+    return in_memory(surveyed[0])
+
+
+def assert_same(found, expected):
+    """The same pairs, groups, edges and poses, bit for bit."""
+    assert [pair[:2] for pair in found.pairs] == [pair[:2] for pair in expected.pairs]
+    assert [edge.uncertain for edge in found.pose_graph.edges] == [edge.uncertain for edge in expected.pose_graph.edges]
+    np.testing.assert_array_equal(found.groups, expected.groups)
+    np.testing.assert_array_equal(found.placed, expected.placed)
+    assert found.reference == expected.reference
+    np.testing.assert_array_equal(found.poses, expected.poses)
+    for mine, theirs in zip(found.pairs, expected.pairs, strict=True):
+        np.testing.assert_array_equal(mine.transformation, theirs.transformation)
+        assert mine.fitness == theirs.fitness
+        np.testing.assert_array_equal(mine.score, theirs.score)
+    for mine, theirs in zip(found.pose_graph.edges, expected.pose_graph.edges, strict=True):
+        np.testing.assert_array_equal(mine.information, theirs.information)
+
+
+def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surveyed, expected, tmp_path):
+    found = by_tasks(surveyed[0], tmp_path / "job", device)
+    assert found.placed.tolist() == [True, True, True, False]
+    assert_same(found, expected if device == "cpu" else in_memory(surveyed[0], device))
+    told = {pair[:2]: pair for pair in found.tried}  # of a pair that is found at last as a loop, that
+    assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
+    assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
+    for pair in found.pairs:
+        assert told[pair[:2]].verdict == "kept"
+        np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
+    for pair in found.tried:
+        if STRAY in pair[:2]:
+            assert pair.verdict not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
+    assert found.not_placed == [str(surveyed[0][STRAY])]
+    assert found.to_dict()["tried"][0]["source"] == str(surveyed[0][1])
+
+
+@pytest.mark.slow
+def test_level_scans_are_placed_as_in_memory_and_none_tilts(surveyed, tmp_path):
+    paths = []
+    for k, (path, T) in enumerate(zip(surveyed[0][:3], surveyed[1][:3], strict=True)):
+        turn = Rotation.from_euler("z", 50 * k, degrees=True).as_matrix()
+        paths.append(tmp_path / f"{k}.ply")
+        loom.write_point_cloud(paths[-1], loom.read_point_cloud(path).transform(T).rotate(turn, center=[k, 0, 0]))
+    how = {"free": ["x", "y", "z", "yaw"]}
+    found = by_tasks(paths, tmp_path / "job", **how)
+    assert found.placed.all() and np.abs(found.poses[:, 2, :2]).max() < 1e-15
+    assert_same(found, in_memory(paths, **how))
+
+
+def test_given_pairs_and_known_ones_are_those_of_memory(surveyed, expected, tmp_path):
+    first = expected.pairs[0]
+    known = [FragmentPair(first.source, first.target, first.transformation, 0.0, 1.0)]
+    how = {"pairs": [(2, 1), (0, 2)], "known": known}
+    assert_same(by_tasks(surveyed[0], tmp_path / "job", alike=0, **how), in_memory(surveyed[0], **how))
+    with Manifest(tmp_path / "job", is_job=True) as manifest:
+        names = [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = 1 ORDER BY id")]
+    assert names == ["pair 0 1", "pair 0 2", "pair 1 2"]
+
+
+def test_known_places_choose_the_pairs_and_looks_the_rest(surveyed, expected, tmp_path):
+    paths, poses = surveyed
+    found = by_tasks(paths, tmp_path / "job", places=[poses[0], poses[1], poses[2][:3, 3], None], place_error=0.05)
+    with Manifest(tmp_path / "job", is_job=True) as manifest:
+        near, alike = (
+            [row["name"] for row in manifest.rows("SELECT name FROM tasks WHERE stage = ? ORDER BY id", stage)]
+            for stage in (1, 2)
+        )
+    assert set(near) == {"pair 0 1", "pair 0 2", "pair 1 2"}
+    assert alike == ["pair 0 3", "pair 1 3", "pair 2 3"]
+    assert_same(found, expected)
+
+
+def test_boxes_meet_where_places_say_so():
+    low, high = np.array([-1.0, -1, 0]), np.array([1.0, 2, 1])
+    turned = np.eye(4)
+    turned[:2, :2] = [[0, -1], [1, 0]]
+    turned[0, 3] = 4.0
+    first, second = place_box(low, high, np.eye(4), 0.0), place_box(low, high, turned, 0.0)
+    np.testing.assert_array_equal(second, ([2, -1, 0], [5, 1, 1]))
+    assert meeting_boxes([first, None, second]) == []
+    assert meeting_boxes([place_box(low, high, np.eye(4), 0.5), None, place_box(low, high, turned, 0.5)]) == [(0, 2)]
+    row = [place_box(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
+    assert meeting_boxes(row) == [(i, j) for i in range(4) for j in range(i + 1, 4)]
+    assert nearest_of(meeting_boxes(row), row, 1) == [(0, 1), (2, 3)]
+    ball = place_box(low, high, np.array([0.0, 0, 10]), 0.25)
+    np.testing.assert_allclose(ball[1] - ball[0], 2 * (np.sqrt(1 + 4 + 1) + 0.25))
+    np.testing.assert_array_equal(groups_of(5, [(3, 1), (4, 3)]), [0, 1, 2, 1, 1])
+    looks = np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]])
+    assert most_alike(looks, 0, np.array([1, 2, 3]), 2) == [2, 1]
+
+
+def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_path):
+    paths = []
+    for path in surveyed[0]:
+        paths.append(tmp_path / path.name)
+        paths[-1].write_bytes(path.read_bytes() if path.name != "1.ply" else path.read_bytes()[:5000])
+    job = tmp_path / "job"
+    loom.tiling.plan_registration(paths, job, voxel_size=SIZE)
+    status = loom.tiling.run_job(job)
+    assert (status.failed, status.stage) == (1, "scans") and "1.ply" in status.troubles[str(paths[1])]
+    with pytest.raises(FileError, match="/job:"):
+        loom.tiling.finish_registration(job)
+    paths[1].write_bytes(surveyed[0][1].read_bytes())
+    retry_job(job)
+    assert loom.tiling.run_job(job).is_finished
+    assert_same(loom.tiling.finish_registration(job), expected)
+    loom.write_point_cloud(paths[0], loom.PointCloud(np.zeros((1, 3))))
+    with pytest.raises(FileError, match=r"0\.ply"):
+        loom.tiling.run_job(job)
+
+
+def test_a_damaged_surface_fails_its_pairs_by_name(surveyed, tmp_path):
+    job = tmp_path / "job"
+    loom.tiling.plan_registration(surveyed[0][:2], job, voxel_size=SIZE)
+    loom.tiling.run_job(job, part=(2, 3))  # a scan each; the pair is of the first share
+    loom.tiling.run_job(job, part=(3, 3))
+    surface = job / "surfaces" / "1.npz"
+    data = bytearray(surface.read_bytes())
+    data[len(data) // 2] ^= 1
+    surface.write_bytes(data)
+    status = loom.tiling.run_job(job)
+    assert status.failed == 1 and "1.npz: a scan's surface cannot be read" in status.troubles["pair 0 1"]
+
+
+def test_a_full_disk_fails_the_scan_and_leaves_nothing_half(surveyed, tmp_path, monkeypatch):
+    def full(file, **arrays):
+        file.write(b"half")
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE)
+    monkeypatch.setattr(np, "savez", full)
+    status = loom.tiling.run_job(tmp_path / "job")
+    assert status.failed == 4 and "No space left" in str(status)
+    assert not [*(tmp_path / "job" / "surfaces").iterdir()]
+
+
+def test_an_interrupted_run_does_no_pair_again(surveyed, expected, tmp_path, monkeypatch):
+    job, tried = tmp_path / "job", Counter()
+    do = scans_job.RegistrationJob.do
+
+    def stop(self, stage, name, told):
+        if stage == 1 and len(tried) == 3:
+            raise KeyboardInterrupt
+        tried.update([name] if stage == 1 else [])
+        return do(self, stage, name, told)
+
+    loom.tiling.plan_registration(surveyed[0], job, voxel_size=SIZE)
+    monkeypatch.setattr(scans_job.RegistrationJob, "do", stop)
+    with pytest.raises(KeyboardInterrupt):
+        loom.tiling.run_job(job)
+    assert job_status(job).done == 7
+    monkeypatch.setattr(
+        scans_job.RegistrationJob,
+        "do",
+        lambda self, stage, name, told: tried.update([name] if stage == 1 else []) or do(self, stage, name, told),
+    )
+    assert loom.tiling.run_job(job).is_finished
+    assert set(tried.values()) == {1} and len(tried) == 6
+    assert_same(loom.tiling.finish_registration(job), expected)
+
+
+def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
+    loom.write_point_cloud(tmp_path / "few.ply", loom.PointCloud(np.random.default_rng(0).random((3, 3)) * 100))
+    paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
+    found = by_tasks(paths, tmp_path / "job")
+    assert found.placed.tolist() == [True, False, True]
+    assert "few.ply: shows no surface" in str(job_status(tmp_path / "job"))
+
+
+@pytest.mark.parametrize(
+    ("how", "message"),
+    [
+        ({"places": [None]}, "places"),
+        ({"places": [None] * 3 + [np.eye(3)]}, r"places\[3\]"),
+        ({"places": [None] * 3 + [2 * np.eye(4)]}, r"places\[3\]"),
+        ({"places": [None] * 4, "pairs": [(0, 1)]}, "both"),
+        ({"neighbors": 2, "pairs": [(0, 1)]}, "both"),
+        ({"pairs": [(0, 4)]}, r"pairs\[0\]"),
+        ({"pairs": [(1, 1)]}, r"pairs\[0\]"),
+        ({"pairs": [3]}, r"pairs\[0\]"),
+        ({"place_error": -1}, "place_error"),
+        ({"alike": -1}, "alike"),
+    ],
+)
+def test_bad_arguments_are_told_before_anything_is_made(surveyed, tmp_path, how, message):
+    with pytest.raises(ValueError, match=message):
+        loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE, **how)
+    with pytest.raises(FileError, match=r"none\.ply"):
+        loom.tiling.plan_registration([*surveyed[0], tmp_path / "none.ply"], tmp_path / "job", voxel_size=SIZE)
+    assert not (tmp_path / "job").exists()
+
+
+def test_what_is_told_of_a_job_is_json(surveyed, tmp_path):
+    told = loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=SIZE)
+    assert told.to_dict()["job"] == "registration"
+    with pytest.raises(FileError, match=r"/job:.*voxel_size.*0\.1.*0\.08"):
+        loom.tiling.plan_registration(surveyed[0], tmp_path / "job", voxel_size=0.1)

@@ -1,0 +1,103 @@
+"""Points of tiles in another coordinate system: by PROJ, the same rows whatever the tiles' size."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.io.points.las import open_las
+from pointloom.io.points.las_crs import find_text
+from pointloom.tiling.sources import describe
+from pointloom.tiling.steps.parse import parse_steps
+
+laspy = pytest.importorskip("laspy")
+pyproj = pytest.importorskip("pyproj")
+CORNER = np.array([455_000.0, 5_420_000.0, 100.0])
+STEP = {"step": "reproject", "to_crs": "EPSG:25833"}
+
+
+@pytest.fixture
+def survey(tmp_path):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.offsets = [1e-3] * 3, CORNER
+    header.add_crs(pyproj.CRS("EPSG:25832"))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = (np.random.default_rng(0).random((3000, 3)) * (40, 40, 3) + CORNER).T
+    las.intensity = np.arange(3000).astype(np.uint16)
+    las.write(tmp_path / "a.laz")
+    return tmp_path / "a.laz"
+
+
+def made(survey, steps, folder, name="out.laz", **how):
+    loom.tiling.plan_tiles(survey, steps, folder, **how)
+    status = loom.tiling.run_tiles(folder)
+    assert status.is_finished, status
+    return loom.tiling.finish_tiles(folder, folder.parent / name)
+
+
+@pytest.mark.parametrize("name", ["out.laz", pytest.param("out.copc.laz", marks=pytest.mark.slow)])
+def test_points_are_those_of_proj_whatever_the_tiles_size(survey, tmp_path, name):
+    found = []
+    for size in (15.0, 100.0):
+        path = made(survey, [STEP], tmp_path / f"job{size:g}", name, size=size)
+        cloud = loom.read_point_cloud(path)
+        order = np.argsort(np.asarray(cloud["intensity"]), kind="stable")
+        found.append(cloud.points[order])
+        header = open_las(path).header
+        assert pyproj.CRS.from_wkt(find_text(header)).equals(pyproj.CRS("EPSG:25833"), ignore_axis_order=True)
+    np.testing.assert_array_equal(*found)
+    points = loom.read_point_cloud(survey).points
+    way = pyproj.Transformer.from_crs("EPSG:25832", "EPSG:25833", always_xy=True)
+    expected = np.column_stack([*way.transform(*points[:, :2].T), points[:, 2]])
+    assert np.abs(found[0] - expected).max() < 0.00051
+
+
+def test_steps_before_count_in_the_source(survey, tmp_path):
+    thin = {"step": "thin", "spacing": 2.0}
+    thinned = loom.read_point_cloud(made(survey, [thin], tmp_path / "b", "b.laz", size=21.0))
+    path = made(survey, [thin, STEP | {"to_crs": "EPSG:2056"}], tmp_path / "c", "c.laz", size=21.0)
+    assert len(loom.read_point_cloud(path)) == len(thinned) < 1500
+
+
+def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
+    """25832 with heights to 25833 without: the heights' system is still told. Feet beside metres are refused."""
+    how = {"from_crs": "EPSG:25832+5783"}
+    header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
+    parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list
+    assert [part.to_epsg() for part in parts][1] == 5783
+    with pytest.raises(ValueError, match=r"^steps:"):
+        loom.tiling.plan_tiles(survey, [STEP | {"to_crs": "EPSG:2994"}], tmp_path / "job")
+
+
+def test_points_without_a_place_are_counted(survey):
+    (step,) = parse_steps([STEP])
+    step.settle([describe(survey)])
+    with pytest.raises(ValueError, match=r"^steps:.*1.*2.*25833"):
+        step._moved(np.array([CORNER, [1e9, 1e9, 0]]))
+
+
+@pytest.mark.parametrize(
+    ("step", "message"),
+    [
+        ({"to_crs": "EPSG:4326"}, "to_crs: WGS 84 does not count in lengths"),
+        ({"to_crs": "EPSG:0"}, "to_crs: no coordinate system: 'EPSG:0'"),
+        ({"to_crs": 3}, "to_crs: expected a system such as"),
+    ],
+)
+def test_systems_that_cannot_be_are_refused(survey, tmp_path, step, message):
+    with pytest.raises(ValueError, match=message):
+        loom.tiling.plan_tiles(survey, [{"step": "reproject"} | step], tmp_path / "job")
+
+
+def test_what_goes_wrong_is_named(survey, tmp_path):
+    with pytest.raises(ValueError, match=r"^steps:"):
+        loom.tiling.plan_tiles(survey, [STEP, {"step": "thin", "spacing": 1.0}], tmp_path / "job")
+    plain = tmp_path / "plain.laz"
+    loom.write_point_cloud(plain, loom.PointCloud(np.random.default_rng(0).random((100, 3))))
+    with pytest.raises(loom.FileError, match=r"/plain\.laz:.*from_crs"):
+        loom.tiling.plan_tiles(plain, [STEP], tmp_path / "job")
+    far = np.random.default_rng(0).random((100, 3)) + np.array([1e9, 1e9, 0])
+    loom.write_point_cloud(plain, loom.PointCloud(far))
+    with pytest.raises(ValueError, match=r"^steps:.*1.*25833"):
+        loom.tiling.plan_tiles(plain, [STEP | {"from_crs": "EPSG:25832"}], tmp_path / "job")
+    loom.tiling.plan_tiles(survey, [STEP], tmp_path / "again")
+    assert loom.tiling.plan_tiles(survey, [STEP], tmp_path / "again").waiting > 0  # the same plan

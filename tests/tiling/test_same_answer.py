@@ -1,0 +1,170 @@
+"""Tiles give the bits of the operations in memory, whatever their size."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.io.points.las_writer import write_las
+from pointloom.io.table import PointTable
+from pointloom.tiling import plan as plan_module
+from pointloom.tiling import work_tile
+from pointloom.tiling.manifest import NOT_LAID, Manifest
+
+from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
+
+MIDDLE = (CORNER + np.array([SIDE / 2, SIDE / 2, 0])).tolist()
+CHAINS = {
+    "voxels": [{"step": "voxel_down_sample", "voxel_size": 0.7}],
+    "radius outliers": [{"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9}],
+    "normals in a radius": [{"step": "estimate_normals", "radius": 1.0, "max_nn": None}],
+    "normals of both": [{"step": "estimate_normals", "radius": 1.5, "max_nn": 10}],
+    "normals of the nearest": [{"step": "estimate_normals", "max_nn": 12}],
+    "statistical outliers": [{"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 1.5}],
+    "smoothing": [{"step": "smooth_mls", "radius": 1.0, "max_nn": None}],
+    "smoothing of the nearest": [{"step": "smooth_mls", "radius": 1.5, "max_nn": 12}],
+    "a box": [
+        {"step": "crop", "min_bound": MIDDLE, "max_bound": (np.array(MIDDLE) + 15).tolist()},
+        {"step": "remove_radius_outlier", "nb_points": 4, "radius": 0.9},
+    ],
+    "a chain": [
+        {"step": "remove_statistical_outlier", "nb_neighbors": 8, "std_ratio": 2.0},
+        {"step": "voxel_down_sample", "voxel_size": 0.5},
+        {"step": "remove_radius_outlier", "nb_points": 2, "radius": 1.2},
+        {"step": "estimate_normals", "max_nn": 10},
+    ],
+}
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    return survey(tmp_path_factory.mktemp("survey"))
+
+
+def in_one_piece(files, steps, plan):
+    return in_memory(whole_cloud(files, np.array(plan["origin"])), steps, plan["voxel_corner"])
+
+
+def check(files, steps, job, **how):
+    """Hold that tiles give the rows of one machine; the result."""
+    found, plan = tiled(files, steps, job, **how)
+    expected = in_one_piece(files, steps, plan)
+    assert len(expected) > 0
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("chain", "size"),
+    [
+        *((chain, 20.0) for chain in ("normals of both", "a box", "a chain")),
+        *(pytest.param(chain, 17.3, marks=pytest.mark.slow) for chain in CHAINS),
+        pytest.param("a chain", 100.0, marks=pytest.mark.slow),
+    ],
+)
+def test_tiles_of_any_size_give_the_bits_of_one_machine(files, tmp_path, chain, size):
+    check(files, CHAINS[chain], tmp_path / "job", size=size)
+
+
+def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
+    init = work_tile.Plan.__init__
+
+    def with_small_guesses(self, told):
+        init(self, told)
+        for step in self.steps:
+            step.reach = 0.6
+
+    monkeypatch.setattr(plan_module.Plan, "__init__", with_small_guesses)
+    check(files, CHAINS["normals of the nearest"], tmp_path / "job", size=20.0)
+
+
+@pytest.mark.parametrize("suffix", [pytest.param(".las", marks=pytest.mark.slow), ".copc.laz"])
+def test_every_kind_of_file_gives_the_same(tmp_path, suffix):
+    files = survey(tmp_path, count=2000)
+    others = [tmp_path / f"other{number}{suffix}" for number in range(2)]
+    for path, like in zip(others, files, strict=True):
+        loom.write_point_cloud(path, loom.read_point_cloud(like), like=like, scale=1e-6)
+    check(others, CHAINS["normals of the nearest"], tmp_path / "job", size=21.0)
+
+
+def test_the_result_may_be_a_copc_file(files, tmp_path):
+    found = check(files, CHAINS["voxels"], tmp_path / "job", size=30.0, output="copc")
+    part = loom.read_copc(tmp_path / "job" / "result.copc.laz", within=loom.AxisAlignedBoundingBox(CORNER, MIDDLE))
+    assert 0 < len(part) < len(found)
+
+
+@pytest.mark.slow
+def test_steps_without_reach_lose_no_point_on_borders_that_are_rounded(tmp_path):
+    corner, cells, size = np.array([636_001.76, 848_935.2]), 14, 41.3
+    places = np.random.default_rng(0).integers(0, cells + 1, (3000, 2)) * size
+    points = np.column_stack([corner + places, np.arange(3000) * 0.01])
+    points[0, :2] = corner
+    path = tmp_path / "grid.laz"
+    write_las(path, PointTable(points, attributes={"gps_time": np.arange(3000.0)}), scale=1e-5, offset=points[0])
+    steps = [{"step": "crop", "min_bound": [0, 0, -1], "max_bound": [1e7, 1e7, 1e4]}]
+    found, plan = tiled([path], steps, tmp_path / "job", size=size)
+    assert np.prod(plan["shape"]) >= cells**2
+    np.testing.assert_array_equal(np.sort(found["gps_time"]), np.arange(3000.0))
+
+
+def brighter(cloud, by):
+    cloud["intensity"] = np.asarray(cloud["intensity"]).astype(np.uint16) // by
+    return cloud.select_by_mask(np.asarray(cloud["intensity"]) > 1000)
+
+
+def test_a_function_with_its_reach_is_a_step(files, tmp_path):
+    steps = [{"step": "function", "call": brighter, "reach": 0, "arguments": {"by": 2}}]
+    found, plan = tiled(files, steps, tmp_path / "job", size=30.0)
+    expected = brighter(whole_cloud(files, np.array(plan["origin"])), 2)
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected))
+
+
+def test_an_area_is_done_alone(files, tmp_path):
+    low = CORNER[:2] + 12
+    only = [*low, *(low + 2)]
+    found, plan = tiled(files, CHAINS["radius outliers"], tmp_path / "job", size=10.0, only=only)
+    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), CHAINS["radius outliers"], None)
+    offsets = (expected.points - CORNER)[:, :2]
+    mask = ((offsets > 9.999) & (offsets < 19.999)).all(axis=1)
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+def strips(folder):
+    """The survey as four files side by side."""
+    cloud = whole_cloud(survey(folder), CORNER)
+    strip = ((cloud.points[:, 0] - CORNER[0]) // (SIDE / 4)).clip(0, 3)
+    paths = [folder / f"strip{number}.laz" for number in range(4)]
+    for number, path in enumerate(paths):
+        loom.write_point_cloud(path, cloud.select_by_mask(strip == number), scale=STEP)
+    return paths
+
+
+def laid(job):
+    with Manifest(job) as manifest:
+        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", NOT_LAID)]
+
+
+def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):
+    files = strips(tmp_path)
+    low = CORNER[:2] + 2
+    steps = CHAINS["radius outliers"]
+    found, plan = tiled(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(found), rows_of(expected.select_by_mask(mask)))
+
+
+@pytest.mark.slow
+def test_a_file_that_turns_out_to_be_needed_is_laid_then(tmp_path, monkeypatch, two_workers):
+    files = strips(tmp_path)
+    steps = [{"step": "estimate_normals", "max_nn": 12}]
+    low = CORNER[:2] + 2
+    with monkeypatch.context() as patch:
+        patch.setattr(plan_module, "far_files", lambda *_: {1, 2, 3})
+        loom.tiling.plan_tiles(files, steps, tmp_path / "job", size=10.0, only=[*low, *(low + 4)])
+    assert laid(tmp_path / "job") == [0]
+    assert loom.tiling.run_tiles(tmp_path / "job", scheduler=two_workers).is_finished
+    assert laid(tmp_path / "job") == [0, 1]
+    expected = in_memory(whole_cloud(files, np.array(plan_of(tmp_path / "job")["origin"])), steps, None)
+    mask = ((expected.points - CORNER)[:, :2] < 9.999).all(axis=1)
+    np.testing.assert_array_equal(rows_of(finished(tmp_path / "job")), rows_of(expected.select_by_mask(mask)))

@@ -1,0 +1,259 @@
+"""Ground, heights above it and rasters of tiles are those of one machine, whatever the tiles' size."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.io.points.las import read_las
+from pointloom.io.points.las_writer import write_las
+from pointloom.io.table import PointTable
+from pointloom.tiling.manifest import Manifest
+
+CORNER = np.array([500_000.0, 4_000_000.0, 100.0])
+WIDE = np.array([180.0, 130.0])
+GROUND = {"step": "classify_ground", "cell_size": 1.0, "max_window": 3.0}  # reaches 63 m
+ABOVE = {"step": "height_above_ground", "reach": 9.0}
+
+
+def hills(seed=0, count=15_000):
+    """A hilly ground with houses, trees, a pond without points, strays below, and points on borders and corners."""
+    rng = np.random.default_rng(seed)
+    places = rng.random((count, 2)) * WIDE
+    places[:600] = rng.integers(0, 7, (600, 2)) * [30.0, 20.0]
+    x, y = places.T
+    height = 4 * np.sin(x / 25) + 3 * np.cos(y / 19)
+    house = (x % 40 < 5) & (y % 30 < 5)
+    height += np.where(house, 6.0, 0.03 * rng.normal(size=count)) + (rng.random(count) < 0.1) * rng.random(count) * 9
+    height[::501] -= 12
+    pond = np.hypot(x - 110, y - 70) < 12
+    points = np.column_stack([places, np.round(height, 3)])[~pond] + CORNER
+    points[0], points[1] = CORNER, CORNER + np.array([*WIDE, 0])
+    return points
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory):
+    folder, points = tmp_path_factory.mktemp("hills"), hills()
+    rng = np.random.default_rng(1)
+    paths = []
+    for number, rows in enumerate(np.array_split(rng.permutation(len(points)), 2)):
+        here = points[rows]
+        table = PointTable(here, attributes={
+            "intensity": rng.integers(0, 60000, len(here)).astype(np.uint16),
+            "return_number": rng.integers(1, 4, len(here)).astype(np.uint8),
+            "number_of_returns": np.full(len(here), 3, np.uint8),
+            "classification": np.where(rng.random(len(here)) < 0.02, 7, 0).astype(np.uint8),
+        })  # fmt: skip
+        paths.append(folder / f"hills{number}.laz")
+        write_las(paths[-1], table, scale=1e-3, offset=CORNER)
+    return paths
+
+
+def whole(paths, plan):
+    tables = [read_las(path) for path in paths]
+    names = tables[0].attributes
+    attributes = {name: np.concatenate([table.attributes[name] for table in tables]) for name in names}
+    return loom.PointCloud(np.concatenate([table.points for table in tables]), origin=plan["origin"], **attributes)
+
+
+def classified(cloud, **how):
+    ground = loom.classify_ground(cloud, cell_size=1.0, max_window=3.0, corner=(0, 0), **how)
+    cloud = cloud.copy()
+    before = np.asarray(cloud["classification"])
+    cloud["classification"] = np.where(ground, 2, np.where(before == 0, 1, before)).astype(np.uint8)
+    return cloud
+
+
+def rows_of(cloud, *names):
+    columns = [np.rint((cloud.points - CORNER) * 1000)] + [
+        np.asarray(cloud[name], np.float64)[:, None] for name in names
+    ]
+    rows = np.column_stack(columns)
+    return rows[np.lexsort(rows.T)]
+
+
+def run(paths, steps, folder, **how):
+    loom.tiling.plan_tiles(paths, steps, folder, **how)
+    status = loom.tiling.run_tiles(folder)
+    assert status.is_finished, status
+    result = loom.tiling.finish_tiles(folder)
+    with Manifest(folder) as manifest:
+        return result, manifest.plan
+
+
+@pytest.mark.parametrize("size", [60.0, pytest.param(61.3, marks=pytest.mark.slow)])
+def test_tiles_of_any_size_have_the_ground_and_heights_of_one_machine(files, tmp_path, size):
+    result, plan = run(files, [GROUND, ABOVE], tmp_path / "job", size=size)
+    cloud = classified(whole(files, plan))
+    cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9.0)
+    labels = np.asarray(cloud["classification"])
+    assert 0.5 < (labels == 2).mean() < 0.95
+    assert np.isfinite(cloud["height_above_ground"]).mean() > 0.9
+    names = ("intensity", "classification", "height_above_ground")
+    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
+
+
+RASTERS = [
+    {"step": "rasterize", "cell": 2.0, "kind": "dtm", "reach": 6.0},
+    {"step": "rasterize", "cell": 1.0, "kind": "dsm", "corner": (0.3, 0.7)},
+    {"step": "rasterize", "cell": 3.0, "kind": "chm", "reach": 7.0},
+    {"step": "rasterize", "cell": 7.7, "kind": "density"},
+    {"step": "rasterize", "cell": 1.5, "kind": "intensity"},
+    {"step": "rasterize", "cell": 1.0, "kind": "lowest", "fill": 4.0},
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [61.3, 400.0])
+def test_the_mosaic_of_tiles_is_the_raster_of_one_machine(files, tmp_path, size):
+    rasterio = pytest.importorskip("rasterio")
+    _, plan = run(files, [GROUND, *RASTERS], tmp_path / "job", size=size)
+    cloud = classified(whole(files, plan))
+    for step in RASTERS:
+        told = {key: value for key, value in step.items() if key not in ("step", "fill")}
+        raster = loom.rasterize(cloud, **told)
+        if "fill" in step:
+            raster = raster.fill_gaps(step["fill"])
+            assert raster.filled.any() and np.isnan(raster.values).any()
+        with rasterio.open(tmp_path / "job" / f"result.{step['kind']}.tif") as file:
+            assert file.bounds == pytest.approx(raster.bounds, abs=1e-6)
+            values = np.where(np.isfinite(raster.values), raster.values, np.float32(-9999))
+            np.testing.assert_array_equal(file.read(1), values)
+            np.testing.assert_array_equal(file.read(2) != 0, raster.filled)
+            assert file.profile["tiled"] and file.nodata == -9999
+
+
+def test_an_area_has_the_cells_of_its_tiles(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    steps = [{"step": "rasterize", "cell": 1.5, "kind": "lowest"}]
+    low = CORNER[:2] + 70
+    _, plan = run(files, steps, tmp_path / "job", size=30.0, only=[*low, *(low + 40)])
+    raster = loom.rasterize(whole(files, plan), 1.5, "lowest")
+    with rasterio.open(tmp_path / "job" / "result.lowest.tif") as file:
+        found, bounds = file.read(1, masked=True).filled(np.nan), file.bounds
+    assert found.shape == (40, 40)
+    row, column = round((raster.bounds[3] - bounds.top) / 1.5), round((bounds.left - raster.bounds[0]) / 1.5)
+    np.testing.assert_array_equal(found, raster.values[row : row + 40, column : column + 40])
+
+
+@pytest.mark.slow
+def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    away = {"step": "crop", "min_bound": (CORNER - 50).tolist(), "max_bound": (CORNER - 40).tolist()}
+    steps = [RASTERS[5] | {"fill": None}, RASTERS[3]]
+    result, _ = run(files, steps, tmp_path / "with", size=60.0)
+    rasters, _ = run(files, [*steps, away], tmp_path / "without", size=60.0)
+    assert result.name == "result.laz" and rasters.name == "result.lowest.tif" and not result.with_name("x").exists()
+    for kind in ("lowest", "density"):
+        with (
+            rasterio.open(result.with_name(f"result.{kind}.tif")) as file,
+            rasterio.open(rasters.with_name(f"result.{kind}.tif")) as other,
+        ):
+            np.testing.assert_array_equal(file.read(), other.read())
+    with pytest.raises(FileError, match=r"result\.lowest\.tif"):
+        loom.tiling.finish_tiles(tmp_path / "without", overwrite=False)
+    assert not (tmp_path / "without" / "result.laz").exists()
+    loom.tiling.plan_tiles(files, [away], tmp_path / "nothing", size=60.0)
+    loom.tiling.run_tiles(tmp_path / "nothing")
+    with pytest.raises(FileError, match="there is nothing to write: the steps left no point"):
+        loom.tiling.finish_tiles(tmp_path / "nothing")
+
+
+@pytest.mark.slow
+def test_an_area_without_ground_has_empty_rasters(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    rasters, _ = run(files, [RASTERS[0], RASTERS[2]], tmp_path / "job", size=100.0)  # nothing is of class 2
+    for kind in ("dtm", "chm"):
+        with rasterio.open(rasters.with_name(f"result.{kind}.tif")) as file:
+            assert file.shape[0] > 20 and (file.read(1) == -9999).all()
+
+
+@pytest.mark.slow
+def test_large_mosaics_have_overviews_in_the_order_of_the_cloud(files, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    step = {"step": "rasterize", "cell": 0.1, "kind": "density"}
+    rasters, plan = run(files, [step], tmp_path / "job", size=60.0)
+    path = rasters.with_name("result.density.tif")
+    full = loom.rasterize(whole(files, plan), 0.1, "density").values
+    with rasterio.open(path) as file:
+        assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
+        assert file.overviews(1) == file.overviews(2) == [2, 4, 8]
+        assert file.descriptions == ("density", "filled")
+        np.testing.assert_array_equal(file.read(1), full)
+        total = file.read(1).mean()
+    with rasterio.open(path, overview_level=0) as file:
+        assert file.shape == tuple(edge // 2 for edge in full.shape)
+        assert file.read(1).mean() == pytest.approx(total, rel=1e-3)  # cells are means, not every other one
+    assert not [*path.parent.glob(".*.part")]
+
+
+def test_a_tile_without_points_has_the_ground_that_is_near(tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    places = np.random.default_rng(0).random((4000, 2)) * [90, 30]
+    places = places[(places[:, 0] < 29) | (places[:, 0] > 61)]
+    classes = np.full(len(places), 2, np.uint8)
+    table = PointTable(np.column_stack([places, places[:, 0]]), attributes={"classification": classes})
+    write_las(tmp_path / "gap.laz", table, scale=1e-3)
+    step = {"step": "rasterize", "cell": 1.0, "reach": 8.0}
+    _, plan = run([tmp_path / "gap.laz"], [step], tmp_path / "job", size=30.0)
+    raster = loom.rasterize(whole([tmp_path / "gap.laz"], plan), 1.0, reach=8.0)
+    with rasterio.open(tmp_path / "job" / "result.dtm.tif") as file:
+        found = file.read(1)
+    assert np.isfinite(raster.values[:, 30:36]).all() and np.isnan(raster.values[:, 40:50]).all()
+    np.testing.assert_array_equal(found, np.where(np.isfinite(raster.values), raster.values, np.float32(-9999)))
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        ({"kind": "dem"}, "kind: expected 'dtm'"),
+        ({"method": "tin"}, "any distance"),
+        ({"cell": 0}, "cell"),
+        ({"reach": -1}, "reach"),
+        ({"name": "../x"}, "name: expected letters"),
+        ({"classes": [300]}, "classes"),
+        ({"fill": 0}, "fill"),
+    ],
+)
+def test_a_raster_that_cannot_be_is_refused_before_anything_runs(files, tmp_path, step, said):
+    with pytest.raises(ValueError, match=said):
+        loom.tiling.plan_tiles(files, [{"step": "rasterize", "cell": 1.0} | step], tmp_path / "job")
+
+
+def test_two_rasters_of_one_name_are_refused(files, tmp_path):
+    steps = [{"step": "rasterize", "cell": 1.0}, {"step": "rasterize", "cell": 2.0}]
+    with pytest.raises(ValueError, match=r"^steps:"):
+        loom.tiling.plan_tiles(files, steps, tmp_path / "job")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [70.0, 95.3, 1000.0])
+@pytest.mark.parametrize("name", ["lidar-pcl-terrain/samp11-utm.pcd", "lidar-pdal/laz/autzen_trim.laz"])
+def test_real_surveys_are_the_same_by_tiles(scan_file, tmp_path, name, size):
+    rasterio = pytest.importorskip("rasterio")
+    path, scale = scan_file(name), 3.28 if "pdal" in name else 1.0  # feet
+    if path.suffix == ".pcd":
+        cloud = loom.read_point_cloud(path)
+        path = tmp_path / "survey.laz"
+        write_las(
+            path, PointTable(cloud.points, attributes={"classification": np.zeros(len(cloud), np.uint8)}), scale=1e-3
+        )
+    told = {"cell_size": scale, "max_window": 6 * scale, "elevation_threshold": 0.5 * scale, "scaling": 1.25 * scale}
+    steps = [{"step": "classify_ground"} | told, {"step": "height_above_ground", "reach": 9 * scale, "cell": scale}]
+    kinds = {"dtm": 2.0 * scale, "chm": 3.0 * scale, "density": 5.0}
+    steps += [{"step": "rasterize", "cell": cell, "kind": kind, "reach": 9 * scale} for kind, cell in kinds.items()]
+    result, plan = run([path], steps, tmp_path / "job", size=size * scale)
+    cloud = whole([path], plan)
+    ground = loom.classify_ground(cloud, **told, corner=(0, 0))
+    cloud["classification"] = np.where(ground, 2, 1).astype(np.uint8)
+    cloud["height_above_ground"] = loom.height_above_ground(cloud, reach=9 * scale, cell=scale)
+    names = ("classification", "height_above_ground")
+    np.testing.assert_array_equal(rows_of(loom.read_point_cloud(result), *names), rows_of(cloud, *names))
+    for kind, cell in kinds.items():
+        raster = loom.rasterize(cloud, cell, kind, reach=9 * scale)
+        with rasterio.open(tmp_path / "job" / f"result.{kind}.tif") as file:
+            assert file.bounds == pytest.approx(raster.bounds, abs=1e-6)
+            np.testing.assert_array_equal(file.read(1, masked=True).filled(np.nan), raster.values)

@@ -1,0 +1,202 @@
+"""COPC from tiles on disk: the octree of one machine, whatever is held at once; faults are named and leave no file."""
+
+from contextlib import nullcontext
+
+import laspy
+import numpy as np
+import pytest
+from laspy.copc import Bounds, CopcReader
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.io.points.copc import open_copc
+from pointloom.io.points.copc_writer import write_copc
+from pointloom.io.points.las import open_las, read_las
+from pointloom.kernels.lang import array, int32, kernel, launch, tid
+from pointloom.kernels.memory import download, empty, upload
+from pointloom.kernels.sampling.detail_levels import priority
+from pointloom.tiling import tile_tree
+
+from .scenes import CORNER, survey
+
+KEEP = [{"step": "crop", "min_bound": (CORNER - 10).tolist(), "max_bound": (CORNER + 1e4).tolist()}]
+
+
+def job_of(cloud, folder, size, **how):
+    """A finished job that keeps all points."""
+    loom.write_point_cloud(folder / "cloud.laz", cloud, scale=0.001)
+    loom.tiling.plan_tiles(folder / "cloud.laz", KEEP, folder / "job", size=size)
+    assert loom.tiling.run_tiles(folder / "job").is_finished
+    return folder / "job"
+
+
+def dense_in_a_corner(count=15_000):
+    """A surface so dense in one corner that points share the voxels of the coarsest level."""
+    rng = np.random.default_rng(7)
+    xy = rng.random((count, 2)) ** 6 * 40
+    points = np.column_stack([xy, np.sin(xy[:, 0]) + 0.01 * rng.normal(size=count)]) + CORNER
+    return loom.PointCloud(points, gps_time=rng.random(count), height=rng.random(count).astype(np.float32))
+
+
+def in_memory(job, path):
+    """The COPC file that one machine makes of the merged points."""
+    merged = loom.tiling.finish_tiles(job, path.with_name("merged.laz"))
+    header = open_las(merged).header
+    write_copc(path, read_las(merged), scale=header.scales, offset=header.offsets, like=header)
+    return path
+
+
+@pytest.fixture(scope="module")
+def job(tmp_path_factory):
+    return job_of(dense_in_a_corner(), tmp_path_factory.mktemp("dense"), 9.0)
+
+
+def test_what_is_held_at_once_gives_the_bytes_of_the_file_made_in_memory(job, tmp_path):
+    found = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    assert found.read_bytes() == in_memory(job, tmp_path / "b.copc.laz").read_bytes()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("most", [9000, 2000])
+def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, most):
+    monkeypatch.setattr(tile_tree, "MOST", most)
+    monkeypatch.setattr(tile_tree, "LEAST", 200)
+    monkeypatch.setattr("pointloom.io.points.copc_writer._LEAST", 200)
+    monkeypatch.setattr(tile_tree, "_KEPT_BYTES", 1)
+    found = open_copc(loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz"))
+    wanted = open_copc(in_memory(job, tmp_path / "b.copc.laz"))
+    assert wanted.nodes["level"].max() >= 4
+    names = ["level", "cell", "count"]
+    np.testing.assert_array_equal(found.nodes[names], wanted.nodes[names])
+    for k in range(len(found.nodes)):
+        assert found.unpack(np.array([k])) == wanted.unpack(np.array([k]))
+
+
+@pytest.mark.slow
+def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job, tmp_path, monkeypatch):
+    monkeypatch.setattr(tile_tree, "MOST", 150)
+    monkeypatch.setattr(tile_tree, "LEAST", 0)
+    monkeypatch.setattr("pointloom.io.points.copc_writer._LEAST", 0)
+    paths, counts = zip(*((path, open_las(path).header.point_count) for path in (job / "tiles").iterdir()), strict=True)
+    tree = tile_tree.TileTree([*paths], [*counts], lambda *_: None)
+    assert max(leaf.depth for leaf in tree.leaves) > 7
+    seen: dict[int, list] = {}
+    for node in tree.nodes():
+        seen.setdefault(node.level, []).append(tree.positions(node.rows))
+        low = tree.corner + np.array(node.cell) * tree.side / 2**node.level
+        assert (seen[node.level][-1] >= low - 1e-9).all()
+        assert (seen[node.level][-1] <= low + tree.side / 2**node.level + 1e-9).all()
+    coarse = np.concatenate(seen[0])
+    everything = np.concatenate([points for held in seen.values() for points in held])
+    cells, every = (
+        np.unique(np.minimum((points - tree.corner) // (tree.side / 128), 127), axis=0)
+        for points in (coarse, everything)
+    )
+    assert len(coarse) == len(cells) == len(every) and len(everything) == sum(counts)
+
+
+def test_laspy_reads_it_whole_and_by_window(job, tmp_path, monkeypatch):
+    monkeypatch.setattr(tile_tree, "MOST", 4000)
+    path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    stored = read_las(path).points
+    low, high = CORNER + np.array([1, 2, -5]), CORNER + np.array([9, 8, 5])
+    with CopcReader.open(str(path)) as reader:
+        assert reader.header.point_count == len(reader.query()) == 15_000
+        inside = ((stored >= low) & (stored <= high)).all(axis=1).sum()
+        assert 0 < len(reader.query(bounds=Bounds(low, high))) == inside
+
+
+@kernel
+def rank_kernel(numbers: array(dtype=int32), ranks: array(dtype=int32)):
+    i = tid()
+    ranks[i] = priority(numbers[i])
+
+
+@pytest.mark.slow
+def test_priorities_are_those_of_the_kernel():
+    numbers = np.array([0, 1, 7, 2**31 - 1, 2**31, 2**32 + 5, 3_000_000_000, 9_876_543_210])
+    ranks = empty(len(numbers), int32, "cpu")
+    launch(rank_kernel, len(numbers), [upload(numbers.astype(np.int32), int32, "cpu"), ranks])
+    assert download(ranks).tolist() == [tile_tree.priority_of(number) for number in numbers.tolist()]
+
+
+@pytest.mark.parametrize(
+    "points",
+    [np.tile(CORNER, (500, 1)), CORNER + np.arange(500)[:, None] * np.array([0.05, 0, 0]), CORNER[None]],
+    ids=["one place", "a line", "one point"],
+)
+def test_points_in_one_place_and_on_a_line(tmp_path, points):
+    job = job_of(loom.PointCloud(points), tmp_path, 7.0)
+    path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    np.testing.assert_array_equal(
+        np.sort(read_las(path).points, axis=0), np.sort(read_las(tmp_path / "cloud.laz").points, axis=0)
+    )
+
+
+def test_more_points_in_one_place_than_can_be_held_are_an_error(tmp_path, monkeypatch):
+    monkeypatch.setattr(tile_tree, "MOST", 100)
+    job = job_of(loom.PointCloud(np.tile(CORNER, (500, 1))), tmp_path, 7.0)
+    with pytest.raises(FileError, match=r"/tiles:.*500.*voxel_down_sample"):
+        loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    assert not [*tmp_path.glob("*.copc.laz*")]
+
+
+@pytest.mark.parametrize("fault", ["another", "damaged"])
+def test_a_bad_tile_is_named_and_no_file_is_left(tmp_path, fault):
+    job = job_of(loom.PointCloud(read_las(survey(tmp_path, count=3000, files=1)[0]).points), tmp_path, 20.0)
+    tile = job / "tiles" / "1_1.laz"
+    content = tile.read_bytes()
+    if fault == "another":
+        loom.write_point_cloud(tile, loom.read_point_cloud(tile).select_by_index([0, 1, 2]), like=tile)
+    else:
+        begin = open_las(tile).header.begin
+        tile.write_bytes(content[: begin + 700] + bytes(300) + content[begin + 1000 :])
+    with pytest.raises(FileError, match=r"1_1\.laz"):
+        loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    assert not [path for path in tmp_path.iterdir() if "copc" in path.name]
+
+
+def test_a_full_disk_leaves_no_file(job, tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("pointloom.io.points.copc_writer.CopcWriter.finish", full)
+    with pytest.raises(FileError, match=r"/a\.copc\.laz:"):
+        loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_target_that_is_not_to_be_replaced_is_refused_at_once(job, tmp_path):
+    (tmp_path / "a.copc.laz").write_bytes(b"mine")
+    with pytest.raises(FileError, match="exists already"):
+        loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz", overwrite=False)
+    assert (tmp_path / "a.copc.laz").read_bytes() == b"mine"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("count", [1, 2])
+def test_tiles_keep_missing_values_apart_and_the_records_of_a_single_file(tmp_path, count):
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales, header.file_source_id = np.full(3, 0.001), 9
+    more = {"scales": [0.01], "offsets": [1.0], "no_data": [-9999]}
+    header.add_extra_dim(laspy.ExtraBytesParams("height", "i2", "above ground", **more))
+    header.vlrs.append(laspy.VLR("mine", 7, "calibration", b"abc"))
+    las, rng = laspy.LasData(header), np.random.default_rng(0)
+    las.x, las.y, las.z = rng.random((3, 300)) * 20
+    las.points.array["height"] = np.where(np.arange(300) % 3, np.arange(300), -9999)
+    for k in range(count):
+        las.write(tmp_path / f"{k}.las")
+    with pytest.warns(UserWarning, match="records mine 7") if count > 1 else nullcontext():
+        loom.tiling.plan_tiles([tmp_path / f"{k}.las" for k in range(count)], [], tmp_path / "job", size=10.0)
+    assert loom.tiling.run_tiles(tmp_path / "job").is_finished
+    for name in ("a.laz", "a.copc.laz"):
+        found = laspy.read(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / name))
+        assert np.isnan(found["height"]).sum() == 100 * count
+        (record,) = found.vlrs.get("ExtraBytesVlr")[0].extra_bytes_structs
+        assert (record.min, record.max, record.description) == (1.01, 1 + 2.99, b"above ground")
+        assert bool(found.vlrs.get_by_id("mine")) == (found.header.file_source_id == 9) == (count == 1)
+
+
+def test_outputs_that_there_are_not_are_refused(tmp_path):
+    with pytest.raises(ValueError, match=r"^output:"):
+        loom.tiling.finish_tiles(tmp_path, tmp_path / "x", output="ept")

@@ -1,0 +1,53 @@
+"""The scripts and styles that pages are joined from."""
+
+import gzip
+import re
+from importlib import resources
+
+import pytest
+
+from pointloom.visualization.page import sources
+from pointloom.visualization.viewer.link.page import ServedPage
+
+MOST_BYTES = 45_000  # of the engine, compressed: a page of it is open before one has noticed
+MOST_LIVE_BYTES = 100_000  # of the whole page, compressed, and of what it has beside the engine
+MOST_PANEL_BYTES = 40_000
+DECLARED = r"^(?:const|let|class|function|async function) (\w+)"
+
+
+def test_the_sources_come_with_the_package():
+    names = {each.name for each in (resources.files("pointloom.visualization") / "page").iterdir()}
+    assert {"player.html", "player.css", "engine.css", *(f"{name}.js" for name in sources.PLAYER)} <= names
+
+
+def test_the_engine_is_small():
+    script = sources.join_scripts(sources.ENGINE) + sources.read_source("engine.css")
+    assert len(gzip.compress(script.encode(), mtime=0)) < MOST_BYTES
+
+
+def test_the_live_page_is_small_and_asks_nobody():
+    page = sources.live_page("a title")
+    engine = sources.join_scripts(sources.ENGINE) + sources.read_source("engine.css")
+    size = len(gzip.compress(page, mtime=0))
+    assert size < MOST_LIVE_BYTES
+    assert size - len(gzip.compress(engine.encode(), mtime=0)) < MOST_PANEL_BYTES
+    text = page.decode().replace("http://www.w3.org/", "")  # names of the elements of pictures, which nobody asks for
+    assert not re.search(r"https?://|@import|\bimport\(|\beval\(|new Function|\son[a-z]+=|style=\"", text)
+
+
+def test_the_live_page_shows_its_title_as_text():
+    served = ServedPage(sources.live_page('<script>alert("1")</script> {{script}}'))
+    text = served.text.decode()
+    assert text.count("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; {{script}}") == 2
+
+
+@pytest.mark.parametrize("names", [sources.PLAYER, sources.LIVE])
+def test_no_name_is_declared_by_two_modules(names):
+    """They are joined into one function, in which the second one would be an error."""
+    declared = [name for each in names for name in re.findall(DECLARED, sources.read_source(f"{each}.js"), re.M)]
+    assert len(declared) > 50
+    assert sorted(declared) == sorted(set(declared))
+
+
+def test_a_policy_names_a_text_by_its_hash():
+    assert sources.hash_of("") == "sha256-47DEQpj8HBSa+/TImW+5JCeuQeRkm5NMpJWZG3hSuFU="

@@ -1,0 +1,291 @@
+"""Recordings as one HTML file: what is in it, and what it refuses."""
+
+import base64
+import dataclasses
+import hashlib
+import math
+import tracemalloc
+
+import numpy as np
+import pytest
+
+from pointloom.core.errors import FileError
+from pointloom.visualization.recording import page as page_module
+from pointloom.visualization.recording.page import write_page
+from pointloom.visualization.recording.shared_player import PLAYER, share_player, write_player
+from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.render.view import View, fit_view
+from tests.visualization.recording.reading import outside_addresses, read_page
+
+SQUARE = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+HOSTILE = '</script ><img src=x onerror="alert(1)">{{script}}<!--\u2028&lt;'
+
+
+def points(rng, count=1000, **more) -> Shape:
+    return Shape("points", rng.normal(size=(count, 3)).astype(np.float32), **more)
+
+
+def moved(x: float) -> np.ndarray:
+    T = np.eye(4)
+    T[0, 3] = x
+    return T
+
+
+@pytest.fixture
+def timeline(rng) -> Timeline:
+    """All kinds of shapes, three frames, two plots."""
+    shapes = [
+        points(rng, colors=rng.integers(0, 256, (1000, 3)).astype(np.uint8), normals=rng.normal(size=(1000, 3))),
+        Shape("triangles", SQUARE, normals=np.float32([[0, 0, 1]] * 4), indices=np.int32([[0, 1, 2], [0, 2, 3]])),
+        Shape("lines", SQUARE, np.uint8([[255, 0, 0], [0, 255, 0]]), indices=np.int32([[0, 1], [2, 3]]), size=3.0),
+    ]
+    frames = [
+        Frame({"cloud": Placed((0,), moved(k)), "mesh": Placed((1, 2))}, f"step {k}", {"fitness": k / 3})
+        for k in range(3)
+    ]
+    frames[1].values["rmse"] = math.nan
+    return Timeline(np.array([5e5, 5e6, 100.0]), shapes, frames, title="a recording", fps=5)
+
+
+@pytest.fixture
+def written(timeline, tmp_path):
+    write_page(tmp_path / "page.html", timeline)
+    return read_page(tmp_path / "page.html")
+
+
+def test_positions_colors_and_indices_come_back_bit_for_bit(written, timeline):
+    for described, shape in zip(written.description["shapes"], timeline.shapes, strict=True):
+        assert described["kind"] == shape.kind
+        assert written.array(described["positions"]).tobytes() == shape.positions.tobytes()
+        for name in ("colors", "indices"):
+            values = written.array(described.get(name))
+            np.testing.assert_array_equal(values, getattr(shape, name))
+
+
+def test_normals_keep_their_direction_to_a_hundredth_of_a_degree(written, timeline):
+    units = timeline.shapes[0].normals / np.linalg.norm(timeline.shapes[0].normals, axis=1, keepdims=True)
+    kept = written.array(written.description["shapes"][0]["normals"]).astype(float)
+    kept /= np.linalg.norm(kept, axis=1, keepdims=True)
+    assert np.degrees(np.linalg.norm(np.cross(units, kept), axis=1)).max() < 0.01
+
+
+def test_normals_of_no_length_or_of_nan_are_none(rng, tmp_path):
+    normals = np.float32([[0, 0, 0], [np.nan, 0, 1], [np.inf, 0, 0], [0, 0, 1e-30], [0, 3, 0]])
+    shape = points(rng, 5, normals=normals)
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    page = read_page(tmp_path / "p.html")
+    kept = page.array(page.description["shapes"][0]["normals"])
+    assert kept.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 32767], [0, 32767, 0]]
+
+
+def test_frames_tell_what_is_shown_where(written):
+    for k in range(3):
+        shown = written.shown(k)
+        assert list(shown) == ["cloud", "mesh"]
+        assert shown["cloud"][0] == [0] and shown["mesh"][0] == [1, 2]
+        np.testing.assert_array_equal(shown["cloud"][1], moved(k))
+        np.testing.assert_array_equal(shown["mesh"][1], np.eye(4))
+        assert written.description["frames"][k]["label"] == f"step {k}"
+
+
+def test_a_shape_or_pose_that_stays_is_stored_once(rng, tmp_path):
+    shape, still = points(rng), Placed((0,), moved(1))
+    one = Timeline(np.zeros(3), [shape], [Frame({"cloud": still})])
+    many = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,), moved(1))}) for _ in range(200)])
+    for name, each in (("one", one), ("many", many)):
+        write_page(tmp_path / f"{name}.html", each)
+    page = read_page(tmp_path / "many.html")
+    assert len(page.arrays) == 2 and len(page.description["placements"]) == 1
+    sizes = [(tmp_path / f"{name}.html").stat().st_size for name in ("one", "many")]
+    assert sizes[1] - sizes[0] < 200 * 30
+
+
+def test_numbers_of_plots_have_gaps_where_there_are_none(written):
+    series = {each["name"]: each["values"] for each in written.description["series"]}
+    assert series == {"fitness": [0, 1 / 3, 2 / 3], "rmse": [None, None, None]}
+
+
+def test_nothing_outside_is_named_and_only_the_page_itself_may_run(written):
+    code = written.text.split('<script type="text/plain"')[0] + written.scripts[0]
+    assert outside_addresses(code) == []
+    assert [tag for tag, attributes in written.elements if {"src", "srcset", "style"} & set(attributes)] == []
+    assert [a["href"] for _, a in written.elements if "href" in a] == ["data:,"]
+    assert not any(name.startswith("on") for _, attributes in written.elements for name in attributes)
+    policy = written.policy()
+    assert policy["default-src"] == ["'none'"] and policy["img-src"] == ["data:"]
+    for name, texts in (("script-src", written.scripts), ("style-src", written.styles)):
+        digest = hashlib.sha256(texts[0].encode()).digest()
+        assert len(texts) == 1 and policy[name] == [f"'sha256-{base64.b64encode(digest).decode()}'"]
+    assert "eval(" not in written.scripts[0] and "innerHTML" not in written.scripts[0]
+
+
+def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
+    frame = Frame({HOSTILE: Placed((0,))}, HOSTILE, {HOSTILE: 1.0})
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE))
+    page = read_page(tmp_path / "p.html")
+    assert "img" not in {tag for tag, _ in page.elements}
+    assert page.description["items"] == [HOSTILE]
+    assert page.title == HOSTILE.replace("\u2028", "\\u2028")
+    assert (
+        page.description["title"]
+        == page.description["frames"][0]["label"]
+        == page.description["series"][0]["name"]
+        == HOSTILE
+    )
+    assert len(page.scripts) == 1 and HOSTILE not in page.text
+    assert page.text.lower().count("</script") == 2 + len(page.arrays)  # of the description, the player and the arrays
+
+
+def test_without_frames_or_points_there_is_still_a_page(tmp_path):
+    nothing = Shape("points", np.empty((0, 3), np.float32))
+    no_lines = Shape("lines", np.empty((0, 3), np.float32), indices=np.empty((0, 2), np.int32))
+    frame = Frame({"a": Placed((0, 1)), "b": Placed(())})
+    for each in (Timeline(np.zeros(3)), Timeline(np.zeros(3), [nothing, no_lines], [frame])):
+        write_page(tmp_path / "p.html", each)
+        page = read_page(tmp_path / "p.html")
+        assert np.isfinite(page.description["camera"]["eye"]).all()
+        assert page.description["bounds"] == [[0, 0, 0], [0, 0, 0]]
+
+
+@pytest.mark.parametrize("count", [1, 100, 101, 307])
+def test_arrays_of_any_length_come_back(rng, tmp_path, count, monkeypatch):
+    monkeypatch.setattr(page_module, "BLOCK", 100)
+    shape = points(rng, count, colors=rng.integers(0, 256, (count, 3)).astype(np.uint8))
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    page = read_page(tmp_path / "p.html")
+    np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["positions"]], shape.positions)
+    np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["colors"]], shape.colors)
+
+
+def test_the_view_is_counted_from_the_timelines_origin(timeline, tmp_path):
+    view = fit_view(SQUARE + timeline.origin, width=320, height=200)
+    lens = dataclasses.replace(view.intrinsic, fx=300.0, fy=400.0, cx=-5.0)
+    view = View(lens, view.T_world_camera)
+    write_page(tmp_path / "p.html", timeline, view=view)
+    camera = read_page(tmp_path / "p.html").description["camera"]
+    np.testing.assert_allclose(camera["eye"], view.T_world_camera[:3, 3] - timeline.origin, atol=1e-8)
+    np.testing.assert_array_equal(np.reshape(camera["rotation"], (3, 3)), view.T_world_camera[:3, :3])
+    assert [camera[name] for name in ("width", "height", "fx", "fy", "cx")] == [320, 200, 300, 400, -5]
+
+
+def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
+    shape = points(rng, 50_000)
+    frames = [Frame({"a": Placed((0,), moved(20 * k))}) for k in range(3)]
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
+    described = read_page(tmp_path / "p.html").description
+    camera, R = described["camera"], np.reshape(described["camera"]["rotation"], (3, 3))
+    everything = np.concatenate([shape.positions + np.array([20 * k, 0, 0]) for k in range(3)])
+    x, y, z = ((everything - camera["eye"]) @ R).T
+    columns, rows = camera["fx"] * x / z + camera["cx"], camera["fy"] * y / z + camera["cy"]
+    assert z.min() > 0 and columns.min() > 0 and columns.max() < 1279 and rows.min() > 0 and rows.max() < 959
+    assert np.ptp(columns) > 0.85 * 1280 or np.ptp(rows) > 0.85 * 960
+    np.testing.assert_allclose(described["bounds"], [everything.min(0), everything.max(0)], rtol=1e-6)
+
+
+def test_vertices_that_no_triangle_uses_do_not_count_for_the_view(tmp_path):
+    stray = np.vstack([SQUARE, np.float32([[1000, 0, 0]])])
+    shape = Shape("triangles", stray, indices=np.int32([[0, 1, 2]]))
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    assert read_page(tmp_path / "p.html").description["bounds"] == [[0, 0, 0], [1, 1, 0]]
+
+
+def test_a_size_of_points_given_is_that_of_all_points(timeline, tmp_path):
+    write_page(tmp_path / "p.html", timeline, point_size=7)
+    assert [each["size"] for each in read_page(tmp_path / "p.html").description["shapes"]] == [7.0, 2.0, 3.0]
+
+
+@pytest.mark.slow
+def test_writing_takes_little_memory_beside_the_points(rng, tmp_path):
+    shape = points(rng, 500_000)
+    each = Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})])
+    tracemalloc.start()
+    write_page(tmp_path / "p.html", each)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 1.5 * shape.positions.nbytes + 2**24
+
+
+def test_an_existing_file_is_replaced_only_when_asked_and_whole_or_not_at_all(timeline, tmp_path, monkeypatch):
+    path = tmp_path / "p.html"
+    path.write_text("mine")
+    with pytest.raises(FileError, match="exists already"):
+        write_page(path, timeline, overwrite=False)
+    with pytest.raises(FileError, match=r"/p\.html:"):
+        write_page(tmp_path / "none" / "p.html", timeline)
+    monkeypatch.setattr(page_module, "_base64_pieces", lambda values: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        write_page(path, timeline)
+    assert path.read_text() == "mine" and list(tmp_path.iterdir()) == [path]
+
+
+def shape(**changes):
+    """The timeline with a shape that was changed."""
+    return lambda timeline: dataclasses.replace(
+        timeline, shapes=[timeline.shapes[0], dataclasses.replace(timeline.shapes[1], **changes), timeline.shapes[2]]
+    )
+
+
+def placed(*given):
+    """The timeline with one frame that shows this."""
+    return lambda timeline: dataclasses.replace(timeline, frames=[Frame({"a": Placed(*given)})])
+
+
+@pytest.mark.parametrize(
+    ("change", "options", "message"),
+    [
+        (shape(kind="planes"), {}, r"shapes\[1\]\.kind: expected one of points, lines, triangles, got 'planes'"),
+        (shape(positions=SQUARE[:, :2]), {}, r"shapes\[1\]\.positions: expected shape \[n, 3\]"),
+        (shape(positions=SQUARE * np.float32(np.nan)), {}, r"shapes\[1\]\.positions: expected finite numbers"),
+        (shape(indices=None), {}, r"shapes\[1\]\.indices: expected shape \[m, 3\], got None"),
+        (shape(indices=np.int32([[0, 1, 4]])), {}, r"shapes\[1\]\.indices: expected 0 to 3, got 0 to 4"),
+        (shape(indices=np.int32([[-1, 1, 2]])), {}, r"shapes\[1\]\.indices: expected 0 to 3, got -1 to 2"),
+        (shape(colors=np.zeros((3, 3), np.uint8)), {}, r"shapes\[1\]\.colors: expected shape \[4, 3\]"),
+        (shape(colors=np.zeros((4, 3))), {}, r"shapes\[1\]\.colors: expected uint8, got float64"),
+        (shape(normals=np.zeros((3, 3))), {}, r"shapes\[1\]\.normals: expected shape \[4, 3\]"),
+        (shape(size=0), {}, r"shapes\[1\]\.size: expected a finite number > 0, got 0"),
+        (shape(plain=(0, 0, 300)), {}, r"shapes\[1\]\.plain: expected three whole numbers from 0 to 255"),
+        (placed((3,)), {}, r"frames\[0\]\.shown\['a'\]\.shapes: expected numbers of 3 shapes, got 3"),
+        (placed((0,), np.eye(3)), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected shape \[4, 4\]"),
+        (placed((0,), np.eye(4) * np.nan), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected finite numbers"),
+        (placed((0,), np.ones((4, 4))), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected a last row"),
+        (
+            lambda timeline: dataclasses.replace(timeline, fps=math.nan),
+            {},
+            r"timeline\.fps: expected a finite number > 0",
+        ),
+        (lambda timeline: [], {}, "timeline: expected a Timeline, got list"),
+        (lambda timeline: timeline, {"view": np.eye(4)}, "view: expected a View, got ndarray"),
+        (lambda timeline: timeline, {"background": (0, 0, 2)}, "background: expected numbers from 0 to 1"),
+        (lambda timeline: timeline, {"point_size": 0}, "point_size: expected a finite number > 0"),
+    ],
+)
+def test_what_no_page_shows_is_refused_by_name(timeline, tmp_path, change, options, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        write_page(tmp_path / "p.html", change(timeline), **options)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture
+def recorded(tmp_path, rng):
+    shape = Shape("points", rng.random((100, 3)).astype(np.float32))
+    write_page(tmp_path / "whole.html", Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})]))
+    return tmp_path / "whole.html"
+
+
+def test_a_page_without_its_player_names_the_files_that_hold_it(recorded, tmp_path):
+    write_player(tmp_path)
+    share_player(recorded, tmp_path / "shared.html", "../")
+    whole, shared = recorded.read_text(), (tmp_path / "shared.html").read_text()
+    script, style = ((tmp_path / f"{PLAYER}{suffix}").read_text() for suffix in (".js", ".css"))
+    assert script in whole and style in whole and script not in shared and style not in shared
+    assert f'<script src="../{PLAYER}.js">' in shared and f'href="../{PLAYER}.css"' in shared
+    assert "script-src 'self' file:;" in shared and "default-src 'none'" in shared and "sha256" not in shared
+    arrays = [text[text.index('data-array="0"') :].split("</script>")[0] for text in (whole, shared)]
+    assert arrays[0] == arrays[1]
+
+
+def test_a_page_that_is_no_recording_is_refused(tmp_path):
+    (tmp_path / "page.html").write_text("<html></html>")
+    with pytest.raises(FileError, match="no recording"):
+        share_player(tmp_path / "page.html", tmp_path / "shared.html")
+    assert not (tmp_path / "shared.html").exists()

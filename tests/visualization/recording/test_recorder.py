@@ -1,0 +1,441 @@
+"""Recordings: what is shown in each frame, what is kept once, what becomes of errors, and what is refused."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import FileError
+from pointloom.core.watching import report
+from pointloom.visualization.recording import recorder as recorder_module
+from pointloom.visualization.recording.shapes import spread_rows
+from pointloom.visualization.recording.timeline import Timeline
+
+from .reading import Page
+
+CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
+DEPTH = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
+SHIFT = np.array([0.03, -0.02, 0.01])
+UTM = np.array([500_000.0, 5_400_000.0, 300.0])
+
+
+def bumps(count: int = 1500) -> np.ndarray:
+    x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
+    return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y)])
+
+
+def shifted(x: float) -> np.ndarray:
+    T = np.eye(4)
+    T[0, 3] = x
+    return T
+
+
+def places(timeline: Timeline, frame: int, name: str) -> np.ndarray:
+    """Where the positions of a name lie in the world in a frame, float64."""
+    placed = timeline.frames[frame].shown[name]
+    points = np.concatenate([timeline.shapes[number].positions for number in placed.shapes]).astype(np.float64)
+    T = np.eye(4) if placed.pose is None else placed.pose
+    return points @ T[:3, :3].T + T[:3, 3] + timeline.origin
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "out.html"
+
+
+def test_icp_is_recorded_pose_by_pose_and_its_clouds_once(device, path):
+    target = loom.PointCloud(bumps(), device=device)
+    source = loom.PointCloud(bumps() + SHIFT, device=device)
+    heard: list[dict[str, Any]] = []
+    with loom.record(path) as r:
+        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=heard.append)
+    frames = r.timeline.frames
+    assert len(frames) == result.iterations + 1
+    assert len(r.timeline.shapes) == 2
+    assert frames[0].shown["source"].pose is None  # as it lies
+    for frame, state in zip(frames[1:], heard, strict=True):
+        np.testing.assert_array_equal(frame.shown["source"].pose, state["transformation"])
+        assert frame.values == {"fitness": state["fitness"], "inlier rmse [m]": state["inlier_rmse"]}
+        assert frame.shown["target"].pose is None
+    np.testing.assert_array_equal(heard[-1]["transformation"], result.transformation)
+    assert frames[3].label == "ICP, iteration 3"
+    assert path.stat().st_size > 1000
+
+
+def test_icp_fusion_and_clusters_have_the_same_bits_recorded_or_not(device, tmp_path):
+    target, source = loom.PointCloud(bumps(), device=device), loom.PointCloud(bumps() + SHIFT, device=device)
+
+    def work() -> list[Any]:
+        result = loom.registration.registration_icp(source, target, 0.2)
+        volume = loom.TSDFVolume(voxel_size=0.05, device=device)
+        for _ in range(3):
+            volume.integrate(DEPTH, CAMERA, np.eye(4))
+        mesh = volume.extract_triangle_mesh(0)
+        fit = [result.fitness, result.inlier_rmse, result.iterations]
+        return [result.transformation, fit, mesh.vertices, mesh.triangles, target.cluster_dbscan(0.1, 5)]
+
+    alone = work()
+    with loom.record(tmp_path / "all.html") as r:
+        seen = work()
+    for left, right in zip(alone, seen, strict=True):
+        np.testing.assert_array_equal(left, right)
+    assert len(r.timeline.frames) > 10
+
+
+def test_coarse_to_fine_shows_the_clouds_that_were_given(path):
+    target, source = loom.PointCloud(bumps()), loom.PointCloud(bumps() + SHIFT)
+    rules = [loom.registration.ICPConvergenceCriteria(max_iteration=3)] * 2
+    with loom.record(path) as r:
+        loom.registration.multi_scale_icp(source, target, [0.2, 0.1], rules, [0.4, 0.2])
+    assert len(r.timeline.shapes) == 2
+    assert len(r.timeline.shapes[0].positions) == 1500
+    assert r.timeline.frames[0].label == "ICP, voxels of 0.2 m, iteration 0"
+    assert r.timeline.frames[-1].label.startswith("ICP, voxels of 0.1 m")
+
+
+def test_registration_without_steps_is_a_start_and_a_result(path):
+    target, source = loom.PointCloud(bumps()), loom.PointCloud(bumps() + SHIFT)
+    pairs = np.column_stack([np.arange(1500)] * 2)
+    with loom.record(path) as r:
+        result = loom.registration.registration_ransac_based_on_correspondence(source, target, pairs, 0.05)
+    assert [frame.label for frame in r.timeline.frames] == ["as the clouds lie", f"registered: {result.reason}"]
+    np.testing.assert_array_equal(r.timeline.frames[1].shown["source"].pose, result.transformation)
+
+
+def test_fusion_shows_camera_path_and_surface_as_they_grow(device, path):
+    volume = loom.TSDFVolume(voxel_size=0.05, device=device)
+    with loom.record(path) as r:
+        for i in range(7):
+            volume.integrate(DEPTH, CAMERA, shifted(-0.05 * i))
+    timeline = r.timeline
+    labels = [frame.label for frame in timeline.frames]
+    assert labels == [*(f"frame {i}" for i in range(1, 8)), "the surface of 7 frames"]
+    assert timeline.frames[0].shown["camera"].pose is None
+    np.testing.assert_allclose(timeline.frames[6].shown["camera"].pose, shifted(0.3), atol=1e-12)
+    assert len({frame.shown["camera"].shapes for frame in timeline.frames}) == 1
+    np.testing.assert_allclose(places(timeline, 6, "path")[:, 0], 0.05 * np.arange(7), atol=1e-6)
+    surfaces = [frame.shown["surface"].shapes for frame in timeline.frames]
+    assert surfaces[0] == surfaces[4] != surfaces[5] == surfaces[6] != surfaces[7]
+    np.testing.assert_allclose(places(timeline, 7, "surface"), volume.extract_triangle_mesh(0).vertices, atol=1e-6)
+
+
+def test_lidar_odometry_shows_scan_after_scan_on_the_map(path):
+    wall = np.array([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
+    with loom.record(path) as r:
+        track = loom.registration.run_odometry([loom.PointCloud(wall - [0.2 * k, 0, 0]) for k in range(4)])
+    labels = [frame.label.split(":")[0] for frame in r.timeline.frames]
+    assert labels == ["scan 0", "scan 1", "scan 2", "scan 3", "the map of 4 scans"]
+    for k in range(4):
+        seen = places(r.timeline, k, "scan")
+        moved = (wall - [0.2 * k, 0, 0]) @ track.poses[k][:3, :3].T + track.poses[k][:3, 3]
+        np.testing.assert_allclose(seen, moved, atol=1e-5)
+
+
+def test_rgbd_odometry_chains_the_motions(path):
+    camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
+    v, u = np.mgrid[:48, :64]
+    depths = [1.0 + 0.1 * np.sin((u + k) / 5) * np.cos(v / 7) for k in range(3)]
+    images = [loom.RGBDImage(np.zeros((48, 64), np.uint8), depth) for depth in depths]
+    with loom.record(path) as r:
+        results = [loom.odometry.compute_rgbd_odometry(b, a, camera) for a, b in itertools.pairwise(images)]
+    assert all(result.reliable for result in results)
+    first, second = (result.transformation for result in results)
+    np.testing.assert_allclose(r.timeline.frames[-1].shown["camera"].pose, first @ second, atol=1e-12)
+    assert np.abs(first @ second - np.eye(4)).max() > 1e-3
+    assert [frame.label for frame in r.timeline.frames] == ["frame 1: aligned", "frame 2: aligned"]
+
+
+def test_clusters_take_their_colours_in_the_order_of_their_labels(device, path):
+    sheets = [bumps(300) + np.array([0, 0, 5 * k]) for k in range(3)]
+    cloud = loom.PointCloud(np.vstack([*sheets, [[90.0, 0, 0]]]), device=device)
+    with loom.record(path) as r:
+        labels = cloud.cluster_dbscan(0.5, 3)
+    assert [frame.label for frame in r.timeline.frames] == ["the cloud", *(f"{k} of 3 clusters" for k in (1, 2, 3))]
+    for k, frame in enumerate(r.timeline.frames):
+        shapes = [r.timeline.shapes[number] for number in frame.shown["cloud"].shapes]
+        painted = [len(shape.positions) for shape in shapes if shape.colors is not None]
+        assert painted == [int((labels == label).sum()) for label in range(k)]
+        assert sum(len(shape.positions) for shape in shapes) == len(cloud)
+
+
+def test_planes_are_shown_as_they_are_found(path):
+    x, y = np.random.default_rng(0).random((2, 500))
+    floor, wall = np.column_stack([x, y, 0 * x]), np.column_stack([0 * x[:300], x[:300], y[:300] + 0.1])
+    cloud = loom.PointCloud(np.vstack([floor, wall]))
+    with loom.record(path) as r:
+        labels, _ = cloud.segment_planes(0.01)
+    last = r.timeline.frames[-1].shown["cloud"].shapes
+    sizes = [len(r.timeline.shapes[number].positions) for number in last]
+    assert sizes == [int((labels == k).sum()) for k in (-1, 0, 1)]
+
+
+def test_what_one_algorithm_showed_goes_when_another_one_begins_and_what_the_user_showed_stays(path):
+    cloud = loom.PointCloud(bumps())
+    with loom.record(path) as r:
+        r.add("mine", bumps(10))
+        loom.registration.registration_icp(cloud, cloud, 0.2)
+        r.remove("source")
+        report(
+            "icp", source=cloud, target=cloud, iteration_index=9, transformation=np.eye(4), fitness=1.0, inlier_rmse=0
+        )
+        assert "source" not in r.timeline.frames[-1].shown  # what the user takes away stays away
+        cloud.cluster_dbscan(0.2, 3)
+    assert set(r.timeline.frames[0].shown) == {"mine", "target", "source"}
+    assert set(r.timeline.frames[-1].shown) == {"mine", "cloud"}
+
+
+def test_a_view_in_parameters_of_open3d_is_that_of_render_about_all_frames(tmp_path):
+    given, cloud = {"front": [1, 0, 0], "up": [0, 0, 1], "zoom": 0.7}, loom.PointCloud(bumps())
+    bounds = cloud.get_min_bound(), cloud.get_max_bound()
+    for name, view in (("told", given), ("same", loom.View.from_open3d(bounds, **given, width=64, height=48))):
+        with loom.record(tmp_path / f"{name}.gif", automatic=False, size=(64, 48), view=view) as recording:
+            recording.add("cloud", cloud)
+    assert (tmp_path / "told.gif").read_bytes() == (tmp_path / "same.gif").read_bytes()
+
+
+def test_nothing_is_recorded_by_itself_where_that_was_asked_for(path):
+    cloud = loom.PointCloud(bumps())
+    with loom.record(path, automatic=False) as r:
+        loom.registration.registration_icp(cloud, cloud, 0.2)
+        r.add("cloud", cloud)
+        r.step("by hand")
+    assert [frame.label for frame in r.timeline.frames] == ["by hand"]
+
+
+def test_a_loop_of_updates_makes_the_frames_that_it_says(path):
+    cloud = loom.PointCloud(bumps())
+    with loom.record(path, automatic=False, title="steps") as r:
+        r.add("cloud", cloud, color=(1, 0, 0))
+        r.step("first")
+        r.set_pose("cloud", shifted(1.0))
+        r.plot("error", 0.5)
+        r.step("moved")
+        r.update("cloud", bumps(7))
+        r.step("other")
+        r.remove("cloud")
+        r.step("gone")
+    first, moved, other, gone = r.timeline.frames
+    assert first.shown["cloud"].shapes == moved.shown["cloud"].shapes
+    np.testing.assert_array_equal(moved.shown["cloud"].pose, shifted(1.0))
+    np.testing.assert_array_equal(other.shown["cloud"].pose, shifted(1.0))  # its pose stays
+    assert r.timeline.shapes[other.shown["cloud"].shapes[0]].plain == (255, 0, 0)  # and its style
+    assert moved.values == {"error": 0.5}
+    assert other.values == {}
+    assert gone.shown == {}
+    assert r.timeline.title == "steps"
+
+
+def test_equal_arrays_are_kept_once_and_changed_ones_again(path):
+    points = bumps(20)
+    with loom.record(path) as r:
+        for k in range(4):
+            if k == 3:
+                points[0] = 9.0  # the same array with another content
+            r.add("points", points)
+            r.step()
+    assert len(r.timeline.shapes) == 2
+    assert [frame.shown["points"].shapes for frame in r.timeline.frames] == [(0,), (0,), (0,), (1,)]
+
+
+def test_large_clouds_are_sampled_and_the_title_says_so(path):
+    with loom.record(path, max_points=100, title="many") as r:
+        r.add("cloud", loom.PointCloud(bumps(1500)))
+        r.add("mesh", loom.TriangleMesh.create_sphere(1.0, 40))
+        r.step()
+    cloud, mesh = (r.timeline.shapes[r.timeline.frames[0].shown[name].shapes[0]] for name in ("cloud", "mesh"))
+    assert len(cloud.positions) == 100
+    assert 20 < len(mesh.positions) <= 100
+    assert mesh.indices.max() < len(mesh.positions)
+    assert "cloud: 100 of 1,500 points" in r.timeline.title
+    assert "mesh: " in r.timeline.title
+
+
+def test_rows_are_spread_over_all_of_a_cloud_without_stripes():
+    rows = spread_rows(1_000_000, 1000)
+    assert len(rows) == len(set(rows.tolist())) == 1000
+    assert (rows // 1000).tolist() == list(range(1000))
+    counts = np.bincount(rows % 64, minlength=64)  # a scanner of 64 rings keeps points of each
+    assert counts.min() >= 10
+    assert spread_rows(5, 10).tolist() == [0, 1, 2, 3, 4]
+
+
+def test_many_frames_are_thinned_evenly_and_the_last_one_stays(path):
+    with loom.record(path, max_frames=10) as r:
+        r.add("cloud", bumps(10))
+        for k in range(100):
+            r.add("frame", np.full((2, 3), float(k)))
+            r.step(str(k))
+    numbers = [int(frame.label) for frame in r.timeline.frames]
+    assert numbers == [*range(0, 99, 16), 99]
+    assert "one of 16 steps" in r.timeline.title
+    assert [places(r.timeline, k, "frame")[0, 0] for k in range(len(numbers))] == numbers
+    assert len(r.timeline.shapes) <= 12  # those of frames that went are gone
+
+
+def test_memory_is_bounded_by_dropping_frames(path, monkeypatch):
+    monkeypatch.setattr(recorder_module, "MOST_BYTES", 50_000)
+    with loom.record(path) as r:
+        for k in range(40):
+            r.add("cloud", bumps(100) + k)  # 1,200 B and more each
+            r.step(str(k))
+    assert sum(shape.positions.nbytes for shape in r.timeline.shapes) <= 52_000
+    assert r.timeline.frames[-1].label == "39"
+
+
+def test_utm_coordinates_keep_their_millimetres(path):
+    points = bumps(50)
+    with loom.record(path) as r:
+        r.add("target", loom.PointCloud(points + UTM))
+        r.add("source", loom.PointCloud(points), pose=None)
+        T = np.eye(4)
+        T[:3, 3] = UTM + 0.001
+        r.set_pose("source", T)
+        r.step()
+    assert all(np.abs(shape.positions).max() < 1e5 for shape in r.timeline.shapes)
+    np.testing.assert_allclose(places(r.timeline, 0, "target"), points + UTM, atol=1e-3)
+    np.testing.assert_allclose(places(r.timeline, 0, "source"), points + UTM + 0.001, atol=1e-3)
+
+
+def test_points_that_are_not_finite_and_empty_clouds_are_left_out(tmp_path):
+    points = bumps(10)
+    points[3] = np.nan
+    with loom.record(tmp_path / "holes.gif", size=(64, 48)) as r:
+        r.add("holes", points)
+        r.add("nothing", loom.PointCloud())
+        r.step()
+    shown = r.timeline.frames[0].shown
+    assert len(r.timeline.shapes[shown["holes"].shapes[0]].positions) == 9
+    assert (tmp_path / "holes.gif").exists()
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, ValueError])
+def test_an_error_goes_on_and_what_was_recorded_until_then_is_written(path, error):
+    r = loom.record(path, title="half")
+    with pytest.raises(error, match="mine"), r:
+        r.add("cloud", bumps(10))
+        r.step("one")
+        raise error("mine")
+    assert f"half, ended by {error.__name__}" in path.read_text()
+    cloud = loom.PointCloud(bumps())
+    assert loom.registration.registration_icp(cloud, cloud, 0.1).fitness == 1  # not recorded any more
+    assert len(r.timeline.frames) == 1
+
+
+def test_a_block_in_which_nothing_happens_warns_and_the_program_goes_on(path):
+    match = r"no file is written: .*nothing was recorded.*step\(\)"
+    with pytest.warns(UserWarning, match=match) as told, loom.record(path) as r:
+        pass
+    assert not path.exists() and told[0].filename == __file__
+    assert r._repr_mimebundle_() == {"text/plain": repr(r)}
+    with pytest.raises(ValueError, match=r"/out\.html:"):
+        r.save()
+    with pytest.raises(KeyError, match="mine"), loom.record(path) as r:  # and no warning beside it
+        r.add("cloud", bumps(10))
+        raise KeyError("mine")
+    assert not path.exists()
+
+
+@pytest.mark.parametrize(
+    ("title", "most", "tab", "above"),
+    [("", 200, "a walk", ""), ("mine", 200, "mine", "mine"), ("", 5, "a walk", "cloud: 5 of 10 points")],
+)
+def test_the_tab_has_the_title_or_the_name_of_the_file(tmp_path, title, most, tab, above):
+    path = tmp_path / "a walk.html"
+    with loom.record(path, title=title, max_points=most) as r:
+        r.add("cloud", bumps(10))
+        r.step()
+    page = Page(path)
+    assert (page.title, page.description["title"]) == (tab, above)
+
+
+def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch):
+    with pytest.raises(FileError, match=r"/a\.avi:.*mp4"):
+        loom.record(tmp_path / "a.avi")
+    with pytest.raises(FileError, match=r"/a\.html:"):
+        loom.record(tmp_path / "no" / "a.html")
+    for wrong in ({"max_frames": 1}, {"fps": 1e9}, {"view": {"forward": [0, 0, 1]}}, {"background": (1, 1, 2)}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            loom.record(tmp_path / "a.html", **wrong)
+    (tmp_path / "b.html").write_text("keep me")
+    with pytest.raises(FileError, match="exists already"):
+        loom.record(tmp_path / "b.html", overwrite=False)
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(FileError, match=r"/c\.mp4:"):
+        loom.record(tmp_path / "c.mp4")
+    assert (tmp_path / "b.html").read_text() == "keep me"
+
+
+def test_what_cannot_be_shown_is_refused_by_name(path):
+    r = loom.record(path)
+    with pytest.raises(TypeError, match="PointCloud"):
+        r.add("thing", "a string")
+    with pytest.raises(TypeError, match="name"):
+        r.add(3, bumps(3))  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="colour"):
+        r.add("cloud", bumps(3), colour=(1, 0, 0))
+    for call in (lambda: r.update("no", bumps(3)), lambda: r.set_pose("no", np.eye(4)), lambda: r.remove("no")):
+        with pytest.raises(KeyError, match="no"):
+            call()
+    r.add("cloud", bumps(3))
+    with pytest.raises(ValueError, match="pose"):
+        r.set_pose("cloud", np.eye(3))
+    with pytest.raises(TypeError, match="value"):
+        r.plot("fitness", "high")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="label"):
+        r.step(3)  # type: ignore[arg-type]
+
+
+def test_closed_loops_move_the_path_and_no_loop_is_no_frame(path):
+    frame = SimpleNamespace(depth=DEPTH, color=None)
+    slam = loom.slam.DenseSLAM(CAMERA, voxel_size=0.05, depth_max=2.0, submap_frames=4)
+    with loom.record(path) as r:
+        slam.run([frame] * 3)
+        report("loops", slam=slam, closure=SimpleNamespace(loops=[]))
+        before = len(r.timeline.frames)
+        slam.results = [dataclasses.replace(s, pose=shifted(k)) for k, s in enumerate(slam.results)]
+        report("loops", slam=slam, closure=SimpleNamespace(loops=[1, 2]))
+    assert before == 3
+    assert r.timeline.frames[3].label == "2 loops closed"
+    np.testing.assert_allclose(places(r.timeline, 3, "path")[:, 0], [0, 1, 2], atol=1e-6)
+
+
+def test_stages_stand_before_the_labels_and_fragments_come_one_by_one(path):
+    clouds = [loom.PointCloud(bumps(50)) for _ in range(3)]
+    poses = np.array([shifted(k) for k in range(3)])
+    with loom.record(path) as r:
+        report("stage", name="register")
+        report("fragments", clouds=clouds, poses=poses, placed=np.array([True, False, True]))
+        report("something new", number=3)  # what nobody knows to show is nothing
+    labels = [frame.label for frame in r.timeline.frames]
+    assert labels == ["register: 1 of 2 clouds placed, 3 in all", "register: 2 of 2 clouds placed, 3 in all"]
+    np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
+
+
+def test_a_texture_becomes_colours_of_vertices(path):
+    texture = np.zeros((2, 2, 3), np.uint8)
+    texture[0] = 255, 0, 0  # the upper row
+    texture[1] = 0, 0, 255
+    square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    uvs = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]
+    mesh = loom.TriangleMesh(square, [[0, 1, 2], [0, 2, 3]], triangle_uvs=uvs, textures=[texture])
+    with loom.record(path) as r:
+        r.add("mesh", mesh)
+    colors = r.timeline.shapes[0].colors
+    assert colors.tolist() == [[0, 0, 255], [0, 0, 255], [255, 0, 0], [255, 0, 0]]
+
+
+def test_a_pose_turns_a_shape_about_where_its_cloud_counts_from(path):
+    points, T = bumps(50), np.array([[0.0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]])
+    with loom.record(path) as r:
+        r.add("here", loom.PointCloud(points))
+        r.add("far", loom.PointCloud(points + UTM), pose=T)
+        r.step()
+    expected = (points + UTM) @ T[:3, :3].T + T[:3, 3]
+    np.testing.assert_allclose(places(r.timeline, 0, "far"), expected, atol=1e-3)

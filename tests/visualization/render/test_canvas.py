@@ -1,0 +1,188 @@
+"""Text and strokes on a picture: they lie where they are said to, are crisp, and leave the rest as it is."""
+
+from __future__ import annotations
+
+import unicodedata
+
+import numpy as np
+import pytest
+
+from pointloom.visualization.render.canvas import FARTHEST, Canvas, clip_segments
+from pointloom.visualization.render.lettering import UNKNOWN, Lettering, lettering
+
+BLACK, RED = (0.0, 0.0, 0.0), (1.0, 0.0, 0.0)
+
+
+def darkness(canvas):
+    return 255 - canvas.to_numpy().min(axis=2).astype(int)
+
+
+def ink_box(canvas):
+    """Left, top, right, bottom of what is drawn."""
+    rows, columns = np.nonzero(darkness(canvas))
+    return columns.min(), rows.min(), columns.max(), rows.max()
+
+
+def written(device, text, x=100, y=40, **options):
+    canvas = Canvas.blank(200, 80, device=device)
+    canvas.text(text, x, y, color=BLACK, **options)
+    return canvas
+
+
+@pytest.mark.parametrize("size", [12, 20, 32])
+def test_a_capital_letter_stands_in_the_middle_of_its_height(device, size):
+    _, top, _, bottom = ink_box(written(device, "H", size=size))
+    assert abs((top + bottom) / 2 - 40) <= 0.5 and bottom - top + 1 == lettering().cap_height(size)
+
+
+def test_the_anchor_says_what_of_the_text_lies_at_the_place(device):
+    for anchor, share in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
+        left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
+        assert left + share * (right - left) == pytest.approx(100, abs=2)
+    for anchor, edge in (("upper left", 1), ("lower left", 3)):
+        assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
+
+
+def test_a_text_is_as_wide_as_it_says(device):
+    canvas = written(device, "Hamburgefonstiv", x=0, size=16)
+    left, _, right, _ = ink_box(canvas)
+    assert right - left + 1 == pytest.approx(canvas.text_width("Hamburgefonstiv", 16), abs=3)
+
+
+def test_stems_of_letters_are_crisp(device):
+    shades = np.unique(darkness(written(device, "IIII HHH", size=16, x=20)))
+    assert shades[-1] > 230 and (darkness(written(device, "H", size=16)) > 200).sum() > 12
+
+
+def test_sizes_take_the_nearest_one():
+    letters = lettering()
+    for size, nearest in ((1, 12), (13, 12), (15, 14), (17, 16), (22, 20), (28, 24), (31, 32), (500, 32)):
+        np.testing.assert_array_equal(letters.set("Height 12", size), letters.set("Height 12", nearest))
+    assert len({letters.width("Height 12", size) for size in letters.sizes}) == len(letters.sizes)
+
+
+def test_every_letter_of_ascii_and_the_further_signs_is_there():
+    letters = Lettering()
+    unknown = letters.set(UNKNOWN, 16).tolist()
+    signs = [chr(code) for code in range(33, 127)] + list("°±·…µ×²³–−")
+    for size in letters.sizes:
+        shapes = {}
+        for sign in signs:
+            placed = letters.set(sign, size)
+            assert len(placed) == 1 and placed.tolist() != unknown, unicodedata.name(sign)
+            start, width, height = placed[0, :3]
+            shapes[sign] = (width, height, letters.coverage[start : start + width * height].tobytes(), placed[0, 4])
+        assert len(set(shapes.values())) >= len(signs) - 3  # I, l and | are much the same
+
+
+def test_what_the_table_lacks_is_a_box(device):
+    np.testing.assert_array_equal(written(device, "é漢").to_numpy(), written(device, UNKNOWN * 2).to_numpy())
+    np.testing.assert_array_equal(written(device, "a\nb").to_numpy(), written(device, "a b").to_numpy())
+
+
+@pytest.mark.parametrize("text", ["", "   ", 12.5])
+def test_anything_can_be_written(device, text):
+    canvas = written(device, text)
+    assert bool(darkness(canvas).any()) == bool(str(text).strip())
+
+
+def test_what_is_drawn_later_lies_above(device):
+    canvas = Canvas.blank(40, 40, device=device)
+    canvas.rectangle(5, 5, 20, 20, fill=BLACK)
+    canvas.rectangle(10, 10, 20, 20, fill=RED)
+    picture = canvas.to_numpy()
+    assert picture[12, 12].tolist() == [255, 0, 0] and picture[6, 6].tolist() == [0, 0, 0]
+    assert (darkness(canvas) == 255).sum() == 400 + 400 - 15 * 15
+
+
+def test_an_outline_lies_inside_and_corners_are_no_darker(device):
+    canvas = Canvas.blank(40, 40, device=device)
+    canvas.rectangle(5, 6, 20, 10, outline=BLACK, line_width=2, opacity=0.5)
+    assert ink_box(canvas) == (5, 6, 24, 15)
+    assert (darkness(canvas) == 128).sum() == 200 - 16 * 6 and set(np.unique(darkness(canvas))) == {0, 128}
+
+
+def test_a_polyline_is_broken_where_a_place_is_not_finite(device):
+    canvas = Canvas.blank(60, 20, device=device)
+    canvas.polyline([[5, 10], [20, 10], [np.nan, 3], [30, np.inf], [40, 10], [55, 10]], color=BLACK)
+    assert np.flatnonzero(darkness(canvas)[10]).tolist() == [*range(5, 21), *range(40, 56)]
+
+
+def test_lines_that_reach_far_out_lie_where_they_would(device):
+    canvas = Canvas.blank(50, 40, device=device)
+    canvas.line(-1e9, -1e9, 1e9, 1e9, color=BLACK)
+    assert (np.diagonal(darkness(canvas)) > 250).all()
+    before = canvas.to_numpy()
+    canvas.line(1e30, 0, 1e30, 1e300)
+    canvas.line(-50, 0, -20, 900)
+    np.testing.assert_array_equal(canvas.to_numpy(), before)
+
+
+def test_everything_outside_the_picture_is_left_out(device):
+    canvas = Canvas.blank(30, 20, device=device)
+    canvas.text("far", 1e30, 5)
+    canvas.text("nan", float("nan"), 5)
+    canvas.text("below", 5, 200)
+    canvas.rectangle(-50, -50, 10, 10, fill=BLACK)
+    canvas.rectangle(1e12, 3, 10, 10, fill=BLACK)
+    canvas.image(np.zeros((5, 5, 3), np.uint8), 100, -100)
+    canvas.segments(np.empty((0, 4)))
+    assert not darkness(canvas).any()
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "options", "error", "message"),
+    [
+        ("text", ("a", 1, 2), {"anchor": "middle"}, ValueError, "anchor: expected left, center or right"),
+        ("text", ("a", 1, 2), {"size": 0}, ValueError, "size"),
+        ("text", ("a", 1, 2), {"color": (1, 1)}, ValueError, "color"),
+        ("rectangle", (1, 2, -3, 4), {"fill": RED}, ValueError, "width"),
+        ("rectangle", (np.nan, 2, 3, 4), {"fill": RED}, ValueError, "x: expected a finite number"),
+        ("line", (1, 2, 3, 4), {"width": -1}, ValueError, "width"),
+        ("line", (1, 2, 3, 4), {"opacity": 2}, ValueError, "opacity"),
+        ("polyline", ([[1, 2, 3]],), {}, ValueError, r"points: expected shape \[n, 2\]"),
+        ("image", (np.zeros((5, 5)), 0, 0), {}, ValueError, "image: expected uint8"),
+    ],
+)
+def test_bad_arguments_are_refused(name, words, options, error, message):
+    canvas = Canvas.blank(20, 20)
+    with pytest.raises(error, match=message):
+        getattr(canvas, name)(*words, **options)
+
+
+def test_a_picture_of_another_size_is_refused():
+    with pytest.raises(ValueError, match="picture:"):
+        Canvas(Canvas.blank(20, 20).sheet.picture, 10, 10)
+
+
+LOW, HIGH = (-1.0, 0.5), (2.0, 3.0)
+SHARES = np.linspace(0, 1, 2001)
+
+
+@pytest.mark.parametrize("reach", [1.5, 4.0, 40.0])
+def test_a_part_begins_and_ends_where_points_of_the_segment_do(rng, reach):
+    segments = rng.uniform(-reach, reach, (200, 4))
+    parts, rows = clip_segments(segments, LOW, HIGH)
+    kept = dict(zip(rows.tolist(), parts, strict=True))
+    assert list(kept) == sorted(kept)
+    for row, ends in enumerate(segments):
+        points = ends[:2] + SHARES[:, None] * (ends[2:] - ends[:2])
+        inside = points[((points >= LOW) & (points <= HIGH)).all(axis=1)]
+        step = np.linalg.norm(ends[2:] - ends[:2]) / (len(SHARES) - 1)
+        if len(inside):
+            np.testing.assert_allclose(kept[row], np.r_[inside[0], inside[-1]], rtol=0, atol=step)
+        elif row in kept:  # a corner that lies between two of the points
+            assert np.linalg.norm(kept[row][2:] - kept[row][:2]) <= step
+
+
+def test_a_segment_inside_stays_as_it_is_and_one_that_is_not_finite_goes():
+    inside = [0.1, 0.7, 1.9, 2.9]
+    parts, rows = clip_segments(np.array([[np.nan, 1, 1, 1], inside, [0, 1, 2 * FARTHEST, 1]]), LOW, HIGH)
+    assert parts.tolist() == [inside] and rows.tolist() == [1]
+
+
+def test_lines_along_the_box_are_in_on_its_edge_and_out_beside_it():
+    along = np.array([[-9, 0.5, 9, 0.5], [-9, 0.4, 9, 0.4], [2, 9, 2, -9], [2.1, 9, 2.1, -9]])
+    parts, rows = clip_segments(along, LOW, HIGH)
+    assert rows.tolist() == [0, 2]
+    assert parts.tolist() == [[-1, 0.5, 2, 0.5], [2, 3, 2, 0.5]]

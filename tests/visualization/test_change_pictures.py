@@ -1,0 +1,105 @@
+"""Pictures of change: red is up, blue is down, grey is noise, and the legend says so."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.pcd.change import M3C2Result
+from pointloom.visualization.change.pictures import paint
+from pointloom.visualization.render.colormaps import MISSING
+
+
+def result(distances, limits):
+    n = len(distances)
+    return M3C2Result(
+        np.array(distances, np.float64), np.array(limits, np.float64), np.zeros((n, 3), np.float32), np.ones(n),
+        np.zeros((n, 2)), np.full((n, 2), 9, np.int32),
+    )  # fmt: skip
+
+
+def row_of(count, device="cpu"):
+    return loom.PointCloud(np.column_stack([np.arange(count), np.zeros((count, 2))]), device=device)
+
+
+def test_what_is_noise_is_grey_and_the_rest_diverges(device):
+    found = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
+    cloud = row_of(5, device)
+    colors = paint(cloud, found).colors
+    assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
+    np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
+    assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
+    assert not cloud.has_colors
+
+
+def test_ends_are_where_nearly_all_changes_lie(device):
+    cloud = row_of(1000, device)
+    values = np.linspace(-1, 1, 1000)
+    values[0] = 300.0
+    far = paint(cloud, values)
+    given = paint(cloud, values, limit=0.99)
+    np.testing.assert_array_equal(far.colors, given.colors)
+    still = paint(cloud, np.zeros(1000))
+    assert np.ptp(still.colors) < 0.01
+
+
+@pytest.fixture
+def legends(monkeypatch):
+    """What `render` was asked to write."""
+    from pointloom.visualization.change import pictures
+
+    asked, render = [], pictures.render
+
+    def noted(*args, **kwargs):
+        asked.append(kwargs)
+        return render(*args, **kwargs)
+
+    monkeypatch.setattr(pictures, "render", noted)
+    return asked
+
+
+def test_a_picture_says_what_its_colours_are(device, tmp_path, rng, legends):
+    cloud = loom.PointCloud(rng.random((4000, 3)) * (20, 10, 0.1), device=device)
+    values = cloud.points[:, 0] - 10
+    found = result(values, np.full(4000, 2.0))
+    picture = loom.change.draw(cloud, found, tmp_path / "change.png", size=(640, 480))
+    assert picture.shape == (480, 640, 3)
+    np.testing.assert_array_equal(loom.read_color(tmp_path / "change.png"), picture)
+    asked = legends[0]
+    assert [name for name, _ in asked["legend"]] == ["not significant"]
+    assert asked["color_bar"].limits == (-9.9, 9.9)
+    assert asked["color_bar"].title == "change [m]" and asked["scale_bar"]
+    red, green, blue = (picture[240, 60:580, k].astype(int) for k in range(3))
+    drawn = (red < 250) | (green < 250)
+    assert (blue - red)[drawn][:40].mean() > 60 and (red - blue)[drawn][-40:].mean() > 60  # west sank, east rose
+    middle = picture[240, 320]
+    assert np.ptp(middle.astype(int)) == 0 and 140 < middle[0] < 165
+
+
+def test_the_legend_tells_what_is_grey(legends):
+    cloud = row_of(3)
+    loom.change.draw(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
+    loom.change.draw(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))
+    loom.change.draw(cloud, [1.0, -1, 0], size=(64, 48))
+    told = [[name for name, _ in asked["legend"] or ()] for asked in legends]
+    assert told == [["no distance"], ["not significant, no distance"], []]
+
+
+def test_a_distance_from_a_mesh_is_painted_too(device):
+    floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]]
+    cloud = loom.PointCloud([[1, 1, 0.5], [2, 3, -0.5], [2, 2, 0.01]], device=device)
+    found = loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
+    colors = paint(cloud, found).colors
+    assert colors[0, 0] > colors[0, 2] and colors[1, 2] > colors[1, 0]
+    np.testing.assert_allclose(colors[2], MISSING, atol=1e-6)
+
+
+def test_changes_of_another_cloud_are_refused():
+    cloud = row_of(3)
+    with pytest.raises(ValueError, match="change:"):
+        paint(cloud, [1.0, 2.0])
+    with pytest.raises(ValueError, match="limit"):
+        paint(cloud, [1.0, 2.0, 3.0], limit=0)
+    with pytest.raises(TypeError, match="cloud"):
+        loom.change.draw([1, 2], [1.0])

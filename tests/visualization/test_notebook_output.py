@@ -1,0 +1,69 @@
+"""What a cell shows: a still that is always in sight and bounded, and what lies over it."""
+
+import base64
+import html
+import io
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from pointloom.visualization.notebook_output import (
+    MOST_BYTES,
+    live_output,
+    media_output,
+    page_output,
+    still_jpeg,
+    still_output,
+)
+
+GREY = np.full((30, 40, 3), 128, np.uint8)
+HOSTILE = '"><script>alert(1)</script>'
+OUTPUTS = {
+    "live": live_output("words", f"http://x{HOSTILE}", HOSTILE, GREY, 300),
+    "page": page_output("words", HOSTILE, [HOSTILE], GREY, 300),
+    "gif": media_output("words", "image/gif", b"GIF", [HOSTILE], GREY),
+    "mp4": media_output("words", "video/mp4", b"MP4", [HOSTILE], GREY),
+    "still": still_output("words", [HOSTILE], GREY),
+}
+
+
+@pytest.mark.parametrize("shown", OUTPUTS.values(), ids=OUTPUTS)
+def test_all_outputs_hold_a_still_and_words_and_what_is_in_them_is_escaped(shown):
+    assert set(shown) == {"text/plain", "text/html", "image/jpeg"} and shown["text/plain"] == "words"
+    assert Image.open(io.BytesIO(base64.b64decode(shown["image/jpeg"]))).size == (40, 30)
+    assert "<script>alert" not in shown["text/html"] and "<details" not in shown["text/html"]
+
+
+@pytest.mark.parametrize("kind", ["live", "page", "still"])
+def test_the_still_is_in_sight_in_the_html_too(kind):
+    assert f'src="data:image/jpeg;base64,{OUTPUTS[kind]["image/jpeg"]}"' in OUTPUTS[kind]["text/html"]
+
+
+def test_a_page_inside_is_sealed_off_and_whole():
+    inner = OUTPUTS["page"]["text/html"].partition('srcdoc="')[2].partition('"')[0]
+    assert html.unescape(inner) == HOSTILE
+    assert 'sandbox="allow-scripts"' in OUTPUTS["page"]["text/html"]
+
+
+def test_each_live_frame_has_a_name_of_its_own():
+    again = live_output("words", "http://x", "ssh", GREY, 300)["text/html"]
+    name = again.partition('<iframe name="')[2].partition('"')[0]
+    assert len(name) > 12 and name not in OUTPUTS["live"]["text/html"] and again.count(name) == 2
+
+
+def test_what_is_seen_through_lies_over_white():
+    clear = np.zeros((8, 8, 4), np.uint8)
+    clear[:4] = [0, 0, 255, 128]
+    still = np.asarray(Image.open(io.BytesIO(still_jpeg(clear)))).astype(int)
+    assert np.abs(still[0, 0] - [127, 127, 255]).max() < 6 and still[7, 7].min() > 250
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (3, 5000), (5000, 3), (1440, 1920)])
+def test_stills_of_any_size_and_content_are_bounded(shape):
+    noise = np.random.default_rng(0).integers(0, 256, (*shape, 3), np.uint8)
+    data = still_jpeg(noise)
+    assert len(data) <= MOST_BYTES == 200_000
+    still = Image.open(io.BytesIO(data))
+    assert still.format == "JPEG" and still.width <= 960
+    assert still.width / still.height == pytest.approx(shape[1] / shape[0], rel=0.01) or min(shape) < 10

@@ -1,0 +1,28 @@
+"""A viewer's server; walks over what a test made alone."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+
+import pytest
+
+from pointloom.visualization.viewer.server import ViewerServer
+
+from .events import announced_events  # noqa: F401  a fixture
+
+
+@pytest.fixture
+def server(capfd) -> Iterator[ViewerServer]:
+    """A server; whatever was done to it, nothing was printed."""
+    with ViewerServer(port=0) as server:
+        yield server
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.fixture
+def quick_collection() -> Iterator[None]:
+    """`gc.collect()` leaves out the objects that existed before the test."""
+    gc.freeze()
+    yield
+    gc.unfreeze()

@@ -1,0 +1,165 @@
+"""Strangers at the viewer's door: raw requests, and a page's websocket without a browser."""
+
+from __future__ import annotations
+
+import contextlib
+import http.client
+import json
+import socket
+import struct
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from websockets.sync.client import ClientConnection, connect
+
+from pointloom.visualization.viewer.link.client import PageClient
+from pointloom.visualization.viewer.link.hub import PROTOCOL
+from pointloom.visualization.viewer.server import ViewerServer
+
+from .events import PATIENCE, events, wait_until
+
+HELLO = {"say": "hello", "size": [800, 600], "version": 1}
+CAMERA = {
+    "say": "camera", "position": [0.0, 0.0, 3.0], "rotation": [1, 0, 0, 0, -1, 0, 0, 0, -1], "fov": 1.0,
+    "pivot": [0, 0, 0], "size": [800, 600], "orthographic": False,
+}  # fmt: skip
+
+
+def with_token(server: ViewerServer, path: str = "/") -> str:
+    """The path with what makes the server answer."""
+    return f"{path}?token={server.pages.token}"
+
+
+def get(
+    server: ViewerServer, path: str | None = None, method: str = "GET", **headers: str
+) -> tuple[int, dict[str, str], bytes]:
+    """Status, headers (in small letters) and body of an answer; an underscore in a name stands for a hyphen.
+
+    Without a path it is the page's, with its token.
+    """
+    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
+    try:
+        line.putrequest(
+            method, with_token(server) if path is None else path, skip_host="Host" in headers, skip_accept_encoding=True
+        )
+        for name, value in headers.items():
+            line.putheader(name.replace("_", "-"), value)
+        line.endheaders()
+        answer = line.getresponse()
+        return answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read()
+    finally:
+        line.close()
+
+
+def send_raw(server: ViewerServer, data: bytes) -> bytes:
+    """What the server answers to these bytes before it hangs up."""
+    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as line:
+        answer = b""
+        with contextlib.suppress(ConnectionError):
+            line.sendall(data)
+            line.shutdown(socket.SHUT_WR)
+            while block := line.recv(65536):
+                answer += block
+    return answer
+
+
+@contextlib.contextmanager
+def line_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]:
+    """A websocket as the served page opens it, that has said nothing yet."""
+    settings = {"origin": f"http://127.0.0.1:{server.port}", "subprotocols": [PROTOCOL]} | settings
+    address = f"ws://127.0.0.1:{server.port}{with_token(server, '/live')}"
+    with connect(address, compression=None, max_size=None, proxy=None, close_timeout=0.2, **settings) as line:
+        yield line
+
+
+@contextlib.contextmanager
+def visitor_of(server: ViewerServer) -> Iterator[ClientConnection]:
+    """A page that has said hello, and lets the program choose its camera."""
+    with line_of(server) as line:
+        say(line, HELLO)
+        yield line
+
+
+@contextlib.contextmanager
+def page_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]:
+    """A page that has said hello and where its camera is, and was heard."""
+    with line_of(server, **settings) as line:
+        before = set(server.pages.get_clients())
+        say(line, HELLO)
+        say(line, CAMERA)
+        wait_until(lambda: bool(set(server.pages.get_clients()) - before))
+        (client,) = [client for number, client in server.pages.get_clients().items() if number not in before]
+        wait_until(lambda: client in events.heard)
+        yield line
+
+
+def client_of(server: ViewerServer) -> PageClient:
+    """The program's side of the only page."""
+    (client,) = server.pages.get_clients().values()
+    return client
+
+
+def silent_line(server: ViewerServer, name: str = "127.0.0.1", port: int = 0, buffer: int = 4096) -> socket.socket:
+    """A page under that name and port that has said hello, whose other end does not read by itself."""
+    host = f"{name}:{port or server.port}"
+    line = socket.socket()
+    line.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
+    line.settimeout(PATIENCE)
+    line.connect(("127.0.0.1", server.port))
+    hello = json.dumps(HELLO).encode()
+    frame = bytes([0x81, 0x80 | len(hello), 0, 0, 0, 0]) + hello  # text, masked by zeros
+    line.sendall(
+        f"GET {with_token(server, '/live')} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n"
+        "Upgrade: websocket\r\nConnection: Upgrade\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+        f"Sec-WebSocket-Protocol: {PROTOCOL}\r\n\r\n".encode()
+        + frame
+    )
+    return line
+
+
+def say(line: ClientConnection, message: dict[str, Any]) -> None:
+    """Send a message as a page does."""
+    line.send(json.dumps(message))
+
+
+def hear(line: ClientConnection, seconds: float = PATIENCE) -> list[dict[str, Any]]:
+    """The operations of the next message, arrays in place of their numbers."""
+    raw = line.recv(timeout=seconds)
+    assert isinstance(raw, bytes)
+    (length,) = struct.unpack("<I", raw[:4])
+    assert (4 + length) % 8 == 0
+    content = json.loads(raw[4 : 4 + length])
+    arrays = []
+    for kind, rows, width, offset in content["arrays"]:
+        assert offset % 8 == 0
+        arrays.append(np.frombuffer(raw, f"<{kind}", rows * width, offset).reshape(rows, width))
+    return [
+        {name: arrays[value] if name in ARRAYS and type(value) is int else value for name, value in op.items()}
+        for op in content["do"]
+    ]
+
+
+ARRAYS = {"positions", "colors", "normals", "indices", "uvs", "texture", "poses", "image", "data"}
+
+
+def hear_until(line: ClientConnection, name: str, seconds: float = PATIENCE, **fields: Any) -> dict[str, Any]:
+    """The next operation of this name, with these fields; those of its message that come before it are let go."""
+    end = time.monotonic() + seconds
+    while True:
+        for op in hear(line, max(end - time.monotonic(), 0.01)):
+            if op["op"] == name and all(op.get(field) == value for field, value in fields.items()):
+                return op
+
+
+def is_well(server: ViewerServer) -> bool:
+    """Whether a page gets the scene, and the server hears it."""
+    with page_of(server) as line:
+        return hear_until(line, "clear")["op"] == "clear"
+
+
+def count(server: ViewerServer) -> int:
+    """How many pages are connected."""
+    return server.pages.client_count

@@ -1,0 +1,298 @@
+"""Pages without a browser: `Page` keeps what it was sent; `StandIn` is a viewer with one, for tools."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from pointloom.visualization.render.geometries import named_geometries
+from pointloom.visualization.render.view import View, fit_view
+from pointloom.visualization.viewer.extents import Extents
+from pointloom.visualization.viewer.items import Frame, make_item
+from pointloom.visualization.viewer.link import Gui, PageClient, Scene
+from pointloom.visualization.viewer.link.camera import FIRST
+from pointloom.visualization.viewer.link.delivery import Channel, Delivery
+from pointloom.visualization.viewer.link.wire import read
+from pointloom.visualization.viewer.tools.toolbox import Toolbox
+
+
+class Seen(dict):
+    """A node, a control or another thing as the page knows it, its fields by name."""
+
+    __getattr__ = dict.__getitem__
+
+
+class Page:
+    """A page: what waits in its outbox is applied when somebody looks; `taken` has the operations of each message."""
+
+    def __init__(self, outbox: Any, delivery: Delivery, take: Any, client: PageClient):
+        self._outbox, self._delivery, self._take, self.client = outbox, delivery, take, client
+        self._lock = threading.RLock()
+        self._nodes: dict[int, Seen] = {}
+        self._controls: dict[int, Seen] = {}
+        self._commands: dict[int, Seen] = {}
+        self._others: dict[str, list[Seen]] = {}
+        self._rows: dict[str, tuple[Any, ...]] = {}
+        self._camera = Seen()
+        self.taken: list[list[dict[str, Any]]] = []
+
+    @property
+    def nodes(self) -> dict[int, Seen]:
+        self.look()
+        return self._nodes
+
+    @property
+    def controls(self) -> dict[int, Seen]:
+        self.look()
+        return self._controls
+
+    @property
+    def commands(self) -> list[Seen]:
+        self.look()
+        return list(self._commands.values())
+
+    @property
+    def camera(self) -> Seen:
+        self.look()
+        return self._camera
+
+    @property
+    def rows(self) -> dict[str, tuple[Any, ...]]:
+        """The rows of its tree: label, visible, colour, by key."""
+        self.look()
+        return self._rows
+
+    def others(self, kind: str) -> list[Seen]:
+        """Operations of another kind, such as "notify", in their order."""
+        self.look()
+        return self._others.get(kind, [])
+
+    def control(self, label: str) -> Seen:
+        return next(control for control in self.controls.values() if control.get("label") == label)
+
+    def of_kind(self, kind: str) -> list[Seen]:
+        return [control for control in self.controls.values() if control.kind == kind]
+
+    def look(self) -> list[dict[str, Any]]:
+        """Take what waits; the operations that came."""
+        with self._lock:
+            came = []
+            while ops := self._delivery.take(self._outbox)[0]:
+                self.taken.append(ops)
+                came += ops
+                for op in ops:
+                    self._apply(op)
+            return came
+
+    @property
+    def own_bytes(self) -> int:
+        return self._outbox.own_bytes
+
+    def _apply(self, op: dict[str, Any]) -> None:
+        name, fields = op["op"], Seen(op)
+        held = {"node": self._nodes, "control": self._controls, "command": self._commands}
+        if name in held:
+            held[name][op["id"]] = fields
+        elif name in ("set", "setcontrol"):
+            changed = (self._nodes if name == "set" else self._controls).get(op["id"])
+            if changed is not None:
+                changed.update({key: value for key, value in op.items() if key != "op"})
+        elif name in ("drop", "dropcontrol", "dropcommand"):
+            self._drop({"drop": self._nodes, "dropcontrol": self._controls}.get(name, self._commands), op["id"])
+        elif name == "camera":
+            self._camera.update(op)
+        elif name == "rows":
+            self._rows.update({key: tuple(row) for key, *row in op["put"]})
+            for key in op["drop"]:
+                self._rows.pop(key, None)
+        else:
+            self._others.setdefault(name, []).append(fields)
+
+    def _drop(self, held: dict[int, Seen], number: int) -> None:
+        held.pop(number, None)
+        for child in [child for child, one in held.items() if one.get("parent") == number]:
+            self._drop(held, child)
+
+    def say(self, say: str, **fields: Any) -> None:
+        """Say something, through the checks that every message goes through; done when this returns."""
+        said = read(json.dumps({"say": say, **fields}))
+        if said is not None:
+            self._take(said)
+        self.settle()
+
+    def settle(self) -> None:
+        """Until all callbacks of the page have been called."""
+        done = threading.Event()
+        if self.client.worker.run(done.set, always=True):
+            assert done.wait(60)
+
+    def set(self, label: str, value: Any) -> None:
+        control = self.control(label)
+        control["value"] = value
+        self.say("value", id=control.id, value=value)
+
+    def press(self, label: str) -> None:
+        self.say("press", id=self.control(label).id)
+
+    def key(self, key: str) -> None:
+        for command in self.commands:
+            if command.hotkey == key:
+                self.say("command", id=command.id)
+
+    def move(self, position: Any, *, size: Any = None, **fields: Any) -> None:
+        """Move its camera, as its mouse does."""
+        state = self.client.camera.state
+        said = {"position": list(position), "rotation": state.rotation.ravel().tolist(), "fov": state.fov}
+        said |= {"pivot": state.pivot.tolist(), "size": list(size or state.size), "orthographic": state.orthographic}
+        self.say("camera", **(said | fields))
+
+    def answer(self) -> bool:
+        """Give the sign that was asked for last; whether one was."""
+        asked = [op["n"] for op in self.look() if op["op"] == "sign"]
+        if asked:
+            self.say("sign", n=asked[-1])
+        return bool(asked)
+
+
+@contextlib.contextmanager
+def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
+    """A page that looks at a viewer, which knows of it."""
+    visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
+    page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
+    page.settle()
+    try:
+        yield page
+    finally:
+        worker = page.client.worker
+        visitor.leave()
+        if worker._thread is not None:
+            worker._thread.join(60)
+
+
+def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
+    delivery = Delivery()
+    shared, own = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
+    state = type(FIRST)(**{**vars(FIRST), "size": size})
+    client = PageClient(own, 0, state, (Scene(shared), Gui(shared)))
+    return Page(delivery.join(own, lambda: None), delivery, client.take, client)
+
+
+class Stream:
+    """A cloud of the page, of which is kept what tools ask for."""
+
+    def __init__(self) -> None:
+        self.keep: Any = None
+        self.visible = True
+
+    def set_keep(self, keep: Any) -> None:
+        self.keep = keep
+
+    def set_visible(self, visible: bool) -> None:
+        self.visible = visible
+
+
+class StandIn:
+    """A viewer with one page, which looks where it is told at once."""
+
+    wireframe = False
+
+    def __init__(self, **geometries: Any):
+        self.viewer = self
+        self.lock, self.shown = threading.RLock(), {}
+        self.streams: dict[str, Stream] = {}
+        self.page = page_alone()
+        self.client, self.closed = self.page.client, False
+        for name, geometry in geometries.items():
+            self.add(name, geometry)
+        self.frame = Frame.around(self.bounds)
+        self.now = self.began = fit_view(np.array(self.bounds), width=1000, height=800)
+        self.box = Toolbox(self, self.client.gui.add_folder("Tools"))  # type: ignore[arg-type]
+
+    @property
+    def items(self) -> dict[str, Any]:
+        return self.shown
+
+    def add(self, name: str, geometry: Any, **style: Any) -> None:
+        ((name, geometry, made),) = named_geometries([{"geometry": geometry, "name": name, **style}])
+        self.shown[name] = make_item(name, len(self.shown), geometry, made)
+        self.streams[name] = Stream()
+
+    def remove(self, name: str) -> None:
+        del self.shown[name], self.streams[name]
+
+    def set_pose(self, name: str, T: Any) -> None:
+        self.shown[name].pose = T
+
+    def set_visible(self, name: str, visible: bool) -> None:
+        self.shown[name].visible = visible
+
+    @property
+    def bounds(self) -> Any:
+        extents = Extents()
+        for item in self.shown.values():
+            extents.put(item.name, item.world_bounds())
+        return extents.union()
+
+    def _surface_nodes(self, name: str) -> Any:
+        return []
+
+    def camera_view(self) -> View:
+        return self.now
+
+    def view_of(self, camera: Any) -> View:
+        return self.now
+
+    def look_from(self, view: View) -> None:
+        self.now = view
+
+    def look_as(self, state: Any) -> None:
+        self.now = self.began
+
+    def tell(self) -> None:
+        pass
+
+    def count_anew(self) -> None:
+        pass
+
+    def wait(self) -> None:
+        """Until all is done that was asked for."""
+        self.page.settle()
+        self.box._worker.submit(lambda: None).result(timeout=60)
+
+    def press(self, label: str) -> None:
+        """Press the button that begins with these words."""
+        labels = [str(control.get("label")) for control in self.page.controls.values() if control.kind == "button"]
+        self.page.press(next(one for one in labels if one == label or one.startswith(f"{label} (")))
+        self.wait()
+
+    def set(self, label: str, value: Any) -> None:
+        self.page.set(label, value)
+        self.wait()
+
+    def key(self, key: str) -> None:
+        self.page.key(key)
+        self.wait()
+
+    def click(self, x: float, y: float) -> None:
+        camera = self.now.intrinsic
+        share = {"x": (x + 0.5) / camera.width, "y": (y + 0.5) / camera.height}
+        self.page.say("click", **share)
+        self.wait()
+
+    @property
+    def clicks(self) -> Any:
+        """Who is told of clicks."""
+        return self.client.scene.click_callbacks()
+
+    @property
+    def told(self) -> str:
+        return self.box.stage.status.value
+
+    @property
+    def table(self) -> str:
+        return "\n".join(f"| {label} | {text} |" for label, text in self.box.stage.rows.value)

@@ -1,0 +1,186 @@
+"""`loom.draw`: what it says, when it waits, where a browser opens."""
+
+import os
+import queue
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.core.errors import PointloomError
+from pointloom.visualization.render.view import View
+from pointloom.visualization.viewer import draw as drawing
+from pointloom.visualization.viewer.draw import draw_geometries
+from pointloom.visualization.viewer.presence import Presence
+
+from .events import announce, join_threads, wait_until
+from .pages import visitor_of
+
+ROOT = Path(__file__).resolve().parents[3]
+UTM = np.array([500_000.0, 5_600_000.0, 300.0])
+
+
+@pytest.fixture
+def cloud(rng):
+    return loom.PointCloud(rng.random((50, 3)))
+
+
+@pytest.fixture(autouse=True)
+def no_ssh(monkeypatch):
+    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+
+
+def draw(*geometries, **options):
+    return loom.draw(*geometries, **{"port": 0, "block": False, "open_browser": False} | options)
+
+
+def test_draw_says_where_the_page_is_on_stderr_alone(cloud, capfd):
+    with draw([cloud]) as viewer:
+        out, err = capfd.readouterr()
+    assert out == ""
+    assert err == f"viewer: {viewer.url} (Ctrl-C ends it)\n"
+
+
+def test_unattended_draw_is_a_picture_and_waits_for_nobody(cloud, capfd, monkeypatch):
+    monkeypatch.setenv("POINTLOOM_DRAW", "picture")
+    monkeypatch.setattr(drawing.webbrowser, "open", lambda url: pytest.fail("a browser was opened"))
+    still = draw_geometries([cloud], width=64, height=48, zoom=0.5, front=[0, 0, 1])
+    drawn = loom.render(cloud, {"zoom": 0.5, "front": [0, 0, 1]}, (64, 48), mesh_show_back_face=False)
+    assert np.array_equal(still, drawn)
+    assert capfd.readouterr() == ("", "")
+    with loom.draw(cloud, port=0, block=False) as viewer:  # what does not wait is a viewer all the same
+        assert list(viewer.items) == ["cloud"]
+    monkeypatch.setenv("POINTLOOM_DRAW", "window")
+    with pytest.raises(ValueError, match="POINTLOOM_DRAW:"):
+        loom.draw(cloud)
+
+
+def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
+    monkeypatch.setenv("SSH_CONNECTION", "10.0.0.1 50000 10.0.0.2 22")
+    with draw([cloud]) as viewer:
+        lines = capfd.readouterr().err.splitlines()
+    assert len(lines) == 2
+    assert f"ssh -L {viewer.server.port}:127.0.0.1:{viewer.server.port} " in lines[1]
+    assert lines[1].endswith("@10.0.0.2")
+
+
+def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with draw([cloud], port=port) as viewer:
+            first = capfd.readouterr().err.splitlines()[0]
+    assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
+
+
+def test_an_open_door_is_told(cloud, capfd):
+    with draw([cloud], host="0.0.0.0"):
+        assert "whoever has this address with its token sees the scene" in capfd.readouterr().err
+
+
+def test_open3d_s_parameters_count(cloud):
+    mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    look = {"zoom": 0.5, "front": [0, 0, -1], "lookat": [0.5, 0.5, 0.5], "up": [0, -1, 0]}
+    with draw([cloud, mesh], 640, 480, True, True, False, **look) as viewer:
+        assert list(viewer.items) == ["cloud", "mesh"]
+        assert viewer.normals
+        assert viewer.wireframe
+        assert viewer.items["mesh"].parts[0].cull
+        expected = View.from_open3d(viewer.bounds, **look, width=640, height=480)
+        assert np.allclose(viewer.home().T_world_camera, expected.T_world_camera)
+        assert viewer.screenshot().shape == (480, 640, 3)
+    with draw({"floor": mesh}, mesh_show_back_face=True) as viewer:
+        assert not viewer.items["floor"].parts[0].cull
+    with draw({"geometry": mesh, "name": "wall", "color": (1, 0, 0)}) as viewer:
+        assert viewer.items["wall"].parts[0].plain == (1, 0, 0)
+
+
+def test_nothing_to_draw_is_an_empty_page():
+    with draw([]) as viewer:
+        assert not viewer.items
+        assert viewer.screenshot().min() == 255
+
+
+@pytest.mark.parametrize(
+    ("geometries", "options", "error"),
+    [
+        ([np.zeros((1, 3)), "scan.ply"], {}, TypeError),
+        (np.zeros((1, 3)), {"width": 0}, ValueError),
+        (np.zeros((1, 3)), {"zoom": -1}, ValueError),
+        (np.zeros((1, 3)), {"port": 70_000}, ValueError),
+        (np.zeros((1, 3)), {"linger": -1}, ValueError),
+        (np.zeros((1, 3)), {"host": "no.such.host.invalid"}, PointloomError),
+    ],
+)
+def test_hostile_arguments_leave_no_server(geometries, options, error):
+    before = set(threading.enumerate())
+    with pytest.raises(error):
+        draw(geometries, **options)
+    join_threads(lambda thread: thread not in before)
+
+
+def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
+    made, looks = queue.Queue(), []
+    say, is_over = drawing.announce, Presence._is_over
+    monkeypatch.setattr(drawing, "announce", lambda viewer: (made.put(viewer), say(viewer)))
+    monkeypatch.setattr(Presence, "_is_over", lambda *args: looks.append(is_over(*args)) or looks[-1])
+    announce(monkeypatch, Presence, "_is_over")
+    thread = threading.Thread(target=lambda: draw([cloud], block=None, linger=0), daemon=True)
+    thread.start()
+    viewer = made.get(timeout=60)
+    with visitor_of(viewer.server):
+        wait_until(lambda: viewer.sessions)
+        looks.clear()
+        wait_until(lambda: len(looks) > 1)
+        assert thread.is_alive() and not any(looks)
+    thread.join(60)
+    assert viewer.closed
+
+
+@pytest.mark.slow
+def test_ctrl_c_ends_a_script_s_wait_and_the_script_goes_on(tmp_path):
+    script = (
+        "import signal, sys, numpy as np, pointloom as loom\n"
+        "from pointloom.visualization.viewer.presence import Presence\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a script's begins with it ignored
+        "look = Presence._is_over\n"
+        "def first_look(*args):\n"
+        "    Presence._is_over = look\n"
+        "    print('waits', file=sys.stderr, flush=True)\n"
+        "    return look(*args)\n"
+        "Presence._is_over = first_look\n"
+        "viewer = loom.draw(np.eye(3), port=0, open_browser=False)\n"
+        "print('went on', viewer.closed, file=sys.stderr)\n"
+    )
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+    )
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("viewer: http://127.0.0.1:")
+    assert process.stderr.readline() == "waits\n"
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=300)
+    assert (process.returncode, out, err) == (0, "", "went on True\n")
+
+
+@pytest.mark.parametrize(
+    ("environment", "opens"),
+    [({}, False), ({"DISPLAY": ":0"}, True), ({"DISPLAY": ":0", "SSH_CONNECTION": "1 2 3 4"}, False)],
+)
+def test_a_browser_opens_where_there_is_a_display(cloud, monkeypatch, environment, opens):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    opened = []
+    monkeypatch.setattr(drawing.webbrowser, "open", opened.append)
+    with draw([cloud], open_browser=True) as viewer:
+        assert opened == [viewer.url] * opens
+    with draw([cloud], open_browser=False):
+        assert len(opened) == opens

@@ -1,0 +1,259 @@
+"""What the viewer makes of geometries before any page is there: coordinates, colours, surfaces, cameras, shares."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
+from pointloom.visualization.render.styles import Style
+from pointloom.visualization.render.view import fit_view
+from pointloom.visualization.viewer.camera import camera_of, reach_of, view_of
+from pointloom.visualization.viewer.coloring_choice import ColoringChoice, choices_of
+from pointloom.visualization.viewer.extents import Extents
+from pointloom.visualization.viewer.items import Frame, make_item, to_bytes
+from pointloom.visualization.viewer.link import CameraState
+from pointloom.visualization.viewer.sessions import told
+from pointloom.visualization.viewer.surfaces import line_arrays, surface_arrays
+
+UTM = np.array([500_000.0, 5_600_000.0, 300.0])
+SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+FACES = [[0, 1, 2], [0, 2, 3]]
+
+
+def turn(angle, axis=2):
+    T = np.eye(4)
+    a, b = [i for i in range(3) if i != axis]
+    T[[a, b], [a, b]] = math.cos(angle)
+    T[a, b], T[b, a] = -math.sin(angle), math.sin(angle)
+    return T
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e9])
+def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
+    low, high = UTM * scale, UTM * scale + scale
+    frame = Frame.around((low, high))
+    ends = [frame.place(end, None)[1] for end in (low, high)]
+    width = np.linalg.norm(ends[1] - ends[0])
+    assert 0.05 <= width <= 1e5
+    assert np.allclose(ends[0], -ends[1], rtol=1e-3)
+    if scale == 1:
+        assert frame.unit == 1
+
+
+def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
+    frame, T = Frame(UTM), turn(0.5)
+    T[:3, 3] = [1, 2, 3]
+    origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
+    R, t = frame.place(origin, T)
+    seen = R @ local + t
+    assert np.allclose(seen, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
+
+
+def test_poses_of_style_and_of_the_program_follow_each_other(rng):
+    item = make_item("cloud", 0, loom.PointCloud(rng.random((50, 3))), Style(pose=turn(0.3)))
+    item.pose = turn(0.4)
+    assert np.allclose(item.pose_of(item.parts[0]), turn(0.7))
+    low, high = item.world_bounds()
+    assert (item.sample() >= low - 1e-6).all()
+    assert (item.sample() <= high + 1e-6).all()
+
+
+def test_colors_out_of_range_are_cut():
+    assert to_bytes([[-1, 0.5, 2], [np.nan, np.inf, -np.inf]]).tolist() == [[0, 128, 255], [0, 255, 0]]
+
+
+def test_a_cloud_shows_its_own_colors_then_those_of_the_choice(rng):
+    cloud = loom.PointCloud(rng.random((30, 3)), colors=np.tile([[1.0, 0, 0]], (30, 1)), label=np.arange(30) % 3)
+    item = make_item("cloud", 0, cloud, Style())
+    every = np.arange(30)
+    assert (item.colors_of(every) == [255, 0, 0]).all()
+    item.recolor(ColoringChoice("label").of(item))
+    assert len(np.unique(item.colors_of(every), axis=0)) == 3
+    assert (item.colors_of(every[:3]) == item.colors_of(every[3:6])).all()
+    item.recolor(ColoringChoice("intensity").of(item))  # there is none
+    assert (item.colors_of(every) == [255, 0, 0]).all()
+
+
+def test_a_cloud_can_be_colored_by_what_it_has(rng):
+    points = rng.random((5, 3))
+    cloud = loom.PointCloud(points, normals=points, colors=points, intensity=points[:, 0], flow=points)
+    assert choices_of(cloud) == ["rgb", "normal", "height", "x", "y", "intensity"]
+    assert choices_of(loom.PointCloud(points)) == ["height", "x", "y"]
+
+
+def test_a_choice_that_no_cloud_knows_names_those_that_there_are(rng):
+    items = [make_item("cloud", 0, loom.PointCloud(rng.random((5, 3)), ring=np.arange(5)), Style())]
+    with pytest.raises(ValueError, match=r"^by:"):
+        ColoringChoice().checked("rings", None, None, items)
+    with pytest.raises(ValueError, match="colormap"):
+        ColoringChoice().checked("ring", "rainbow", None, items)
+    with pytest.raises(ValueError, match="limits"):
+        ColoringChoice().checked("height", None, (1, 0), items)
+
+
+@pytest.mark.parametrize(
+    ("drawn", "total", "triangles", "text"),
+    [
+        (0, 0, 0, ""),
+        (0, 0, 70_000, "70,000 triangles"),
+        (0, 3, 1, "0 of 3 points, 1 triangle"),
+        (1234, 1234, 0, "1,234 points"),
+        (500, 1234, 12, "500 of 1,234 points, 12 triangles"),
+        (2_000_000, 100_000_000, 0, "2.0 of 100 million points"),
+        (1_500_000, 1_500_000, 0, "1.5 of 1.5 million points"),
+        (2_000_000, 1_234_000_000, 0, "2.0 of 1,234 million points"),
+    ],
+)
+def test_the_page_says_how_many_points_and_triangles_it_draws(drawn, total, triangles, text):
+    assert told(drawn, total, triangles) == text
+
+
+def arrays_of(mesh, **style):
+    (part,) = make_item("mesh", 0, mesh, Style(**style)).parts
+    return part, surface_arrays(part)
+
+
+def test_a_mesh_is_sent_whole(device):
+    mesh = loom.TriangleMesh(np.array(SQUARE) + UTM, FACES, device=device).compute_vertex_normals()
+    part, sent = arrays_of(mesh)
+    assert np.allclose(sent["positions"] + part.origin, mesh.vertices, atol=1e-6)
+    assert sent["indices"].tolist() == FACES
+    assert np.allclose(sent["normals"], mesh.vertex_normals)
+
+
+def test_a_mesh_has_the_colours_of_its_vertices_or_the_warm_grey_of_our_pictures():
+    assert arrays_of(loom.TriangleMesh(SQUARE, FACES))[1]["plain"].tolist() == [204, 199, 189]
+    colored = loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.tile([[1, 0, 0.5]], (4, 1)))
+    assert arrays_of(colored)[1]["colors"].tolist() == [[255, 0, 128]] * 4
+    assert "plain" not in arrays_of(colored)[1]
+    assert arrays_of(colored, color=(0, 1, 0))[1]["plain"].tolist() == [0, 255, 0]
+
+
+def test_light_falls_on_all_but_photographs():
+    plain, colored = loom.TriangleMesh(SQUARE, FACES), loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3)))
+    picture = {"triangle_uvs": np.zeros((6, 2)), "textures": [np.zeros((2, 2, 3), np.uint8)]}
+    textured = loom.TriangleMesh(SQUARE, FACES, **picture)
+    lit = lambda mesh, **style: arrays_of(mesh, **style)[1]["lit"]  # noqa: E731
+    assert lit(plain) and lit(colored) and lit(textured, shaded=True) and lit(textured, color=(1, 0, 0))
+    assert not lit(colored, shaded=False) and not lit(textured)
+    assert not arrays_of(plain)[1]["cull"] and arrays_of(plain, back_faces=False)[1]["cull"]
+
+
+def test_a_texture_goes_along():
+    texture = np.arange(4 * 4 * 3, dtype=np.uint8).reshape(4, 4, 3)
+    uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], np.float32)
+    part, sent = arrays_of(loom.TriangleMesh(SQUARE, FACES, triangle_uvs=uvs, textures=[texture]))
+    assert (sent["texture"] == texture).all()
+    assert np.allclose(sent["uvs"], np.stack([uvs[:, 0], 1 - uvs[:, 1]], axis=1))  # the page's v runs down
+    corners = sent["positions"][sent["indices"].ravel()] + part.origin
+    assert (corners == np.array(SQUARE)[np.ravel(FACES)]).all()
+
+
+def test_what_is_not_finite_is_not_sent():
+    empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), int))
+    assert [surface_arrays(part) for part in make_item("mesh", 0, empty, Style()).parts] in ([], [None])
+    _, holed = arrays_of(loom.TriangleMesh([*SQUARE[:3], [np.nan, 0, 0]], FACES))
+    assert np.isfinite(holed["positions"]).all() and holed["indices"].tolist() == FACES[:1]
+    (lines,) = make_item("lines", 0, loom.LineSet(SQUARE, [[0, 1], [2, 3], [1, 2]]), Style()).parts
+    places = np.array([*SQUARE[:3], [np.nan] * 3], np.float32)
+    part = dataclasses.replace(lines, positions=upload(places, vec3, lines.positions.device))
+    assert line_arrays(part)["ends"].tolist() == [SQUARE[:2], [SQUARE[1], SQUARE[2]]]
+
+
+def seen_from(camera, frame, points, aspect):
+    """Where points are in a page, -1 to 1."""
+    local = (points - frame.to_world(camera.position)) @ camera.rotation
+    tan = math.tan(camera.fov / 2)
+    return local[:, :2] / local[:, 2:] / [tan * aspect, tan]
+
+
+def test_the_page_s_camera_sees_what_the_view_shows(rng):
+    points = rng.random((40, 3)) + UTM
+    bounds = points.min(axis=0), points.max(axis=0)
+    frame = Frame.around(bounds)
+    for direction in ((-0.65, 0.7, -0.75), (0.1, 0.2, -1), (1, 0, 0)):
+        view = fit_view(points, direction=direction, up=(0, 1, 0.1), width=800, height=600)
+        camera = camera_of(view, frame, bounds)
+        local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+        expected = local[:, :2] / local[:, 2:] * [view.intrinsic.fx / 400, view.intrinsic.fy / 300]
+        assert np.allclose(seen_from(camera, frame, points, 800 / 600), expected, atol=1e-6)
+
+
+def test_a_narrow_page_sees_as_much_as_a_wide_one(rng):
+    points = rng.random((40, 3))
+    bounds = points.min(axis=0), points.max(axis=0)
+    view = fit_view(points, width=1600, height=400)
+    for aspect in (0.3, 1.0, 4.0, 8.0):
+        camera = camera_of(view, Frame.around(bounds), bounds, aspect)
+        assert np.abs(seen_from(camera, Frame.around(bounds), points, aspect)).max() < 1
+
+
+def state_of(camera, size=(800, 600), **changed):
+    return CameraState(camera.position, camera.rotation, camera.fov, size, camera.pivot, **changed)
+
+
+def test_a_view_comes_back_from_the_page_s_camera(rng):
+    points = 3e-4 * rng.random((40, 3)) + UTM
+    bounds = points.min(axis=0), points.max(axis=0)
+    frame, view = Frame.around(bounds), fit_view(points, width=800, height=600)
+    back = view_of(state_of(camera_of(view, frame, bounds)), frame, bounds, (800, 600))
+    assert np.allclose(back.T_world_camera, view.T_world_camera, atol=1e-9)
+    assert back.intrinsic.fx == pytest.approx(view.intrinsic.fx)
+
+
+@pytest.mark.parametrize("zoom", [1.0, 0.01])
+def test_a_camera_without_perspective_sees_what_a_view_from_very_far_away_shows(rng, zoom):
+    points = rng.random((40, 3)) + UTM
+    bounds = points.min(axis=0), points.max(axis=0)
+    frame, size = Frame.around(bounds), (800, 600)
+    camera = camera_of(fit_view(points, width=800, height=600), frame, bounds)
+    depth = zoom * (camera.pivot - camera.position) @ camera.rotation[:, 2]
+    near = CameraState(
+        camera.pivot - depth * camera.rotation[:, 2], camera.rotation, camera.fov, size, camera.pivot, orthographic=True
+    )
+    view = view_of(near, frame, bounds, size)
+    local = (points - frame.to_world(camera.pivot)) @ camera.rotation
+    expected = local[:, :2] / depth * (300 / math.tan(camera.fov / 2))  # the page's scale, at the depth of its pivot
+    seen = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+    pixels = seen[:, :2] / seen[:, 2:] * view.intrinsic.fx
+    shown = (np.abs(expected) < [400, 300]).all(axis=1)
+    assert np.abs(pixels - expected)[shown].max(initial=0) < 1
+    assert zoom < 1 or shown.mean() > 0.8
+
+
+@pytest.mark.parametrize("distance", [1.0, 600.0])
+def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
+    bounds = np.full(3, -0.5), np.full(3, 0.5)
+    frame = Frame(np.zeros(3))
+    camera = CameraState(np.array([0, 0, -distance]), np.eye(3), 1.0, (800, 600), np.zeros(3))
+    reach = reach_of(camera, frame, bounds)
+    assert reach["near"] < distance - 0.5 and distance + 0.5 < reach["far"]
+    assert reach["closest"] < distance < reach["farthest"]
+    assert reach["far"] / reach["near"] <= 1e5
+
+
+def test_the_union_is_that_of_all_boxes_after_each_of_many_changes(rng):
+    extents, boxes = Extents(), {}
+    for _ in range(400):
+        name = f"box {rng.integers(40)}"
+        if rng.random() < 0.3:
+            extents.drop(name)
+            boxes.pop(name, None)
+        else:
+            low = rng.integers(-5, 5, 3).astype(float)
+            boxes[name] = low, low + rng.integers(0, 3, 3)
+            extents.put(name, boxes[name])
+        found = extents.union()
+        assert len(extents) == len(boxes)
+        if not boxes:
+            assert found is None
+            continue
+        assert (found[0] == np.min([low for low, _ in boxes.values()], axis=0)).all()
+        assert (found[1] == np.max([high for _, high in boxes.values()], axis=0)).all()
+    corners = extents.corners()
+    assert corners.shape == (8 * len(boxes), 3)
+    assert {tuple(corner) for corner in corners} >= {tuple(low) for low, _ in boxes.values()}

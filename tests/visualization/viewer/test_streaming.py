@@ -1,0 +1,412 @@
+"""What a client of the viewer is sent: seen through a client that keeps what the browser would hold."""
+
+import contextlib
+import itertools
+import threading
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.visualization.render.view import View, fit_view
+from pointloom.visualization.viewer import streaming
+from pointloom.visualization.viewer.detail_tree import DetailTree
+from pointloom.visualization.viewer.streaming import PLAIN, CloudStream
+
+UTM = np.array([512_345.0, 5_402_111.0, 240.0])
+BUDGET = 90_000
+
+
+class Node:
+    """A node of the scene; changes are seen at once."""
+
+    def __init__(self, client, kind, number, parent=None, R=None, t=None, scale=1.0, visible=True, **values):
+        self.client, self.kind, self.id, self.parent, self.removed = client, kind, number, parent, False
+        self._visible, self.values = visible, values
+        self.place(R, t, told=False)
+
+    def place(self, R=None, t=None, scale=None, *, told=True):
+        self.R = np.eye(3) if R is None else np.asarray(R)
+        self.t = np.zeros(3) if t is None else np.asarray(t, np.float64)
+        if told:
+            self.client.messages.append(("place", self.id))
+
+    @property
+    def visible(self):
+        return self._visible
+
+    @visible.setter
+    def visible(self, visible):
+        self.client.check(self)
+        self._visible = visible
+        self.client.messages.append(("visible", self.id))
+
+    def set(self, **values):
+        self.client.check(self)
+        self.values.update(values)
+        self.client.messages.append(("set", self.id))
+
+    def remove(self):
+        self.client.check(self)
+        self.removed = True
+        for number in [n for n, node in self.client.nodes.items() if self in (node, node.parent)]:
+            del self.client.nodes[number]
+        self.client.messages.append(("remove", self.id))
+
+    def __getattr__(self, name):
+        return self.__dict__["values"][name]
+
+
+class Client:
+    """Stands for a `PageClient`."""
+
+    def __init__(self):
+        self.scene, self.nodes, self.messages, self.swaps = self, {}, [], []
+        self.is_open, self.depth, self.on_swap, self.threads = True, 0, None, []
+        self.numbers = itertools.count(1)
+
+    def check(self, node):
+        assert self.is_open, "nothing is sent to a page that has gone"
+        assert not node.removed
+
+    @contextlib.contextmanager
+    def atomic(self):
+        self.depth += 1
+        yield
+        self.depth -= 1
+        if not self.depth:
+            self.swaps.append(sum(len(node.positions) for node in self.seen()))
+            self.threads.append(threading.get_ident())
+            if self.on_swap:
+                self.on_swap()
+
+    def add_group(self, **placing):
+        return self.add("group", placing)
+
+    def add_points(self, positions, colors, **values):
+        assert self.depth, "nodes are swapped in together"
+        assert np.isfinite(positions).all()
+        assert colors.shape == positions.shape and colors.dtype == np.uint8
+        return self.add("points", {"positions": positions, "colors": np.array(colors), **values})
+
+    def add(self, kind, values):
+        node = Node(self, kind, next(self.numbers), **values)
+        self.nodes[node.id] = node
+        self.messages.append(("add", node.id))
+        return node
+
+    def seen(self):
+        return [node for node in self.nodes.values() if node.kind == "points" and node.visible]
+
+    @property
+    def frame(self):
+        (frame,) = [node for node in self.nodes.values() if node.kind == "group"]
+        return frame
+
+    def world(self):
+        """Positions that are seen, about the scene's zero, in float64."""
+        parts = [node.positions.astype(np.float64) + node.t for node in self.seen()]
+        assert all(node.parent is self.frame for node in self.seen())
+        points = np.concatenate(parts) if parts else np.empty((0, 3))
+        return points @ self.frame.R.T + self.frame.t
+
+    def count(self, kind):
+        return sum(message[0] == kind for message in self.messages)
+
+
+def numbers_of(stream):
+    """The number in the tree of each node in the page."""
+    return {sent.node.id: i for i, sent in stream._sent.items() if sent.node is not None}
+
+
+def hills(count, seed=3):
+    rng = np.random.default_rng(seed)
+    points = rng.random((count, 3)) * [80, 60, 0]
+    points[:, 2] = 3 * np.sin(points[:, 0] / 7) * np.cos(points[:, 1] / 9)
+    return points + UTM
+
+
+POINTS = hills(200_000)
+FAR = fit_view(POINTS, width=1000, height=750)
+
+
+def moved(view, forward, aside=0.0):
+    T = view.T_world_camera.copy()
+    T[:3, 3] += T[:3, :3] @ [aside, 0, forward]
+    return View(view.intrinsic, T)
+
+
+@pytest.fixture(scope="module")
+def tree():
+    colors = np.random.default_rng(0).integers(0, 256, (len(POINTS), 3)) / 255
+    return DetailTree.from_cloud(loom.PointCloud(POINTS, colors=colors))
+
+
+@pytest.fixture
+def client():
+    return Client()
+
+
+@pytest.fixture
+def stream(client, tree):
+    return CloudStream(client, tree, origin=UTM, budget=BUDGET)
+
+
+def distances_to(points, among):
+    return np.array([np.linalg.norm(among - p, axis=1).min() for p in points])
+
+
+def test_a_view_is_filled_up_to_the_budget(client, stream):
+    stream.look(FAR)
+    assert 0.7 * BUDGET < stream.drawn <= BUDGET
+    assert stream.drawn == len(client.world())
+    assert stream.total == len(POINTS)
+    before = len(client.messages)
+    stream.look(FAR)  # again, and nothing is sent
+    assert len(client.messages) == before
+
+
+def test_points_are_sent_where_they_lie(client, stream, tree):
+    """Within a quarter of a pixel, near and far, half a million metres from zero."""
+    precisions = []
+    for view in (FAR, moved(FAR, 70.0), moved(FAR, 115.0)):
+        stream.look(view)
+        precisions.append({str(node.positions.dtype) for node in client.seen()})
+        sent = client.world() + UTM
+        chosen = np.random.default_rng(1).choice(len(sent), 10, replace=False)
+        gaps = distances_to(sent[chosen], POINTS)
+        away = np.linalg.norm(sent[chosen] - view.T_world_camera[:3, 3], axis=1)
+        assert (gaps / away * view.intrinsic.fx).max() < 0.5  # along all three axes together
+    assert "float16" in precisions[0]
+    assert "float32" in precisions[2]
+
+
+def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
+    monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
+    monkeypatch.setattr(streaming, "_FIRST_POINTS", 20_000)
+    whole = CloudStream(client, tree, origin=UTM, budget=10**6)
+    whole.look(FAR)
+    tree_numbers = numbers_of(whole)
+    names = [tree_numbers[number] for kind, number in client.messages if kind == "add" and number in tree_numbers]
+    assert len(client.swaps) > 3
+    assert 0 < client.swaps[0] < len(POINTS) / 2, "the first swap is a part"
+    assert tree.levels[names[0]] == 0
+    assert tree.levels[names[-1]] == tree.levels.max()
+
+
+def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monkeypatch):
+    monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
+    seen = []
+
+    def pause():
+        seen.append(whole.drawn)
+        whole.set_visible(True)  # no lock is held, so that others may go on
+        return True
+
+    whole = CloudStream(client, tree, origin=UTM, budget=10**6, pause=pause)
+    whole.look(FAR)
+    assert whole.drawn == len(POINTS)
+    assert len(seen) >= 3
+    assert all(a < b < len(POINTS) for a, b in itertools.pairwise(seen))
+    assert client.count("remove") == 0
+
+
+def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
+    whole = CloudStream(client, tree, origin=UTM, budget=len(POINTS))
+    whole.look(moved(FAR, 95.0))
+    assert whole.drawn == len(POINTS)
+    sent = client.count("add")
+    whole.look(moved(FAR, 94.0, 10.0))
+    assert client.count("remove") == 0
+    assert client.count("add") - sent < 0.2 * len(tree), "but what came near enough to want exact positions"
+
+
+def test_colours_go_with_their_points(client, stream, tree):
+    stream.look(FAR)
+    sent, colors = client.world() + UTM, np.concatenate([node.colors for node in client.seen()])
+    for k in range(0, len(sent), 4999):
+        nearest = int(np.argmin(((POINTS - sent[k]) ** 2).sum(axis=1)))
+        assert np.array_equal(colors[k], tree.colors_of(np.array([nearest]))[0])
+
+
+def test_a_plain_cloud_is_plain(client):
+    stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(POINTS[:500])), origin=UTM, budget=1000)
+    stream.look(FAR)
+    assert {tuple(c) for node in client.seen() for c in node.colors.tolist()} == {PLAIN}
+
+
+def test_coming_back_shows_what_was_hidden(client, stream):
+    near = moved(FAR, 120.0)
+    stream.look(near)
+    there = np.sort(client.world(), axis=0)
+    stream.look(FAR)
+    sent = client.count("add")
+    stream.look(near)
+    assert client.count("add") == sent, "nothing is sent twice"
+    assert np.array_equal(np.sort(client.world(), axis=0), there)
+
+
+def test_hidden_points_are_bounded(client, tree, monkeypatch):
+    monkeypatch.setattr(streaming, "_HIDDEN", 1)
+    stream = CloudStream(client, tree, origin=UTM, budget=40_000)
+    for aside in np.linspace(-45, 45, 9):
+        stream.look(moved(FAR, 115.0, aside))
+        held = sum(len(node.positions) for node in client.nodes.values() if node.kind == "points")
+        assert held <= 2 * 40_000
+    assert client.count("remove") > 0
+
+
+def test_no_swap_leaves_a_hole_or_doubles_the_points(client, stream):
+    stream.look(FAR)
+    del client.swaps[:]
+    stream.look(moved(FAR, 120.0, 20.0))
+    assert client.swaps
+    assert min(client.swaps) > 0.3 * BUDGET
+    assert max(client.swaps) <= BUDGET
+
+
+def test_an_overtaken_look_stops(client, stream, monkeypatch):
+    """From inside the first batch of one look another thread looks elsewhere."""
+    monkeypatch.setattr(streaming, "_BATCH_NODES", 1)
+    other = moved(FAR, 90.0, 15.0)
+    thread = threading.Thread(target=stream.look, args=(other,))
+
+    def overtake():
+        client.on_swap = None
+        thread.start()
+        while stream._version < 2:
+            pass
+
+    client.on_swap = overtake
+    del client.threads[:]
+    stream.look(FAR)
+    thread.join()
+    expected = Client()
+    CloudStream(expected, stream._tree, origin=UTM, budget=BUDGET).look(other)
+    assert np.array_equal(np.sort(client.world(), axis=0), np.sort(expected.world(), axis=0))
+    assert client.threads.count(threading.get_ident()) == 1, "no batch behind the first"
+
+
+def test_new_colours_reach_all_that_is_shown_and_come_back_right(client, stream):
+    near = moved(FAR, 120.0)
+    stream.look(near)
+    stream.look(FAR)
+    assert client.count("visible") > 1
+    sent = client.count("add")
+    stream.set_colors(lambda indices: np.stack([indices % 251, indices % 7, indices % 3], axis=1).astype(np.uint8))
+    assert client.count("add") == sent, "positions are not sent again"
+    assert all(node.colors[:, 2].max() < 3 for node in client.seen())
+    stream.look(near)
+    assert all(node.colors[:, 2].max() < 3 for node in client.seen())
+    stream.set_colors(None)
+    assert np.concatenate([node.colors for node in client.seen()])[:, 2].max() > 200
+
+
+def test_hidden_points_are_not_drawn_and_others_take_their_place(client, stream):
+    stream.look(FAR)
+    middle = POINTS[:, 0].mean()
+    stream.set_keep(lambda points: points[:, 0] > middle)
+    world = client.world()
+    assert (world[:, 0] + UTM[0] > middle - 0.05).all()
+    assert 0.6 * BUDGET < stream.drawn == len(world) <= BUDGET, "the budget is used for what is left"
+    stream.set_colors(lambda indices: np.repeat((POINTS[indices, :1] <= middle), 3, axis=1).astype(np.uint8))
+    assert {int(c) for node in client.seen() for c in np.unique(node.colors)} == {0}
+    stream.set_keep(lambda points: np.zeros(len(points), bool))
+    assert stream.drawn == 0 == len(client.world())
+    stream.set_keep(None)
+    assert stream.drawn > 0.7 * BUDGET
+
+
+def test_points_grow_with_the_gaps_between_them(client, stream):
+    stream.look(FAR)
+    far = stream.point_size
+    assert min(node.size for node in client.seen()) == far and all(node.metric for node in client.seen())
+    stream.look(moved(FAR, 115.0))
+    assert stream.point_size < 0.7 * far
+    for metric in (True, False):
+        stream.set_point_size(0.5, metric)
+        assert {(node.size, node.metric) for node in client.seen()} == {(0.5, metric)}
+        stream.look(FAR)
+        assert {(node.size, node.metric) for node in client.seen()} == {(0.5, metric)}, "those that were hidden too"
+
+
+def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
+    """Within a node that is drawn finer they would stand out."""
+    stream.look(moved(FAR, 120.0))
+    tree_numbers = numbers_of(stream)
+    sizes = {tree_numbers[node.id]: node.size for node in client.seen()}
+    nodes = sorted(sizes)
+    refined = dict(zip(nodes, tree._are_refined(nodes), strict=True))
+    assert any(refined.values())
+    for i in nodes:
+        wide = 1.5 * tree.spacings[i]
+        assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, wide))
+    assert max(sizes.values()) > stream.point_size
+
+
+def test_a_pose_moves_what_is_sent_and_what_is_chosen(client, stream):
+    stream.look(FAR)
+    before = client.world() + UTM
+    T = np.eye(4)
+    T[:2, :2], T[:3, 3] = [[0.8, -0.6], [0.6, 0.8]], [5.0, -2.0, 1.0]
+    T[:3, 3] += UTM - T[:3, :3] @ UTM
+    stream.set_pose(T)
+    moved_view = View(FAR.intrinsic, T @ FAR.T_world_camera)
+    stream.look(moved_view)
+    after = client.world() + UTM
+    assert np.abs(np.sort(after, axis=0) - np.sort(before @ T[:3, :3].T + T[:3, 3], axis=0)).max() < 1e-6
+
+
+def test_a_pose_that_hardly_differs_is_sent_too(client, stream):
+    """A frame 10 km away follows steps of a centimetre."""
+    stream.look(FAR)
+    T = np.eye(4)
+    T[0, 3] = 10_000.0
+    stream.set_pose(T)
+    T[0, 3] += 0.01
+    stream.set_pose(T)
+    del client.messages[:]
+    stream.set_visible(False)
+    assert client.messages == [("visible", client.frame.id)] and not client.frame.visible
+    assert client.frame.t[0] - (stream._tree.origin - UTM)[0] == pytest.approx(10_000.01, abs=1e-6)
+
+
+def test_a_closed_stream_leaves_nothing_and_does_nothing(client, stream):
+    stream.look(FAR)
+    stream.close()
+    stream.close()
+    assert client.nodes == {}
+    stream.look(FAR)
+    stream.set_visible(True)
+    stream.set_pose(np.eye(4))
+    stream.set_colors(None)
+    assert (client.nodes, stream.drawn) == ({}, 0)
+
+
+@pytest.mark.parametrize("act", ["look", "set_point_size", "set_colors", "set_keep"])
+def test_a_client_that_has_gone_is_sent_nothing_more(client, stream, act):
+    stream.look(FAR)
+    client.is_open = False
+    arguments = {"look": [moved(FAR, 80.0)], "set_point_size": [0.1], "set_keep": [lambda points: points[:, 0] > 9],
+                 "set_colors": [lambda indices: np.zeros((len(indices), 3), np.uint8)]}  # fmt: skip
+    before = len(client.messages)
+    getattr(stream, act)(*arguments[act])
+    assert len(client.messages) == before
+
+
+@pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((2, 3), np.nan), [[1.0, 2.0, 3.0]]], ids=str)
+def test_clouds_of_hardly_any_points(client, points):
+    stream = CloudStream(client, DetailTree.from_cloud(loom.PointCloud(points)), origin=np.zeros(3), budget=10)
+    stream.look(fit_view([[0, 0, 0], [1, 2, 3]]))
+    assert stream.drawn == stream.total == np.isfinite(np.asarray(points)).all(axis=1).sum()
+
+
+def test_wrong_arguments_are_named(client, tree, stream):
+    with pytest.raises(ValueError, match="budget"):
+        CloudStream(client, tree, origin=UTM, budget=0)
+    with pytest.raises(ValueError, match="origin"):
+        CloudStream(client, tree, origin=[1, 2], budget=9)
+    with pytest.raises(ValueError, match="point_size"):
+        stream.set_point_size(-1)
+    with pytest.raises(ValueError, match="T"):
+        stream.set_pose(np.ones((4, 4)))

@@ -1,0 +1,323 @@
+"""The tools at work in a page that is a stand-in: clicks, keys and buttons, and that nothing stays behind."""
+
+import numpy as np
+import pytest
+
+import pointloom as loom
+from pointloom.visualization.viewer.tools.picking import project
+from pointloom.visualization.viewer.tools.polygon_crop import looks_along_axis
+
+from .stand_in import StandIn
+
+
+def waves(side=40):
+    x, y = (a.ravel() / side * 4 - 2 for a in np.mgrid[:side, :side].astype(float))
+    return np.column_stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y) + 0.05 * x * y])
+
+
+@pytest.fixture
+def page():
+    page = StandIn(waves=loom.PointCloud(waves(), level=np.arange(1600, dtype=np.int32)))
+    yield page
+    page.box.close()
+
+
+def draw_triangle(page):
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.key("enter")
+
+
+def click_on(page, place):
+    page.click(*project(page.now, place)[:2])
+
+
+def test_one_tool_is_at_work_at_a_time_and_its_button_ends_it(page):
+    before = len(page.page.controls)
+    page.press("Pick a point")
+    page.press("Measure")
+    assert page.box.tool.label == "Measure" and len(page.clicks) == 1
+    page.press("Measure")
+    assert page.box.tool is None and page.clicks == () and len(page.page.controls) == before
+    page.key("escape")
+    page.key("enter")
+    page.key("backspace")
+    assert page.box.tool is None
+
+
+def test_a_picked_point_is_told_and_marked(page):
+    page.press("Pick a point")
+    click_on(page, waves()[777])
+    assert "| index | 777 |" in page.table and "| level | 777 |" in page.table
+    dot, words = page.page.nodes.values()
+    assert (dot.kind, words.text) == ("points", "777")
+    place = np.reshape(words.pose, (3, 4))[:, 3] + page.frame.origin
+    seen, clicked = (project(page.now, at)[:2] for at in (place, waves()[777]))
+    np.testing.assert_allclose(seen, clicked, atol=0.1)
+    page.click(2, 2)
+    assert "Nothing there" in page.told and page.table == "" and page.page.nodes == {}
+
+
+def test_names_from_files_are_shown_as_they_are_in_controls_of_plain_text():
+    name = "<img src=x onerror=alert(1)>|[a](javascript:b) *c* `d`"
+    page = StandIn(**{name: loom.PointCloud(waves())})
+    page.press("Pick a point")
+    click_on(page, waves()[777])
+    kinds = {control.kind for control in page.page.controls.values() if name in str(control.get("value"))}
+    assert kinds == {"table"} and f"| in | {name} |" in page.table
+    page.box.close()
+
+
+def test_a_surface_is_picked_where_it_is_met():
+    page = StandIn(box=loom.TriangleMesh.create_box(1, 1, 1))
+    page.press("Pick a point")
+    click_on(page, [0.5, 0.25, 1.0])
+    assert "| triangle |" in page.table and "| z | 1 |" in page.table
+    page.box.close()
+
+
+def test_clicks_measure_and_backspace_takes_one_back(page):
+    points = waves()
+    page.press("Measure")
+    for index in (500, 820, 1033):
+        click_on(page, points[index])
+    assert "over 2 parts" in page.table and "angle" in page.table
+    page.key("backspace")
+    assert f"{np.linalg.norm(points[820] - points[500]):.4f} m" in page.table and "parts" not in page.table
+    page.key("enter")
+    assert page.table == "" and page.page.nodes == {}
+
+
+def test_lengths_are_measured_in_the_unit_of_what_is_clicked_on():
+    cloud = loom.PointCloud(waves(), unit="foot")
+    other = loom.PointCloud(waves() + np.array([10, 0, 0]))
+    page = StandIn(waves=cloud, other=other)
+    page.press("Measure")
+    for index in (500, 820):
+        click_on(page, waves()[index])
+    length = np.linalg.norm(waves()[820] - waves()[500])
+    assert f"| distance | {length:.4f} ft |" in page.table and " m " not in page.table
+    other.unit = "metre"
+    click_on(page, waves()[500] + np.array([10, 0, 0]))
+    assert "one is in foot, the other in metre, so nothing between them is a length" in page.told and page.table == ""
+    page.box.close()
+
+
+def files_of(page, folder):
+    """Write what the page downloaded into a folder; the names, in their order."""
+    files = page.page.others("download")
+    for file in files:
+        (folder / file.name).write_bytes(bytes(file.data))
+    return [file.name for file in files]
+
+
+def test_a_polygon_is_drawn_saved_cropped_and_undone(page, tmp_path):
+    before = page.now
+    page.press("Crop by polygon")
+    assert looks_along_axis(page.now)
+    for corner in ((300, 200), (700, 220), (640, 600), (20, 20)):
+        page.click(*corner)
+    page.key("backspace")
+    page.key("enter")
+    kept = page.items["waves (cropped)"].cloud
+    assert files_of(page, tmp_path) == ["cropped.json"] and "downloaded as cropped.json" in page.told
+    volume = loom.SelectionPolygonVolume.from_json(tmp_path / "cropped.json")
+    assert len(volume.bounding_polygon) == 3 and 50 < len(kept) < 800 and f"{len(kept):,} of 1,600 points" in page.told
+    np.testing.assert_array_equal(page.items["waves"].cloud.crop(volume).points, kept.points)
+    assert not page.items["waves"].visible and kept["level"].dtype == page.items["waves"].cloud["level"].dtype
+    page.press("Undo crop")
+    assert list(page.items) == ["waves"] and page.items["waves"].visible
+    page.key("escape")
+    assert page.now is before and page.page.nodes == {}
+
+
+def test_points_hidden_by_clip_planes_are_not_in_a_crop(page):
+    page.set("clip", True)
+    page.set("x", [0.0, page.page.control("x").max])
+    page.press("Crop by polygon")
+    for corner in ((1, 1), (998, 1), (998, 798), (1, 798)):
+        page.click(*corner)
+    page.key("enter")
+    assert len(page.items["waves (cropped)"].cloud) == (waves()[:, 0] >= 0).sum()
+    assert "hidden by clip planes" in page.told
+
+
+def test_a_download_has_a_limit(page, monkeypatch):
+    monkeypatch.setattr("pointloom.visualization.viewer.tools.stage.MAX_BYTES", 100)
+    page.press("Crop by polygon")
+    draw_triangle(page)
+    assert "pages download at most" in page.told and list(page.items) == ["waves"]
+    assert page.page.others("download") == []
+
+
+def test_corners_stay_on_the_scene_as_the_view_is_moved_along(page):
+    page.press("Crop by polygon")
+    page.click(300, 200)
+    place = page.box.tool._corners[0]
+    page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
+    page.now.T_world_camera[0, 3] += 0.3
+    page.click(700, 220)
+    np.testing.assert_array_equal(page.box.tool._corners[0], place)
+    assert len(page.box.tool._corners) == 2
+
+
+def test_a_view_turned_away_is_made_straight_before_a_corner_counts(page):
+    before = page.now
+    page.press("Crop by polygon")
+    page.now = before
+    page.click(500, 400)
+    assert looks_along_axis(page.now) and "turned away" in page.told and page.box.tool._corners == []
+
+
+def test_a_free_view_keeps_what_is_seen_inside_as_a_cloud(page, tmp_path):
+    page.press("Crop by polygon")
+    page.set("view", "free view")
+    assert not looks_along_axis(page.now)
+    draw_triangle(page)
+    assert files_of(page, tmp_path) == ["cropped.ply"]
+    saved = loom.read_point_cloud(tmp_path / "cropped.ply")
+    np.testing.assert_allclose(saved.points, page.items["waves (cropped)"].cloud.points)
+    assert 50 < len(saved) < 800
+
+
+@pytest.mark.parametrize("corners", [[], [(300, 200), (700, 220)], [(1, 1), (2, 1), (2, 3)]])
+def test_a_polygon_without_corners_or_points_crops_nothing(page, corners):
+    page.press("Crop by polygon")
+    for corner in corners:
+        page.click(*corner)
+    page.key("enter")
+    assert list(page.items) == ["waves"] and page.page.others("download") == []
+    assert "at least three corners" in page.told or "no point lies inside" in page.told
+
+
+def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
+    points = waves()
+    page = StandIn(source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points))
+    page.press("Register by pairs")
+    page.key("enter")
+    assert "at least three pairs" in page.told
+    for index in (500, 1033, 390):
+        click_on(page, points[index] + [0.3, -0.2, 1.2])
+        click_on(page, points[index])
+    page.key("enter")
+    np.testing.assert_allclose(page.items["source"].pose[:3, 3], [-0.3, 0.2, -1.2], atol=1e-4)
+    assert "lies on target now" in page.told and "| fitness | 100" in page.table.replace("&#46;", ".")
+    page.press("Save pairs and pose")
+    assert files_of(page, tmp_path) == ["pairs.json", "pairs.txt"]
+    np.testing.assert_allclose(np.loadtxt(tmp_path / "pairs.txt"), page.items["source"].pose, atol=1e-12)
+    page.press("Back to the old pose")
+    np.testing.assert_array_equal(page.items["source"].pose, np.eye(4))
+    page.box.close()
+
+
+def test_posed_clouds_register_where_they_stand():
+    points = waves()
+    page = StandIn(source=loom.PointCloud(points), target=loom.PointCloud(points))
+    for name, shift in (("source", [0, 0, 2.0]), ("target", [5.0, 0, 0])):
+        pose = np.eye(4)
+        pose[:3, 3] = shift
+        page.set_pose(name, pose)
+    page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
+    page.now.T_world_camera[:3, 3] -= 15 * page.now.T_world_camera[:3, 2]
+    page.press("Register by pairs")
+    for index in (500, 1033, 390):
+        click_on(page, points[index] + [0, 0, 2])
+        click_on(page, points[index] + [5, 0, 0])
+    assert [found.index for found in page.box.tool._picks] == [500, 500, 1033, 1033, 390, 390]
+    page.key("enter")
+    np.testing.assert_allclose(page.items["source"].pose, page.items["target"].pose, atol=1e-4)
+    page.box.close()
+
+
+def test_pairs_on_a_line_are_told_and_move_nothing():
+    points = waves()
+    points[:, 2] = 0
+    page = StandIn(source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
+    page.press("Register by pairs")
+    for index in (410, 420, 430):
+        click_on(page, points[index] + [0, 0, 1.0])
+        click_on(page, points[index])
+    page.key("enter")
+    assert "lie on one line" in page.told and page.items["source"].pose is None
+    page.box.close()
+
+
+def test_tools_say_what_they_lack(page):
+    page.press("Register by pairs")
+    assert "two clouds are needed" in page.told and page.box.tool is None
+    page.set_visible("waves", False)
+    page.press("Crop by polygon")
+    assert "no cloud to crop" in page.told and page.box.tool is None
+
+
+def test_clip_planes_hide_points_and_spare_them_from_picking(page):
+    points, clip = waves(), page.box.clip
+    page.set("x", [clip._ranges[0].min, 0.0])
+    page.set("clip", True)
+    np.testing.assert_array_equal(page.streams["waves"].keep(points), points[:, 0] <= 0)
+    page.press("Pick a point")
+    click_on(page, points[1200])
+    assert points[1200, 0] > 0.5 and "Nothing there" in page.told
+    click_on(page, points[300])
+    assert "| index | 300 |" in page.table
+    page.streams["waves"] = type(page.streams["waves"])()  # the page has got the cloud anew
+    page.box.refresh()
+    page.wait()
+    assert page.streams["waves"].keep is not None
+    page.set("clip", False)
+    assert page.streams["waves"].keep is None
+
+
+def test_a_cloud_that_goes_meanwhile_is_told(page):
+    page.press("Crop by polygon")
+    for corner in ((300, 200), (700, 220), (640, 600)):
+        page.click(*corner)
+    page.items["other"] = page.items.pop("waves")
+    page.key("enter")
+    assert "no longer in the scene" in page.told.replace("&#46;", ".")
+
+
+def test_clouds_that_come_meanwhile_are_offered():
+    page = StandIn(source=loom.PointCloud(waves()), target=loom.PointCloud(waves() + np.array([0, 0, 1.0])))
+    for label, control in (("Crop by polygon", "cloud"), ("Register by pairs", "target")):
+        page.press(label)
+        page.add(f"for {control}", loom.PointCloud(waves()))
+        page.box.refresh()
+        page.wait()
+        assert f"for {control}" in page.page.control(control).options
+    assert [page.page.control(name).value for name in ("source", "target")] == ["source", "target"]
+    page.box.close()
+
+
+def test_a_page_that_has_gone_is_left_alone(page):
+    page.press("Pick a point")
+    page.box.close()
+    page.box.close()
+    page.page.say("click", x=0.5, y=0.5)
+    page.box.run(lambda: pytest.fail("nobody is there"))
+
+
+@pytest.mark.parametrize("place", [(-30, 5), (5, 1e9)])
+def test_a_click_outside_the_screen_is_none(page, place):
+    page.press("Crop by polygon")
+    page.click(*place)
+    assert page.box.tool._corners == []
+
+
+def test_a_thousand_clicks_are_kept(page):
+    page.press("Crop by polygon")
+    page.box.tool._corners = [np.zeros(3)] * 1000
+    page.click(500, 400)
+    assert "as many as are kept" in page.told and len(page.box.tool._corners) == 1000
+
+
+def test_more_than_can_be_waited_for_is_left(page):
+    import threading
+
+    gate, done = threading.Event(), []
+    page.box.run(lambda: gate.wait(30))
+    for number in range(500):
+        page.box.run(lambda number=number: done.append(number))
+    gate.set()
+    page.wait()
+    assert done == list(range(63))
