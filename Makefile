@@ -54,7 +54,7 @@ test-all: $(FULL) ## Run all tests, beside Open3D and with Taichi where a test n
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
-HOUSES := kernels core cameras pcd files registration meshing rgbd drawing photos scale data app bridge
+HOUSES := kernels core cameras pcd io registration meshing rgbd visualization photogrammetry tiling datasets cli open3d
 ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda $(addprefix tests/,$(HOUSES)))
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)

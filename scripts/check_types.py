@@ -11,11 +11,16 @@ import ast
 import functools
 import json
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
+import tomllib
 from pathlib import Path
 from typing import Any
 
+ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = ROOT / "src" / "pointloom"
 DECORATORS = {"kernel", "func", "loop", "reduction", "segment_reduction", "cuda_func", "cuda_loop", "on_cuda"}
 
 
@@ -49,12 +54,20 @@ def device_lines_of(path: Path) -> set[int]:
 
 
 def run_pyright(arguments: list[str]) -> dict[str, Any]:
-    """Pyright's report. Without the variable its wrapper asks a registry for newer versions."""
-    command = [Path(sys.executable).with_name("pyright"), "--outputjson", *arguments]
-    environment = {**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"}
-    ran = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+    """Pyright's report of a copy of the package, because pyright does not follow links.
+
+    Without the variable its wrapper asks a registry for newer versions.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(PACKAGE, Path(folder, "pointloom"), ignore=shutil.ignore_patterns("__pycache__"))
+        settings = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["pyright"]
+        settings |= {"venvPath": str(ROOT), "stubPath": str(ROOT / "typings"), "include": ["pointloom"]}
+        Path(folder, "pyrightconfig.json").write_text(json.dumps(settings | {"extraPaths": [folder]}))
+        command = [Path(sys.executable).with_name("pyright"), "--outputjson", "--project", folder, *arguments]
+        environment = {**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"}
+        ran = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True, check=False)
     try:
-        return json.loads(ran.stdout)
+        return json.loads(ran.stdout.replace(str(Path(folder).resolve()), str(ROOT / "src")))
     except json.JSONDecodeError:
         raise SystemExit(f"pyright failed with {ran.returncode}:\n{ran.stdout}") from None
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageFont
 
-PLACE = Path(__file__).resolve().parents[1] / "app" / "pictures" / "glyphs.npz"
+PLACE = Path(__file__).resolve().parents[1] / "src/pointloom/visualization/render/glyphs.npz"
 SIZES = (12, 14, 16, 20, 24, 32)
 ASCII = "".join(map(chr, range(32, 127)))
 FURTHER = "°±·…"  # that the font has

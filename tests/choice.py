@@ -26,9 +26,9 @@ TESTS = Path(__file__).parent
 # Groups of tests that take longest, the longest first, so that the last ones to be handed out are short. By the
 # seconds of `make test`: only the order counts, and folders that are not named come behind these.
 DEAREST = (
-    "registration", "pcd", "test_compilers.py", "scale", "meshing", "visualization/viewer", "files", "app",
-    "kernels/language", "photogrammetry/sfm", "photogrammetry/depth", "rgbd/slam", "test_doctests.py", "kernels/reconstruction",
-    "test_blocks.py", "rgbd/reconstruction", "visualization/render", "bridge", "test_imports.py", "kernels",
+    "registration", "pcd", "test_compilers.py", "tiling", "meshing", "visualization/viewer", "io", "cli",
+    "kernels/language", "photogrammetry/sfm", "photogrammetry/depth", "rgbd/slam", "test_doctests.py",
+    "kernels/reconstruction", "test_blocks.py", "rgbd/reconstruction", "visualization/render", "open3d", "test_imports.py", "kernels",
 )  # fmt: skip
 
 

@@ -6,17 +6,17 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-ROOT = Path(__file__).resolve().parent.parent
+PACKAGE = Path(__file__).resolve().parent.parent / "src" / "pointloom"
 
 
 class _Lines:
     """Counts the lines of some files that this thread runs, and raises before one of them."""
 
     def __init__(self, files: tuple[str, ...], stop: int | None):
-        self.files, self.stop, self.count = {str(ROOT / name) for name in files}, stop, 0
+        self.files, self.stop, self.count = {str(PACKAGE / name) for name in files}, stop, 0
 
     def __call__(self, frame: FrameType, event: str, argument: Any) -> Any:
-        return self.line if frame.f_code.co_filename.replace("/src/pointloom/", "/") in self.files else None
+        return self.line if frame.f_code.co_filename in self.files else None
 
     def line(self, frame: FrameType, event: str, argument: Any) -> Any:
         if event == "line":
@@ -28,7 +28,7 @@ class _Lines:
 
 
 def run_lines(act: Callable[[], Any], files: tuple[str, ...], stop: int | None = None) -> int:
-    """Run an operation, interrupted before the `stop`-th of the lines that it runs in these files of the repository.
+    """Run an operation, interrupted before the `stop`-th of the lines that it runs in these files of the package.
 
     Returns:
         The lines that ran; `stop`, where it was interrupted.

@@ -20,7 +20,8 @@ from .io.test_recorded_transforms import robot as recorded_robot
 from .registration.bent_fragments import BentRoom
 
 SLOW = {
-    "src/pointloom/cli/shell/SKILL.md", "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
+    "src/pointloom/cli/shell/SKILL.md",
+    "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
     "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slac.md", "docs/slam.md",
     "docs/submaps.md", "docs/surfaces.md", "docs/terrain.md",
 }  # fmt: skip

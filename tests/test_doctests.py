@@ -7,15 +7,12 @@ import importlib
 
 import pytest
 
-from .test_imports import HOUSES, ROOT
+from .test_imports import HOUSES, PACKAGE
 
-IMPORTED = {"bridge": "open3d"}  # packages that are imported by another name
 MODULES = sorted(
-    ".".join(
-        ("pointloom", IMPORTED.get(folder, folder), *path.relative_to(ROOT / folder).with_suffix("").parts)
-    ).removesuffix(".__init__")
+    ".".join(("pointloom", *path.relative_to(PACKAGE).with_suffix("").parts)).removesuffix(".__init__")
     for folder in HOUSES
-    for path in (ROOT / folder).rglob("*.py")
+    for path in (PACKAGE / folder).rglob("*.py")
     if ">>> " in path.read_text(encoding="utf-8")
 )
 # Over a second of CPU; tests of the same names hold what they do.

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
-PACKAGES = ("cameras", "core", "kernels", "meshing", "pcd", "registration", "rgbd", "scale")
+PACKAGE = Path(__file__).parents[1] / "src" / "pointloom"
+PACKAGES = ("cameras", "core", "kernels", "meshing", "pcd", "registration", "rgbd", "tiling")
 DEVICE_CODE = {"func", "kernel", "reduction", "segment_reduction", "loop", "cuda_func", "cuda_loop", "on_cuda"}
 LINALG = {"cholesky", "cond", "det", "eig", "eigh", "eigvals", "eigvalsh", "inv", "lstsq", "matrix_rank", "pinv", "qr"}
 LINALG |= {"slogdet", "solve", "svd"}
@@ -75,8 +75,8 @@ def calls_of(node: ast.AST, function: str = "") -> Iterator[tuple[str, str, int]
 def found_in(package: str) -> dict[tuple[str, str], list[str]]:
     """The calls of a package by file and function; "*" stands for all functions of a file."""
     found: dict[tuple[str, str], list[str]] = {}
-    for path in sorted((ROOT / package).rglob("*.py")):
-        name = path.relative_to(ROOT).as_posix()
+    for path in sorted((PACKAGE / package).rglob("*.py")):
+        name = path.relative_to(PACKAGE).as_posix()
         for function, text, line in calls_of(ast.parse(path.read_text(encoding="utf-8"))):
             key = (name, "*") if (name, "*") in KEPT else (name, function)
             found.setdefault(key, []).append(f"{name}:{line}: {text}")

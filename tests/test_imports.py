@@ -15,6 +15,7 @@ from typing import NamedTuple
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "src" / "pointloom"
 
 # The houses from the ground up; those of one line stand side by side. A house imports from itself and from those below.
 FLOORS = [
@@ -22,13 +23,14 @@ FLOORS = [
     ["core"],
     ["cameras"],
     ["pcd"],
-    ["files"],
+    ["io"],
     ["registration", "meshing"],
-    ["rgbd", "drawing"],
-    ["photos", "scale"],
-    ["data"],
-    ["app", "bridge"],
+    ["rgbd", "visualization"],
+    ["photogrammetry", "tiling"],
+    ["datasets"],
+    ["cli", "open3d"],
 ]
+LINKED = {"kernels", "pcd", "registration", "meshing"}  # at the top level of a checkout
 HOUSES = [house for floor in FLOORS for house in floor]
 MAY_IMPORT = {
     house: {below for floor in FLOORS[:level] for below in floor}
@@ -45,22 +47,22 @@ ROOMS = {
         *("poses", "icp", "volumes", "odometry", "meshes", "bending", "remeshing", "rays", "reconstruction", "images"),
         *("stereo", "drawing", "rgbd", "textures", "splats", "scenes"),
     ],
-    "files": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
+    "io": ["pictures", "points", "splats", "meshes", "frames", "models", "bags"],
     "registration": ["icp", "globally", "lidar", "pose_graphs", "stations", "deformable", "trajectories"],
     "meshing": ["mesh", "scene", "volume", "color_map"],
     "rgbd": ["odometry", "slam", "fusion", "reconstruction"],
-    "drawing": ["render", "change", "page", "recording", "viewer"],
-    "photos": ["sfm", "mvs", "depth", "video"],
-    "data": ["scenes", "made", "public"],
-    "scale": ["steps", "jobs"],
-    "app": ["jobs", "shell"],
-    "bridge": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
+    "visualization": ["render", "change", "page", "recording", "viewer"],
+    "photogrammetry": ["sfm", "mvs", "depth", "video"],
+    "datasets": ["scenes", "made", "public"],
+    "tiling": ["steps", "jobs"],
+    "cli": ["jobs", "shell"],
+    "open3d": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }
 
 # lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
 TOPS_THAT_KNOW_ROOMS = {
     "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
-    "scale": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
+    "tiling": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
 }
 
 TAICHI_FILES = {"kernels/language/taichi_compiler.py"}
@@ -155,7 +157,7 @@ def layer_faults(source: str, path: str) -> list[str]:
     faults = []
     for imported in imports_of(source, path):
         where = f"{path}:{imported.line}"
-        if top_level(imported) in {*MAY_IMPORT, "src"}:
+        if top_level(imported) in {*LINKED, "src"}:
             faults.append(f"{where}: {imported.module} exists in a checkout only; import it relatively")
         if top_level(imported) != "pointloom":
             continue
@@ -238,7 +240,9 @@ def takes_the_lock(expression: ast.expr) -> bool:
 
 
 def modules() -> list[str]:
-    return sorted(path.relative_to(ROOT).as_posix() for folder in MAY_IMPORT for path in (ROOT / folder).rglob("*.py"))
+    return sorted(
+        path.relative_to(PACKAGE).as_posix() for folder in MAY_IMPORT for path in (PACKAGE / folder).rglob("*.py")
+    )
 
 
 def room_faults(source: str, path: str) -> list[str]:
@@ -328,11 +332,11 @@ def test_every_folder_has_modules():
 
 
 def test_imports_go_one_way():
-    assert [fault for path in modules() for fault in layer_faults((ROOT / path).read_text(), path)] == []
+    assert [fault for path in modules() for fault in layer_faults((PACKAGE / path).read_text(), path)] == []
 
 
 def test_rooms_import_from_those_before_them():
-    assert [fault for path in modules() for fault in room_faults((ROOT / path).read_text(), path)] == []
+    assert [fault for path in modules() for fault in room_faults((PACKAGE / path).read_text(), path)] == []
 
 
 def test_every_room_stands_in_the_list():
@@ -344,7 +348,7 @@ def test_every_room_stands_in_the_list():
 
 
 def test_the_page_of_the_house_lists_the_rooms_in_their_order():
-    page = (ROOT / "kernels" / "README.md").read_text()
+    page = (PACKAGE / "kernels" / "README.md").read_text()
     assert re.findall(r"^\| `(\w+)/` \|", page, flags=re.MULTILINE) == ROOMS["kernels"]
 
 
@@ -352,8 +356,8 @@ def test_a_room_that_imports_from_one_below_it_is_found():
     for path, line, fault in (
         ("kernels/search/tree.py", "from ..icp.rows import x", "search must not import from icp"),
         ("io/points/ply.py", "from ..meshes.obj import x", "points must not import from meshes"),
-        ("io/source.py", "from .points.ply import x", "files must not import from points"),
-        ("photos/sfm/model.py", "from .. import mvs", "sfm must not import from mvs"),
+        ("io/source.py", "from .points.ply import x", "io must not import from points"),
+        ("photogrammetry/sfm/model.py", "from .. import mvs", "sfm must not import from mvs"),
         ("cli/jobs/register.py", "from ..shell.options import x", "jobs must not import from shell"),
     ):
         assert room_faults(line, path) == [f"{path}:1: {fault}"]
@@ -370,7 +374,7 @@ def test_a_room_that_imports_from_one_below_it_is_found():
 
 
 def test_no_two_modules_import_each_other_not_even_inside_a_function():
-    assert circles(graph_of({path: (ROOT / path).read_text() for path in modules()})) == []
+    assert circles(graph_of({path: (PACKAGE / path).read_text() for path in modules()})) == []
 
 
 def test_a_circle_that_an_import_inside_a_function_closes_is_found():
@@ -384,11 +388,11 @@ def test_a_circle_that_an_import_inside_a_function_closes_is_found():
 
 
 def test_one_file_imports_taichi_and_kernel_files_import_no_compiler():
-    assert [fault for path in modules() for fault in compiler_faults((ROOT / path).read_text(), path)] == []
+    assert [fault for path in modules() for fault in compiler_faults((PACKAGE / path).read_text(), path)] == []
 
 
 def test_what_reaches_a_device_takes_turns():
-    assert [fault for path in modules() for fault in device_faults((ROOT / path).read_text(), path)] == []
+    assert [fault for path in modules() for fault in device_faults((PACKAGE / path).read_text(), path)] == []
 
 
 @pytest.mark.parametrize(
@@ -419,18 +423,18 @@ def test_calls_in_turn_and_calls_of_the_host_pass():
         ("kernels/knn.py", "from ..pcd import cloud"),
         ("kernels/knn.py", "from .. import pcd"),
         ("core/checks.py", "from ..cameras.camera import check_keys"),
-        ("cameras/camera.py", "from ..files.source import open_source"),
+        ("cameras/camera.py", "from ..io.source import open_source"),
         ("pcd/cloud.py", "from ..meshing.mesh.mesh import TriangleMesh"),
         ("pcd/cloud.py", "def f():\n    from ..registration import icp"),
         ("io/points/ply.py", "from ...registration import icp"),
         ("io/points/ply.py", "from ... import PointCloud"),
         ("registration/icp/icp.py", "from ...meshing.volume import tsdf"),
         ("meshing/volume/tsdf.py", "from ... import kernels, registration"),
-        ("meshing/volume/tsdf.py", "if TYPE_CHECKING:\n    from ...app.shell import cli"),
-        ("rgbd/slam/model.py", "from ...app.shell.cli import cli"),
-        ("rgbd/slam/model.py", "from ...drawing.viewer.hub import GuardedHub"),
+        ("meshing/volume/tsdf.py", "if TYPE_CHECKING:\n    from ...cli.shell import cli"),
+        ("rgbd/slam/model.py", "from ...cli.shell.cli import cli"),
+        ("rgbd/slam/model.py", "from ...visualization.viewer.hub import GuardedHub"),
         ("visualization/render/render.py", "from ...rgbd.slam.model import Model"),
-        ("photogrammetry/mvs/fusion.py", "from ...app.jobs.register import register_files"),
+        ("photogrammetry/mvs/fusion.py", "from ...cli.jobs.register import register_files"),
         ("cli/shell/cli.py", "import pointloom.pcd.cloud"),
         ("cli/shell/cli.py", "from pcd.cloud import PointCloud"),
     ],
@@ -446,7 +450,7 @@ def test_an_import_the_wrong_way_is_found(path, line):
         ("io/points/ply.py", "from ...kernels import memory"),
         ("meshing/volume/tsdf.py", "from ... import kernels, pcd"),
         ("registration/icp/icp.py", "import numpy as np\nfrom . import robust"),
-        ("photogrammetry/mvs/fusion.py", "from ...drawing.render.render import render"),
+        ("photogrammetry/mvs/fusion.py", "from ...visualization.render.render import render"),
         ("cli/shell/cli.py", "from ... import __version__"),
         ("cli/shell/cli.py", "from ...registration.icp.icp import registration_icp"),
     ],

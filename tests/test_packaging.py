@@ -16,11 +16,8 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[1]
-FOLDERS = (
-    *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
-    *("scale", "data", "app", "bridge"),
-)
-IMPORTED = {"bridge": "open3d"}  # houses that are imported by another name
+PACKAGE = ROOT / "src" / "pointloom"
+FOLDERS = tuple(path.parent.name for path in sorted(PACKAGE.glob("*/__init__.py")))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
 # Addresses of package registries, in two parts each so that this file holds none.
@@ -52,13 +49,9 @@ def wheel(tmp_path_factory):
 
 
 def modules_of_the_tree() -> set[str]:
-    files = {
-        Path(IMPORTED.get(folder, folder), path.relative_to(ROOT / folder))
-        for folder in FOLDERS
-        for path in (ROOT / folder).rglob("*.py")
-    }
-    own = {f"pointloom/{name}.py" for name in ("__init__", "__main__", "public_names")}
-    return {f"pointloom/{path.as_posix()}" for path in files} | own
+    """Links are followed one by one: rglob does not."""
+    files = [*PACKAGE.glob("*.py"), *(path for folder in FOLDERS for path in (PACKAGE / folder).rglob("*.py"))]
+    return {f"pointloom/{path.relative_to(PACKAGE).as_posix()}" for path in files}
 
 
 def test_the_wheel_holds_every_module_of_the_tree(wheel):
@@ -66,9 +59,9 @@ def test_the_wheel_holds_every_module_of_the_tree(wheel):
 
 
 def test_the_wheel_holds_the_scripts_styles_and_pages_of_the_browser(wheel):
-    paths = [path for path in (ROOT / "drawing" / "page").rglob("*") if path.suffix in {".js", ".css", ".html"}]
+    paths = [path for path in (PACKAGE / "visualization/page").rglob("*") if path.suffix in {".js", ".css", ".html"}]
     assert len(paths) > 20
-    assert {f"pointloom/{path.relative_to(ROOT).as_posix()}" for path in paths} <= set(wheel.namelist())
+    assert {f"pointloom/{path.relative_to(PACKAGE).as_posix()}" for path in paths} <= set(wheel.namelist())
 
 
 def test_the_wheel_holds_nothing_outside_the_package(wheel):
@@ -82,20 +75,9 @@ def test_the_wheel_holds_nothing_outside_the_package(wheel):
     assert f"{dist_info}/licenses/LICENSE" in wheel.namelist()
 
 
-def test_every_other_file_of_the_wheel_lies_in_one_of_the_folders(wheel):
-    for name in wheel.namelist():
-        package, _, inside = name.partition("/")
-        if package == "pointloom" and inside not in {
-            "__init__.py",
-            "__init__.pyi",
-            "__main__.py",
-            "public_names.py",
-            "py.typed",
-        }:
-            imported, *parts = inside.split("/")
-            house = {name: house for house, name in IMPORTED.items()}.get(imported, imported)
-            assert house in FOLDERS
-            assert Path(ROOT, house, *parts).is_file()
+def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
+    inside = [name.partition("/")[2] for name in wheel.namelist() if name.startswith("pointloom/")]
+    assert [name for name in inside if not (PACKAGE / name).is_file()] == []
 
 
 def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
@@ -161,7 +143,7 @@ def test_an_address_makes_every_link_of_the_readme_absolute(package_metadata):
 
 def test_the_links_of_the_import_package_are_relative():
     links = {path.name: path.readlink() for path in (ROOT / "src/pointloom").iterdir() if path.is_symlink()}
-    assert links == {IMPORTED.get(folder, folder): Path("../..", folder) for folder in FOLDERS}
+    assert links == {name: Path("../..", name) for name in ("kernels", "pcd", "registration", "meshing")}
 
 
 def tracked_files() -> list[Path]:

@@ -25,7 +25,7 @@ from gpu_kit.documents import keep_part
 from gpu_kit.runner import MORE
 
 SMOKE = ["arrays", "language/test_launch.py", "language/test_lanes.py", "test_memory.py"]
-HOUSES = ("kernels", "pcd", "registration", "meshing", "rgbd", "drawing", "photos", "app")
+HOUSES = ("kernels", "pcd", "registration", "meshing", "rgbd", "visualization", "photogrammetry", "cli")
 STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {house: [f"tests/{house}"] for house in HOUSES}
 DRY_STAGES = {"smoke": ["tests/kernels/arrays/test_select.py"]}
 # What compiles whether there is a GPU or not, and what has no use for one

@@ -109,7 +109,7 @@ def test_docs_finds_chapters_by_words_and_numbers():
 
 
 def test_docs_says_where_pages_are_and_that_there_are_none(tmp_path, monkeypatch):
-    monkeypatch.setattr(book, "PACKAGE", tmp_path)
+    monkeypatch.setattr(book, "CHECKOUT", tmp_path)
     monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: _NoAddresses())
     assert "No pages are known here" in run("docs").stdout
     refused = run("docs", "icp", "--open")

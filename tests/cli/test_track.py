@@ -58,9 +58,7 @@ def guided(monkeypatch):
         return tracker
 
     use()
-    monkeypatch.setattr(
-        "pointloom.cli.jobs.track.check_focal", lambda *_, **__: None
-    )  # src/pointloom/rgbd/slam has its tests
+    monkeypatch.setattr("pointloom.cli.jobs.track.check_focal", lambda *_, **__: None)  # see tests/rgbd/slam
     return use
 
 

@@ -128,9 +128,8 @@ def test_a_cloud_may_come_through_a_pipe(cloud, tmp_path):
 
 
 def test_without_the_extra_the_line_to_run_is_said_before_files_are_read(tmp_path, monkeypatch):
-    for name in [
-        name for name in sys.modules if name.startswith(("websockets", "pointloom.visualization.viewer.link"))
-    ]:
+    loaded = ("websockets", "pointloom.visualization.viewer.link")
+    for name in [name for name in sys.modules if name.startswith(loaded)]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "websockets", None)
     (tmp_path / "broken.ply").write_text("ply\n")

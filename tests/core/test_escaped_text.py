@@ -85,7 +85,7 @@ def test_json_keeps_what_it_escapes():
 def test_warnings_of_readers_and_writers_are_escaped():
     """Each names a path, and many what a file calls its parts."""
     plain = []
-    for path in (ROOT / "files").rglob("*.py"):
+    for path in (ROOT / "src/pointloom/io").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
             if isinstance(node, ast.Call) and ast.unparse(node.func) == "warnings.warn":
                 message = ast.unparse(node.args[0])

@@ -12,7 +12,7 @@ def cache(tmp_path, monkeypatch):
     """A cache folder in which all is kept, however fast it was made."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(module, "LEAST_SECONDS", -1.0)
-    return tmp_path / "pointloom" / "data"
+    return tmp_path / "pointloom" / "datasets"
 
 
 class Maker:

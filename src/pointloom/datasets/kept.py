@@ -25,7 +25,7 @@ from ..core.errors import PointloomError
 from ..kernels.language.cache_folders import cache_folder
 
 LEAST_SECONDS = 0.5  # [s] faster results are not cached
-SOURCES = ("kernels", "cameras", "pcd", "meshing", "data")  # packages whose code affects the data
+SOURCES = ("kernels", "cameras", "pcd", "meshing", "datasets")  # packages whose code affects the data
 FORM = 1  # of the files
 MOST_BYTES = 1 << 30  # of all that is kept
 
@@ -34,7 +34,7 @@ Arrays = dict[str, Any]  # NumPy arrays by name
 
 def data_folder() -> Path:
     """The folder of generated and public data: `pointloom/datasets` in the user's cache folder (XDG_CACHE_HOME)."""
-    return cache_folder() / "pointloom" / "data"
+    return cache_folder() / "pointloom" / "datasets"
 
 
 def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[str, Any]]) -> Arrays:

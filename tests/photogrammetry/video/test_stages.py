@@ -160,7 +160,7 @@ def test_without_resume_all_is_made_anew(tmp_path):
 
 
 def test_an_interrupted_job_leaves_whole_stages_and_goes_on_to_the_same_bytes(tmp_path):
-    files = ("src/pointloom/core/stages.py", "tests/photogrammetry/video/test_stages.py")
+    files = ("core/stages.py", __file__)
     lines = run_lines(lambda: Job(tmp_path / "whole").run(), files)
     whole = files_in(tmp_path / "whole")
     for stop in range(1, lines, 5):

@@ -19,7 +19,7 @@ from .walks import Walk, config, frame_at
 
 rec = loom.reconstruction
 SETTINGS = config(n_frames_per_fragment=2, max_iterations=2)
-FILES = tuple(f"src/pointloom/rgbd/reconstruction/{name}.py" for name in ("nonrigid", "scene", "job"))
+FILES = tuple(f"rgbd/reconstruction/{name}.py" for name in ("nonrigid", "scene", "job"))
 
 
 def bent(frame):

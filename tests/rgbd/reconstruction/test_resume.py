@@ -19,8 +19,7 @@ from .walks import Walk, blank, config, frame_at
 
 run_system = loom.reconstruction.run_system
 FILES = tuple(
-    f"src/pointloom/rgbd/reconstruction/{name}.py"
-    for name in ("fragments", "walk", "placement", "refinement", "scene", "job")
+    f"rgbd/reconstruction/{name}.py" for name in ("fragments", "walk", "placement", "refinement", "scene", "job")
 )
 SETTINGS = config(n_frames_per_fragment=3)
 

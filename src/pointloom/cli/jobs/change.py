@@ -15,8 +15,6 @@ from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.units import common_unit
 from ...core.wording import format_share
-from ...visualization.change.pictures import draw, paint
-from ...visualization.render.picture_files import check_picture
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
 from ...io.points.las import open_las
@@ -30,6 +28,8 @@ from ...pcd.change import m3c2
 from ...pcd.cloud import PointCloud
 from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
+from ...visualization.change.pictures import draw, paint
+from ...visualization.render.picture_files import check_picture
 from .job import Job, JobReport, Settings
 from .rows import COLORED, LABELLED
 

@@ -12,11 +12,11 @@ from ...core.errors import FilePath
 from ...core.reports import Fields
 from ...core.units import symbol_of
 from ...core.wording import format_share
-from ...visualization.render.colormaps import PALETTE
 from ...io.points.formats import WRITTEN
 from ...pcd.cloud import PointCloud
 from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
+from ...visualization.render.colormaps import PALETTE
 from .job import Job, Settings
 from .rows import COLORED, LABELLED, RowsReport, label_rows, read_rows, take_rows
 

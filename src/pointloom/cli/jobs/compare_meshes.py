@@ -11,14 +11,14 @@ import numpy as np
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields, quality
 from ...core.wording import plain
-from ...visualization.render.error_picture import draw_errors
-from ...visualization.render.picture_files import save_picture
-from ...visualization.render.plots import check_plot
-from ...visualization.render.surface_picture import looks_inwards
 from ...meshing.mesh.finite_corners import find_wrong_corner
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_comparison import MeshComparison, compare_meshes
 from ...meshing.mesh.mesh_files import mesh_table, read_triangle_mesh
+from ...visualization.render.error_picture import draw_errors
+from ...visualization.render.picture_files import save_picture
+from ...visualization.render.plots import check_plot
+from ...visualization.render.surface_picture import looks_inwards
 from .job import Job, JobReport, Settings
 
 MAP_FORMATS = (".ply", ".obj", ".glb", ".gltf", ".off")  # formats with vertex colors

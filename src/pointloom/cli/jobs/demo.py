@@ -21,12 +21,12 @@ from ...core.reports import Assessed, Fields, Report, failed, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_share, json_text
 from ...datasets.scenes.room import room_sequence, surface_errors
-from ...visualization.render.picture_files import save_picture
-from ...visualization.render.render import render
-from ...visualization.render.scene_view import as_photographed
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...rgbd.fusion.fuse import fuse
 from ...rgbd.fusion.results import FusionResult
+from ...visualization.render.picture_files import save_picture
+from ...visualization.render.render import render
+from ...visualization.render.scene_view import as_photographed
 from .fuse import fusion_fields
 
 TITLE = "a furnished room"

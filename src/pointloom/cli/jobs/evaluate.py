@@ -14,9 +14,9 @@ from ...cameras.pose_text import kitti_poses, read_lines, read_pose
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.errors import FileError, FilePath
 from ...core.reports import Assessed, Fields, Report, quality
-from ...visualization.render.picture_files import save_picture
 from ...kernels.linear_algebra import inv
 from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
+from ...visualization.render.picture_files import save_picture
 
 KITTI_EXTRINSICS = ("Tr", "Tr_velo_to_cam", "Tr_velo_cam")  # velodyne to camera, in its calibration files
 

@@ -7,10 +7,10 @@ from typing import Any
 
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
-from ...visualization.render.picture_files import check_picture, save_picture
-from ...visualization.render.surface_picture import draw_surface
 from ...io.meshes import tables
 from ...meshing.mesh.cloud_surface import create_surface
+from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.surface_picture import draw_surface
 from .announced_stages import AnnouncedStages
 from .job import Job
 from .result_report import ResultReport

@@ -13,11 +13,11 @@ from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...cameras.trajectory import Trajectory
 from ...core.errors import FilePath
 from ...core.outputs import check_output
-from ...visualization.render.picture_files import check_picture
-from ...visualization.render.scene_view import draw_scene
 from ...io.meshes.tables import MESHES
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
+from ...visualization.render.picture_files import check_picture
+from ...visualization.render.scene_view import draw_scene
 
 
 @dataclasses.dataclass(frozen=True)

@@ -16,8 +16,6 @@ from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.units import common_unit
-from ...visualization.render.pair_picture import draw_pair
-from ...visualization.render.picture_files import check_picture
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
 from ...io.points.point_cloud import cloud_of, table_of
@@ -26,6 +24,8 @@ from ...pcd.cloud import PointCloud
 from ...pcd.probes import probe_points
 from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
 from ...registration.icp.constraint import Prior
+from ...visualization.render.pair_picture import draw_pair
+from ...visualization.render.picture_files import check_picture
 from .announced_stages import AnnouncedStages
 from .job import Job, JobReport
 

@@ -21,13 +21,13 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.wording import few_of
-from ...visualization.render.picture_files import save_picture
-from ...visualization.render.plots import station_plan
 from ...io.foreign import import_for
 from ...io.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.observations import ControlPoint, TargetObservation
 from ...registration.stations.result import StationsResult
 from ...registration.stations.stations import register_stations
+from ...visualization.render.picture_files import save_picture
+from ...visualization.render.plots import station_plan
 from .job import Job, JobReport, Settings
 
 REPORT = {"text": "report.txt", "json": "report.json", "plan": "plan.png"}

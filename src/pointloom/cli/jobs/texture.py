@@ -16,8 +16,6 @@ from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, quality
 from ...core.timing import Clock, peak_bytes
 from ...core.wording import format_bytes, format_seconds, plain
-from ...visualization.render.picture_files import check_picture
-from ...visualization.render.scene_view import draw_scene
 from ...io.frames.datasets import RGBDDataset, open_dataset
 from ...io.meshes.mesh_formats import UPRIGHT
 from ...meshing.color_map.results import NothingSeenError
@@ -25,6 +23,8 @@ from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
 from ...meshing.color_map.texturing import DEPTH_MAX, texture_mesh
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
+from ...visualization.render.picture_files import check_picture
+from ...visualization.render.scene_view import draw_scene
 from .announced_stages import AnnouncedStages
 
 WITH_ATLAS = (".obj", ".glb", ".gltf")

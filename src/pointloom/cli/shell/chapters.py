@@ -8,7 +8,7 @@ import importlib.metadata
 import tomllib
 from pathlib import Path
 
-PACKAGE = Path(__file__).resolve().parents[2]  # the checkout, or the installed package
+CHECKOUT = Path(__file__).resolve().parents[4]  # an installed package has none, and no pages there
 SKILL = Path(__file__).with_name("SKILL.md")
 
 
@@ -49,7 +49,7 @@ def chapters() -> tuple[Chapter, ...]:
 
 def place_of_docs() -> str | None:
     """Location of the pages: built in this checkout, else the project's address, else None."""
-    built = PACKAGE / "build" / "docs" / "html"
+    built = CHECKOUT / "build" / "docs" / "html"
     if (built / "index.html").is_file():
         return built.as_uri()
     try:
@@ -64,5 +64,5 @@ def page_of(chapter: Chapter, place: str | None) -> str | None:
     """Page of a chapter, or its script, or None."""
     if place is not None and place.startswith("file:"):
         return f"{place}/chapters/plot_{chapter.slug}.html"
-    script = PACKAGE / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
+    script = CHECKOUT / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
     return str(script) if script.is_file() else place

@@ -16,6 +16,9 @@ from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
 from ...core.upward import check_up
 from ...core.wording import plain
+from ...io.bags.recording import is_recording
+from ...io.points.formats import columns_of
+from ...pcd.cloud import PointCloud
 from ...visualization.render.geometries import Named
 from ...visualization.render.open3d_views import read_view
 from ...visualization.render.picture_files import check_picture, save_picture
@@ -23,9 +26,6 @@ from ...visualization.viewer.coloring_choice import choices_of
 from ...visualization.viewer.items import make_item
 from ...visualization.viewer.stills import as_entry, with_colors, write_geometries
 from ...visualization.viewer.view_files import first_looks, read_scene
-from ...io.bags.recording import is_recording
-from ...io.points.formats import columns_of
-from ...pcd.cloud import PointCloud
 from .answer import answer_with
 from .console import Progress, print_json
 from .pipes import INPUT, Ends

@@ -19,11 +19,11 @@ from ...core.checks import check_callback, check_color, check_count, check_posit
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
 from ...core.known_names import KnownNames
+from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
 from ...visualization.render.render import render
 from ...visualization.viewer.draw import announce, open_page, unattended
 from ...visualization.viewer.viewer import Viewer
-from ...meshing.mesh.mesh import TriangleMesh
 from ..geometry import Image, PointCloud
 from ..io import write_image, write_point_cloud
 from .shown import bounds_of, drawn

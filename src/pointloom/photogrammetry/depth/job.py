@@ -18,14 +18,14 @@ from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, peak_bytes
-from ...visualization.render.picture_files import check_picture, save_picture
-from ...visualization.render.render import render
-from ...visualization.render.view import View
 from ...io.models.colmap import read_colmap_model
 from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply
 from ...io.points.point_cloud import table_of, write_point_cloud
 from ...pcd.cloud import PointCloud
+from ...visualization.render.picture_files import check_picture, save_picture
+from ...visualization.render.render import render
+from ...visualization.render.view import View
 from ..sfm.picture_folder import check_place
 from .alignment import AlignmentError
 from .estimation import ARBITRARY, DepthEstimate, estimate_depth

@@ -15,8 +15,6 @@ from ...core.atomic import check_folder
 from ...core.checks import check_positive
 from ...core.errors import FileError, FilePath
 from ...core.outputs import check_output
-from ...visualization.render.picture_files import check_picture
-from ...visualization.render.scene_view import draw_scene
 from ...io.meshes.tables import MESHES, write_cloud_table, write_mesh_table
 from ...io.points.formats import WRITTEN
 from ...io.points.ply import write_ply, write_ply_mesh
@@ -27,6 +25,8 @@ from ...meshing.scene.orthophoto import orthophoto
 from ...meshing.scene.plan_grid import grid_over
 from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import check_geotiff
+from ...visualization.render.picture_files import check_picture
+from ...visualization.render.scene_view import draw_scene
 from ..sfm.picture_folder import check_place
 from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
 from .motion import PICTURES, masks_of
