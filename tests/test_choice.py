@@ -150,7 +150,7 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
     assert run_suite(*QUICK) == QUICK_TESTS
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_all_tests_are_those_and_the_others(run_suite):
     nightly = "test_a_nightly_claim"
     assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *ON_TAICHI, "test_of_open3d", nightly])

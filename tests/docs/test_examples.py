@@ -29,7 +29,7 @@ def test_the_chapter_runs(path, tmp_path, monkeypatch):
     run_example(path, tmp_path, monkeypatch)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("path", OTHERS, ids=lambda path: f"{path.parent.name}-{path.stem}")
 def test_the_page_of_the_gallery_runs(path, tmp_path, monkeypatch):
     run_example(path, tmp_path, monkeypatch)

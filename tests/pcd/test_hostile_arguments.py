@@ -502,7 +502,7 @@ def test_a_hostile_value_is_refused_by_name(call):
     check_arguments(call, arguments)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize(("call", "argument"), DEAR)
 def test_a_hostile_count_is_refused_by_name(call, argument):
     check_arguments(call, [argument])

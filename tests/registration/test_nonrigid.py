@@ -81,7 +81,7 @@ def test_a_scan_of_a_part_bends_the_part_that_it_shows(device, swaying):
 
 
 @LONG
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_another_object_is_told(device, swaying):
     body, _, _ = swaying
     found = bend(loom.PointCloud(torus(COUNT, 0), device=device), loom.PointCloud(tube(COUNT, 1), device=device))

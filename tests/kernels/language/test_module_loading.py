@@ -128,7 +128,7 @@ print(json.dumps(dict(sorted(hashes.items()))))
 """
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_what_a_module_holds_does_not_depend_on_what_was_used_first():
     """Else a cache would have as many of it as there are programs."""
     found = []

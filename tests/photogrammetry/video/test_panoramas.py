@@ -82,7 +82,7 @@ def off_truth(model, centers) -> np.ndarray:
     return np.linalg.norm(model.transform(fit.transformation).centers - centers, axis=1)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
     centers = np.array([film_pose(k / 30)[:3, 3] for k in range(10)])
@@ -99,7 +99,7 @@ def test_pictures_of_all_directions_are_placed_where_they_were_taken(tmp_path):
     assert np.sqrt(np.mean(off**2)) < 0.01, off  # 3 mm; the walk is 2.2 m long
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 @pytest.mark.parametrize("mapper", ["incremental", "global"])
 def test_pictures_of_a_fisheye_that_nobody_measured_are_placed_and_it_is_found(tmp_path, mapper):
