@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import ast
+import atexit
 import inspect
 import re
+import shutil
+import tempfile
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -273,3 +277,10 @@ def faults_of_clouds(entry: tuple[str, dict[str, str]], clouds: tuple[str, str],
 
             faults += [f"{title} as {', '.join(hostile)}: {fault}" for fault in warnings_of(run)]
     return faults
+
+
+def temporary_folder() -> Path:
+    """A new folder that is removed when the process ends."""
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder

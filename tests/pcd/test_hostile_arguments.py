@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import sys
-import tempfile
 from functools import cache
 from typing import Any
 
@@ -20,7 +19,15 @@ from pointloom.cameras.panoramas import Panorama
 from pointloom.cameras.undistortion import Undistortion
 from pointloom.io.frames.recordings import FrameRecorder
 
-from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from ..hostile import (
+    calls_of_clouds,
+    faults_of,
+    faults_of_clouds,
+    missing_from,
+    public_arguments,
+    read_table,
+    temporary_folder,
+)
 from ..io.camera_stubs import KinectStub, RealSenseStub
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
@@ -358,7 +365,7 @@ def things() -> dict[str, Any]:
         return loom.TSDFVolume(voxel_size=0.1)
 
     def paged() -> Any:
-        return loom.PagedTSDFVolume(tempfile.mkdtemp(), voxel_size=0.1)
+        return loom.PagedTSDFVolume(temporary_folder(), voxel_size=0.1)
 
     def occupancy() -> Any:
         return loom.OccupancyGrid(voxel_size=0.1)
@@ -385,7 +392,7 @@ def things() -> dict[str, Any]:
         model=loom.SfmModel(["a", "b", "c"], [lens] * 3, poses, points, observations=[[0, 1]], pixels=[[1, 2]]),
         bytes3=(255 * colors).astype(np.uint8),
         pictures=pictures, stream=stream, frame=next(iter(stream)), latest=loom.LatestFrames(stream),
-        recorder=lambda: FrameRecorder(tempfile.mkdtemp(), camera),
+        recorder=lambda: FrameRecorder(temporary_folder(), camera),
         scene=scene, rays=rng.random((5, 6)),
         loom=loom, points=points, points32=points.astype(np.float32), row=row, colors=colors, depth=depth, cloud=cloud,
         classed=classed,

@@ -7,9 +7,7 @@ Records that operations return are left out, too.
 from __future__ import annotations
 
 import contextlib
-import tempfile
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,7 +21,15 @@ from pointloom.registration.globally.checkers import (
 )
 from pointloom.registration.robust_kernels import GeneralizedLoss
 
-from ..hostile import calls_of_clouds, faults_of, faults_of_clouds, missing_from, public_arguments, read_table
+from ..hostile import (
+    calls_of_clouds,
+    faults_of,
+    faults_of_clouds,
+    missing_from,
+    public_arguments,
+    read_table,
+    temporary_folder,
+)
 
 # One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
 CALLS = """
@@ -133,7 +139,7 @@ def things() -> dict[str, Any]:
     rng = np.random.default_rng(0)
     points = rng.random((60, 3)) * [1, 1, 0.2]
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
-    gps = Path(tempfile.mkdtemp()) / "gps.txt"
+    gps = temporary_folder() / "gps.txt"
     gps.write_text("a 1 0 0\nb 3 0 0\nc 1 2 0\nd 1 0 2\n")
     poses = np.tile(np.eye(4), (4, 1, 1))
     poses[1:, :3, 3] = -np.eye(3)

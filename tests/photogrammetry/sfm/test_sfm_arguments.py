@@ -13,7 +13,7 @@ import pytest
 import pointloom as loom
 from pointloom.photogrammetry.sfm import features, mapping, matches
 
-from ...hostile import faults_of, missing_from, public_arguments, read_table
+from ...hostile import faults_of, missing_from, public_arguments, read_table, temporary_folder
 from .conftest import write_pictures
 
 LIMITS = "seed=0, max_seconds=60.0, max_memory=2**32, progress=None"
@@ -60,9 +60,7 @@ def no_colmap(monkeypatch):
 
 @cache
 def folder() -> Path:
-    import tempfile
-
-    return Path(tempfile.mkdtemp())
+    return temporary_folder()
 
 
 @pytest.fixture(scope="module", autouse=True)
