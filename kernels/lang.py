@@ -10,7 +10,7 @@ captures launches as one CUDA graph and `replay` runs it.
 - `@struct`: host class whose annotated attributes kernels read. `@loop`: generator, used as
 `for j in points_in_reach(...)`. `children: callback` takes a device function or `partial(function, first, arguments)`.
 
-Rules, checked when a function is decorated, or at first use in this package (kept_kernels.py):
+Rules, checked when a function is decorated, or at first use in this package (kernel_cache.py):
 
 - `and`, `or` and `x if c else y` short-circuit; they reject atomics and calls of functions that take arrays.
 - `//` rounds down; `%` is for integers and takes the sign of its left side, as in C: -7 // 2 == -4, -7 % 4 == -3.
@@ -43,12 +43,12 @@ import warp as wp
 from warp import float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64  # noqa: F401  # isort: skip
 from warp import mat33, mat33d, mat44, mat44d, vec2, vec2d, vec2i, vec3, vec3d, vec3i, vec4, vec4d, vec4i  # noqa: F401  # isort: skip
 
-from .language import kept_kernels, rules, taichi_compiler, warp_compiler
+from .language import kernel_cache, rules, taichi_compiler, warp_compiler
 from .language.arguments import acceptor, array_of, first_device, taker_apart, type_of
 from .language.callbacks import Given, callback, with_functions
-from .language.kept_kernels import Kept
+from .language.kernel_cache import Kept
+from .language.lazy_property import once
 from .language.loops import Words
-from .language.once import once
 from .language.source import Source, Vocabulary, compiled
 from .language.structs import JOINT, Place, struct, type_at
 from .launches import (  # noqa: F401  handed on
@@ -251,7 +251,7 @@ class _Launched(_DeviceCode):
     @once
     def kept(self) -> Kept | None:
         """Machine code for the CPU that an earlier process compiled."""
-        return None if self.for_cuda or "source" in vars(self) else kept_kernels.find(self.module, self.name)
+        return None if self.for_cuda or "source" in vars(self) else kernel_cache.find(self.module, self.name)
 
     @once
     def takes(self) -> dict[str, Any]:

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 import warp as wp
 
 from .array_types import Device
-from .language import kept_kernels, pool_code, taichi_compiler, warp_compiler
+from .language import kernel_cache, pool_code, taichi_compiler, warp_compiler
 from .language.arguments import MAX_THREADS, checked_arguments
+from .language.compile_notices import announced, compiling
 from .language.cuda_launches import UNFIT, PreparedKernel, PreparedSum
 from .language.device_lock import RecordedLoop, lock, record, replay  # noqa: F401  handed on
 from .language.module_loading import load_module
-from .language.notices import announced, compiling
 from .language.prepared_launches import TaichiLaunch, WarpLaunch
 from .language.segment_launches import PreparedSegmentSum, launch_segments
 from .language.warp_parts import launches_plainly
@@ -120,15 +120,15 @@ def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: i
 def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
     """Load the machine code of an earlier process, or compile with Warp and store it."""
     kept = what.kept
-    if kept is not None and (address := kept_kernels.address_of(kept)):
+    if kept is not None and (address := kernel_cache.address_of(kept)):
         return WarpLaunch.of_kept(kept, address, lambda: what.on_host)
     kernel = what.on_host
     load_module(kernel.module, wp.get_device("cpu"))
     made = WarpLaunch(kernel, values)
-    machine_code = kept_kernels.machine_code_of(kernel)
+    machine_code = kernel_cache.machine_code_of(kernel)
     if made.layout and machine_code and pool_code.is_usable():
-        kept = kept_kernels.Kept(what.places, made.plan, made.layout, made.symbol, machine_code)
-        kept_kernels.keep(what.module, what.name, kept)
+        kept = kernel_cache.Kept(what.places, made.plan, made.layout, made.symbol, machine_code)
+        kernel_cache.keep(what.module, what.name, kept)
     return made
 
 

@@ -7,11 +7,11 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import hand_out, hand_out_host, library_of
+from ..core.attribute_hints import KnownNames
 from ..core.checks import check_rows, check_shape, is_on_gpu
 from ..core.devices import resolve_device
 from ..core.gpu_arrays import take_points
 from ..core.html_tables import html_table
-from ..core.known_names import KnownNames
 from ..kernels.arrays.select import positions_of
 from .point_arrays import PointArrays, read_only
 

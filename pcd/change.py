@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_direction, check_finite, check_numeric, check_positive, check_rows
 from ..core.devices import check_same_device
-from ..core.told_arguments import told_arguments
 from ..core.units import common_unit
 from ..kernels.array_types import Integers, Vectors
 from ..kernels.arrays.side_by_side import read_together

@@ -7,15 +7,15 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ..core.argument_errors import told_arguments
 from ..core.array_libraries import library_of
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.devices import resolve_device
-from ..core.told_arguments import told_arguments
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
+from .cached_tree import KeptTree
 from .conversion import Conversion
-from .kept_tree import KeptTree
 from .normals import Normals
 from .segmentation import Segmentation
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
 from ..cameras.depth_doubts import warn_of_scale
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
+from ..core.argument_errors import told_arguments
 from ..core.array_libraries import check_library, hand_out, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
 from ..core.coordinates import origin_of_sensor, split_origin
@@ -18,13 +19,12 @@ from ..core.devices import check_same_device, resolve_device
 from ..core.exchange import share_numbers, share_vectors
 from ..core.gpu_arrays import device_for
 from ..core.pickled_arrays import device_like, pickled, unpickled, unpickling
-from ..core.told_arguments import told_arguments
 from ..kernels.images.depth import PixelGrid, color_pixels, pixel_normals, unproject_depth
 from ..kernels.images.depth_projection import project_points, read_colors, read_depth
 from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.linear_algebra import inv, matmul
 from ..kernels.memory import clone, download, upload
-from .kept_tree import KeptTree
+from .cached_tree import KeptTree
 from .point_arrays import VECTORS
 from .selection import Selection
 

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..core.known_names import ToldNames
+from ..core.attribute_hints import ToldNames
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points

@@ -7,18 +7,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.array_libraries import hand_out
 from ..core.checks import check_indices, check_search, is_on_gpu
 from ..core.gpu_arrays import take_indices
-from ..core.told_arguments import told_arguments
 from ..kernels.features.eigen_features import measure_curvature, measure_shapes
 from ..kernels.features.fpfh import compute_features, mask_points
 from ..kernels.lang import int32
 from ..kernels.memory import upload
 from ..kernels.search.point_tree import PointTree
+from .cached_tree import check_extent
 from .cloud import PointCloud
-from .kept_tree import check_extent
-from .length_doubts import warn_of_short
+from .length_checks import warn_of_short
 from .point_arrays import check_cloud
 
 

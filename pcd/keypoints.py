@@ -7,8 +7,8 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_count, check_positive
-from ..core.told_arguments import told_arguments
 from ..kernels.features.iss import find_iss_keypoints
 from .cloud import PointCloud
 from .point_arrays import check_cloud

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
+from ..core.callable_bool import YesOrNo
 from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
 from ..core.dropped_results import returns_new
 from ..core.html_tables import array_type, html_table
-from ..core.yes_or_no import YesOrNo
 from ..kernels.linear_algebra import inv, matmul
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .motion import Movable

@@ -7,9 +7,9 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.attribute_hints import ToldNames
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape
 from ..core.dropped_results import returns_new
-from ..core.known_names import ToldNames
 from ..kernels.linear_algebra import matmul
 
 

@@ -27,7 +27,7 @@ from ..kernels.surface.normal_agreement import share_of_opposed_normals
 from ..kernels.surface.normals import align_normals, estimate_normals, orient_normals
 from ..kernels.surface.orientation import flip_vectors, normalize_vectors, orient_consistently
 from ..kernels.surface.smoothing import average_by_sides, average_passes, average_passes_fixed, project_to_planes
-from .length_doubts import warn_of_short
+from .length_checks import warn_of_short
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # default of estimate_normals()

@@ -11,6 +11,8 @@ import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
+from ..core.attribute_hints import KnownNames
+from ..core.callable_bool import YesOrNo
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import quiet, split_origin
 from ..core.devices import resolve_device
@@ -18,13 +20,11 @@ from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
-from ..core.known_names import KnownNames
-from ..core.yes_or_no import YesOrNo
 from ..kernels.lang import vec3
 from ..kernels.language.device_lock import turn_on
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
-from .kept_tree import KeptTree
+from .cached_tree import KeptTree
 from .units import InUnit
 
 VECTORS = ("points", "normals", "colors")

@@ -10,12 +10,12 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import NUMPY, Form, form_of, view_as
+from ..core.attribute_hints import ToldNames
+from ..core.batch_splitting import in_halves
 from ..core.checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from ..core.coordinates import split_origin
 from ..core.devices import check_same_device
 from ..core.gpu_arrays import take_numbers, take_points
-from ..core.halves import in_halves
-from ..core.known_names import ToldNames
 from ..kernels.arrays.row_numbers import run_lengths
 from ..kernels.lang import vec3
 from ..kernels.memory import upload

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_count, check_positive, check_seed, check_share, shown
-from ..core.told_arguments import told_arguments
+from ..core.observers import report
 from ..core.verbosity import told_time
-from ..core.watching import report
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite, usable_rows
@@ -31,10 +31,10 @@ from ..kernels.segmentation.shape_models import CONE, CYLINDER, SPHERE, TORUS
 from ..kernels.segmentation.shape_rows import ascending, usable_in_order
 from ..kernels.segmentation.shape_search import ShapeLimits, ShapeSearch
 from .boxes import OrientedBoundingBox
-from .length_doubts import check_order, warn_of_long, warn_of_short
+from .length_checks import check_order, warn_of_long, warn_of_short
 from .selection import Selection
 from .shape import KINDS, UNKNOWNS, Shape
-from .shape_verdicts import shape_of
+from .shape_checks import shape_of
 
 MAX_SIZE = 2**31 - 2  # more points than a cloud can have
 # Upper limit of thresholds.

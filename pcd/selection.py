@@ -45,7 +45,7 @@ from ..kernels.search.neighbor_distances import average_distances, mask_up_to, m
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from .bounding_box import BoundingBox
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
-from .length_doubts import check_order, warn_of_far, warn_of_long, warn_of_short
+from .length_checks import check_order, warn_of_far, warn_of_long, warn_of_short
 from .point_arrays import VECTORS, PointArrays, check_cloud
 from .polygon_volume import SelectionPolygonVolume, mask_volume
 from .voxel_trace import VoxelTrace

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_positive, shown
 from ..core.quaternions import nearest_rotations
-from ..core.told_arguments import told_arguments
 from ..kernels.arrays.sort import positions
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import det, matmul, norm

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
-from ..core.told_arguments import told_arguments
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.quantiles import median_above_zero
 from ..kernels.lang import float32, int32
@@ -26,7 +26,7 @@ from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .segmentation import check_samples, limits_of, search_of
 from .shape import KINDS, Shape
-from .shape_verdicts import is_flat, is_open, plane_of, shape_of
+from .shape_checks import is_flat, is_open, plane_of, shape_of
 
 LEAST, LEAST_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
 STEPS = 5.0  # maximum gap in a component, in median neighbor distances

@@ -8,19 +8,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.checks import check_finite, check_numeric, check_seed, shown
-from ..core.told_arguments import told_arguments
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
+from ..kernels.segmentation.shape_alternatives import COMPARED, FREE_SIZE
 from ..kernels.segmentation.shape_fit import ShapeFit, ShapeFitter
 from ..kernels.segmentation.shape_models import CONE, PLANE
-from ..kernels.segmentation.shape_rivals import COMPARED, FREE_SIZE
 from ..kernels.segmentation.shape_rows import every_of, rows_of_weight, usable_in_order
 from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .shape import KINDS, UNKNOWNS, Shape
-from .shape_verdicts import ROUNDING, fitted_shape
+from .shape_checks import ROUNDING, fitted_shape
 
 LEVELS = (0.1, 0.03, 0.01, 0.003)  # of the cloud's size: inlier distances of the initialization
 DRAWN, STARTS = 512, 4  # samples per level, and fits of them

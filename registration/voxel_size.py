@@ -8,9 +8,9 @@ import numpy as np
 
 from ..core.coordinates import quiet
 from ..pcd.cloud import PointCloud
-from ..pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ..pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ..pcd.search import NearestNeighborSearch
-from .given_pairs import check_cloud
+from .correspondence_input import check_cloud
 
 # This gives some 5,000 to 15,000 occupied voxels for a room, an object or a street.
 VOXELS_TO_MIDDLE, WITHIN = 32.0, 0.75

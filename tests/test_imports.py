@@ -77,7 +77,7 @@ WARP_FILES = {
     "kernels/language/casts.py",
     "kernels/language/compiled_ahead.py",
     "kernels/language/cpu_code.py",
-    "kernels/language/kept_kernels.py",
+    "kernels/language/kernel_cache.py",
     "kernels/language/pool_code.py",
     "kernels/language/module_loading.py",
     "kernels/cuda_cache.py",

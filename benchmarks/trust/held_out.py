@@ -1,4 +1,4 @@
-"""Reliability on places and with faults that no constant was chosen on (places.py, sensors.py).
+"""Reliability on places and with faults that no constant was chosen on (job_files.py, sensors.py).
 
 `tracking`, `scanning`, `registering` and `picturing` yield a Judged a case. What nobody can know, such as how far a
 camera went along a bare corridor, counts as wrong if it is accepted and off, and does not count if it is rejected.

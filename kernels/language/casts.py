@@ -14,9 +14,9 @@ import numpy as np
 import warp as wp
 
 from ..array_types import AnyArray
+from .compile_notices import announced
 from .device_lock import lock
 from .module_loading import load_module
-from .notices import announced
 from .warp_compiler import compile_source
 
 MOST = 2**30  # elements a launch

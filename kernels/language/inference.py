@@ -27,7 +27,7 @@ from .signatures import (
     remedy,
     words,
 )
-from .trees import nodes_of
+from .syntax_trees import nodes_of
 
 SYMBOLS = {
     ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.FloorDiv: "//", ast.Mod: "%", ast.MatMult: "@",

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from .signatures import FLOAT, INT, RANGES, Inferred, Type
-from .trees import stored_names
+from .syntax_trees import stored_names
 
 WIDE = {"int64", "uint64", "float64"}
 _WHOLE = RANGES.keys() - {INT.scalar}

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from .callbacks import PARTIAL, Given, callback, with_callbacks
 from .structs import JOINT, fields_of, type_at
-from .trees import body_of, nodes_of, stored_names
+from .syntax_trees import body_of, nodes_of, stored_names
 
 Fail = Callable[..., Any]
 

@@ -20,7 +20,7 @@ import warp as wp
 from ..array_types import Device
 from . import compiled_ahead
 from .cache_folders import ROOM, CacheError, discard, is_intact, is_writable, seal, temporary_cache
-from .notices import compiling
+from .compile_notices import compiling
 
 try:
     import fcntl

@@ -17,7 +17,7 @@ import warp as wp
 
 from . import cpu_code, cpu_pool
 from .arguments import array_of, check_scalar_count, type_of
-from .kept_kernels import Kept
+from .kernel_cache import Kept
 from .pool_code import filled_with
 from .signatures import FLOATS, Type
 

@@ -18,7 +18,7 @@ from .loops import YIELDED, Writer, check_loop, with_assignments
 from .signatures import BOOL, FLOAT, INT, ArrayType, Type, remedy, words
 from .source import Source, Vocabulary, compiled
 from .structs import JOINT, fields_of, flatten
-from .trees import is_stored, nodes_of, stored_names
+from .syntax_trees import is_stored, nodes_of, stored_names
 
 FORBIDDEN = {
     ast.Try: "exceptions",

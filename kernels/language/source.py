@@ -17,7 +17,7 @@ from .inference import Inferred
 from .loops import Expected, Words
 from .signatures import ArrayType, Type
 from .structs import JOINT, Place, fields_of
-from .trees import body_of
+from .syntax_trees import body_of
 
 
 class KernelLanguageError(SyntaxError): ...

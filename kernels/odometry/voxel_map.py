@@ -3,7 +3,7 @@ spacing of their implementation).
 
 Points are float32 relative to integer voxels, exact to 1e-7 of a voxel at any distance. Voxels are in an ordered hash
 table. One thread per voxel adds points in order while there is room and none is closer than the spacing, so results are
-deterministic. Additions are atomic (arrays/changes.py). New voxels are numbered without a sync.
+deterministic. Additions are atomic (arrays/atomic_changes.py). New voxels are numbered without a sync.
 """
 
 import math
@@ -13,8 +13,8 @@ import numpy as np
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
 from ..array_types import Device, Indices, Integers, Keys, Points
+from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key, key_block
-from ..arrays.changes import Changes, note_change
 from ..arrays.hash_table import HashTable, find_position, find_slot, insert_key, list_keys, number_new
 from ..arrays.prefix_sum import exclusive_scan, inclusive_scan
 from ..arrays.select import positions_of

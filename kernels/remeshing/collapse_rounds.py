@@ -55,9 +55,9 @@ from .collapse_mesh import (
     last_corner,
     uv_at,
 )
-from .edge_prices import BINS, STEP, mark_cheap_edges_kernel, may_collapse, place_vertex, placement, price_edges_kernel
+from .compacted_mesh import Squeezing, left_vertices
+from .edge_costs import BINS, STEP, mark_cheap_edges_kernel, may_collapse, place_vertex, placement, price_edges_kernel
 from .quadrics import quadric
-from .squeezed_mesh import Squeezing, left_vertices
 
 
 @func

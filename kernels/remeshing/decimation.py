@@ -18,7 +18,7 @@ from ..memory import clone, download, empty, full
 from ..meshes.mesh_edits import gather_corners, gather_triangles
 from .collapse_mesh import TRIANGLES, VERTICES, CollapseMesh, edge_valence
 from .collapse_rounds import CollapseRounds
-from .edge_prices import sum_quadrics_kernel
+from .edge_costs import sum_quadrics_kernel
 from .quadrics import quadric
 from .unit_frame import UnitFrame
 

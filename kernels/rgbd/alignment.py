@@ -50,6 +50,7 @@ from .alignment_rows import (
     row_sums,
     sum_alignment_rows,
 )
+from .check_rows import INLIER_REACH, sum_verdict, verdict_sums
 from .level_copies import copy_levels_kernel
 from .pyramid import FrameLevels
 from .seen_pixels import (
@@ -63,7 +64,6 @@ from .seen_pixels import (
     seen_brightness,
     surface_row,
 )
-from .verdict_rows import INLIER_REACH, sum_verdict, verdict_sums
 
 if TYPE_CHECKING:
     from .pyramid import FrameLevels

@@ -15,7 +15,7 @@ from .tsdf_blocks import ROWS, SIDE
 from .voxel_blocks import VoxelBlocks
 
 if TYPE_CHECKING:
-    from ..arrays.changes import Changes
+    from ..arrays.atomic_changes import Changes
 
 AROUND = 27  # a block and its neighbors; (dx, dy, dz) is at 9 dx + 3 dy + dz + 13
 VALID = 16  # shift of the validity bits

@@ -15,7 +15,7 @@ from .tsdf_blocks import SIDE
 from .voxel_blocks import VoxelBlocks
 
 if TYPE_CHECKING:
-    from ..arrays.changes import Changes
+    from ..arrays.atomic_changes import Changes
 
 MIDDLE = 13  # index of a block among its neighbors
 LOW_SEVEN = 0x7F7F7F7F7F7F7F7F  # voxels with one above along z in the slice

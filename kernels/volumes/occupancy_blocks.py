@@ -2,7 +2,7 @@
 
 The update is `OccupancyOcTreeBase::updateNode` of OctoMap: clamped float32 sums. 4 B per voxel, 32 to 56 B per block,
 and 1 B per voxel of touched blocks during a scan. Memory at least doubles when it grows. One launch writes a scan, so
-updates are atomic (arrays/changes.py).
+updates are atomic (arrays/atomic_changes.py).
 """
 
 from typing import Any
@@ -11,9 +11,9 @@ import numpy as np
 
 from ..algebra.transform import narrow, widen
 from ..array_types import Array, Device, Indices, Integers, Keys, Points, Scalars
+from ..arrays.atomic_changes import Changes, note_change
 from ..arrays.block_keys import block_key
 from ..arrays.bounds import bound_each
-from ..arrays.changes import Changes, note_change
 from ..arrays.hash_table import HashTable, find_position, list_keys
 from ..arrays.select import number_rows_kernel, positions_of
 from ..lang import (

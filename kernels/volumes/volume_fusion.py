@@ -11,8 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array_types import Device, Keys
+from ..arrays.atomic_changes import Changes
 from ..arrays.block_keys import BIAS, block_key, key_block
-from ..arrays.changes import Changes
 from ..arrays.concatenation import concatenate_rows
 from ..arrays.hash_table import find_position, list_keys
 from ..arrays.packed_keys import NO_KEY

@@ -2,7 +2,7 @@
 
 4 B of distance, 2 B of weight (at most 65535 frames), and optionally 6 B of 16-bit color per voxel, since an 8-bit
 running mean would stall; 32 to 56 B per block. Memory at least doubles when it grows, and nothing is moved. Frames are
-integrated atomically (arrays/changes.py): new blocks do not count before the launch that writes them.
+integrated atomically (arrays/atomic_changes.py): new blocks do not count before the launch that writes them.
 """
 
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..array_types import Array1, Array2, Device, Integers, Keys, Scalars
-from ..arrays.changes import Changes
+from ..arrays.atomic_changes import Changes
 from ..arrays.hash_table import HashTable, list_keys, number_new
 from ..arrays.select import gather_rows, positions_of
 from ..lang import array, float32, float64, func, int64, struct, uint16, vec3

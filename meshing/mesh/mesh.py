@@ -6,12 +6,12 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
 from ...core.coordinates import split_origin
 from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
-from ...core.told_arguments import told_arguments
 from ...io.table import MeshTable
 from ...kernels.lang import vec3, vec3i
 from ...kernels.memory import upload

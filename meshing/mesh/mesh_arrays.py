@@ -11,6 +11,8 @@ import warp as wp
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
+from ...core.attribute_hints import KnownNames
+from ...core.callable_bool import YesOrNo
 from ...core.checks import (
     check_color,
     check_colors,
@@ -29,10 +31,8 @@ from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
-from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
-from ...core.upward import Direction, check_up, up_under
-from ...core.yes_or_no import YesOrNo
+from ...core.up_axis import Direction, check_up, up_under
 from ...io.table import MeshTable
 from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.arrays.bounds import bound_points

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import view_as
 from ...core.checks import check_count, check_finite, check_numeric, check_positive, check_rows, check_seed, check_shape
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
-from ...core.told_arguments import told_arguments
 from ...core.units import common_unit
 from ...kernels.arrays.bounds import bound_points, box_of, find_extremes
 from ...kernels.arrays.concatenation import concatenate_rows

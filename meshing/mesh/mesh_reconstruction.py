@@ -10,6 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import (
     check_count,
     check_finite,
@@ -23,7 +24,6 @@ from ...core.checks import (
 )
 from ...core.coordinates import choose_origin
 from ...core.devices import check_same_device, resolve_device
-from ...core.told_arguments import told_arguments
 from ...core.units import common_unit, warn_of_units
 from ...kernels.algebra.transform import transform_points
 from ...kernels.array_types import Indices
@@ -46,8 +46,8 @@ from ...kernels.sampling.duplicates import first_occurrences
 from ...kernels.search.nearest_point import find_nearest_rows
 from ...kernels.search.neighbor_distances import nearest_distances
 from ...kernels.volumes.marching_cubes import extract_surface
+from ...pcd.cached_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ...pcd.cloud import PointCloud
-from ...pcd.kept_tree import LARGEST_EXTENT, SMALLEST_EXTENT
 from ...pcd.point_arrays import check_cloud
 from .mesh_measures import MeshMeasures
 

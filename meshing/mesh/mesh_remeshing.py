@@ -28,7 +28,7 @@ from ...kernels.lang import int32, vec3d
 from ...kernels.memory import check_room, download, fill, upload, zeros
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.mesh_measures import measure
-from ...kernels.rays.surface_places import SurfacePlaces
+from ...kernels.rays.surface_positions import SurfacePlaces
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.remeshing import subdivision
 from ...kernels.remeshing.creased_mesh import CreasedMesh, crease_segments, find_features

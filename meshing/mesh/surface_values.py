@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from ...core.array_libraries import view_as
 from ...kernels.lang import float32, vec3
-from ...kernels.rays.surface_places import SurfacePlaces, middles_of
+from ...kernels.rays.surface_positions import SurfacePlaces, middles_of
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.surface.orientation import normalize_vectors
 from .mesh_attributes import each, rows_of

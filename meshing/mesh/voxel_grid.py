@@ -8,9 +8,9 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
-from ...core.known_names import ToldNames
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_positive
 from ...core.devices import check_same_device
-from ...core.told_arguments import told_arguments
 from ...core.units import common_unit
 from ...kernels.lang import float64
 from ...kernels.memory import download, upload

@@ -8,10 +8,10 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.attribute_hints import KnownNames
 from ...core.checks import check_count, check_rigid, check_rows
 from ...core.coordinates import NEAR_ZERO
 from ...core.devices import check_same_device, resolve_device
-from ...core.known_names import KnownNames
 from ...core.pickled_arrays import device_like, unpickling
 from ...kernels.linear_algebra import matmul
 from ...kernels.rays.scene_trees import SceneTrees

@@ -9,14 +9,14 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import view_as
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
 from ...core.devices import resolve_device
 from ...core.errors import values_of_file
 from ...core.gpu_arrays import device_for, take_numbers
-from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like, unpickling
-from ...core.told_arguments import told_arguments
 from ...kernels.array_types import Cells, Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import uint8, vec3i

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import Form, form_of, view_as
 from ...core.checks import RIGID_TOLERANCE, check_finite, check_numeric, check_rigid, check_rows, is_on_gpu
 from ...core.devices import check_same_device
 from ...core.gpu_arrays import take_numbers, take_rows
-from ...core.told_arguments import told_arguments
 from ...kernels.array_types import Positions
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, mat44d, vec3d

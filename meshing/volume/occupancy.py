@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_number, check_positive
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
-from ...core.known_names import ToldNames
 from ...core.pickled_arrays import device_like, unpickling
-from ...core.told_arguments import told_arguments
 from ...kernels.lang import float32, int64, vec3
 from ...kernels.memory import download, upload
 from ...kernels.volumes import occupancy_blocks as odds
@@ -24,7 +24,7 @@ from ...kernels.volumes.occupancy_rays import Lattice
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
 from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of, read_grid, write_grid
-from .occupancy_questions import OccupancyQuestions
+from .occupancy_queries import OccupancyQuestions
 from .voxel_boxes import check_voxel_size, places_of
 
 FARTHEST = 3.0e38  # [m] default of max_range

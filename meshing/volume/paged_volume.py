@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage
+from ...core.argument_errors import told_arguments
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FilePath, values_of_file
-from ...core.known_names import ToldNames
 from ...core.paths import path_of
-from ...core.told_arguments import told_arguments
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.lang import vec3, vec3i
 from ...kernels.linear_algebra import inv

@@ -13,16 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_doubts import warn_of_scale
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import NUMPY, library_of
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
 from ...core.dropped_results import returns_new
 from ...core.errors import values_of_file
-from ...core.known_names import ToldNames
+from ...core.observers import report
 from ...core.pickled_arrays import device_like, unpickling
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
 from ...kernels.images import depth as depth_images
 from ...kernels.linear_algebra import inv
 from ...kernels.memory import download

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import library_of
 from ...core.checks import check_positive, check_rows
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import vec3d

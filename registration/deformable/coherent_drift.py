@@ -8,6 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import (
     check_count,
     check_positive,
@@ -19,7 +20,6 @@ from ...core.checks import (
 )
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
-from ...core.told_arguments import told_arguments
 from ...core.wording import format_share
 from ...kernels.arrays.side_by_side import read_together
 from ...kernels.bending.coherent_drift import Drift, map_places_kernel, place_points, sum_places, sum_pulls, sum_targets
@@ -28,7 +28,7 @@ from ...kernels.lang import launch, mat33d, reduce, vec3d
 from ...kernels.linear_algebra import EPSILON, matmul, pinvh
 from ...kernels.memory import clone, download, empty
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..rigid import fit_moments, make_pose
 
 Array = NDArray[np.float64]

@@ -16,7 +16,7 @@ from ...core.atomic import atomic_write
 from ...core.devices import resolve_device
 from ...core.errors import FileError, values_of_file
 from ...core.paths import path_of
-from ...io.foreign import foreign_errors
+from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from ...kernels.lang import int64
 from ...kernels.memory import download, upload, write

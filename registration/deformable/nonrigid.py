@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import KDTree
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import (
     LARGEST_NUMBER,
     check_count,
@@ -25,7 +26,6 @@ from ...core.checks import (
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, quality, with_warnings
-from ...core.told_arguments import told_arguments
 from ...core.wording import format_share
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.arrays.quantiles import quantiles_of
@@ -55,7 +55,7 @@ from ...kernels.search.nearest_point import find_nearest
 from ...kernels.search.point_tree import PointTree
 from ...pcd.cloud import PointCloud
 from ...pcd.motion import map_about
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.icp import check_poses, registration_icp
 from ..rigid import fit_pose, to_local

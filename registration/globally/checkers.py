@@ -13,7 +13,7 @@ from ...core.checks import check_angle, check_list, check_numeric, check_positiv
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.poses.pose_hypotheses import Checks
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds, check_pairs
+from ..correspondence_input import check_clouds, check_pairs
 
 
 class CorrespondenceChecker:

@@ -9,9 +9,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_count, check_positive, check_seed
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.arrays.bounds import bound_each
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.lang import mat44d
@@ -20,7 +20,7 @@ from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.poses.pose_fitness import half_diagonal, middle_of
 from ...kernels.poses.similar_tuples import similar_tuples
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds, match_clouds, pairs_on_device, world_middles
+from ..correspondence_input import check_clouds, match_clouds, pairs_on_device, world_middles
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import to_world

@@ -9,9 +9,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import LARGEST_NUMBER, check_positive, check_seed, is_on_gpu
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.arrays.bounds import bound_each
 from ...kernels.arrays.row_numbers import distinct_pairs
 from ...kernels.arrays.subsets import draw_rows
@@ -24,7 +24,7 @@ from ...kernels.poses.consensus_poses import find_consensus
 from ...kernels.poses.pair_fits import PairCoordinates
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds, check_pairs, match_clouds, pairs_on_device
+from ..correspondence_input import check_clouds, check_pairs, match_clouds, pairs_on_device
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import make_pose, to_world

@@ -12,10 +12,10 @@ from ...core.reports import Assessed
 from ...kernels.linear_algebra import eigh, matmul
 from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior
-from ..open_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
 from ..rigid import nearest_rotation, symmetric_matrices, to_local
+from ..unobservable_motions import JUDGING_POINTS, STEP_VOXELS, SUSPECT_SHARE, moved, rises_clearly, spanned
 from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
 
 Matrix = NDArray[np.float64]

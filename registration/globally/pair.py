@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report
-from ...core.told_arguments import told_arguments
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior, make_constraint
 from ..icp.estimation import (
     TransformationEstimation,

@@ -10,15 +10,15 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_count, check_positive, check_seed
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.lang import int32, vec3
 from ...kernels.memory import empty
 from ...kernels.poses.pose_fitness import PoseFitness
 from ...kernels.poses.pose_search import PoseSearch
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds, match_clouds, pairs_on_device, world_middles
+from ..correspondence_input import check_clouds, match_clouds, pairs_on_device, world_middles
 from ..icp.estimation import TransformationEstimationPointToPoint
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult

@@ -14,11 +14,11 @@ from ...core.checks import check_positive, check_transformation
 from ...kernels.arrays.concatenation import concatenate_rows
 from ...kernels.linear_algebra import det, eigvalsh, matmul, solve
 from ...kernels.memory import contiguous, download
+from ...kernels.poses.line_of_sight import Sight, find_sight
 from ...kernels.poses.overlap_evidence import ALIGNED_AT, MATCHED_AT, weigh_overlaps
-from ...kernels.poses.sight import Sight, find_sight
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..icp.estimation import TransformationEstimationPointToPlane
 from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..result import RegistrationResult

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_list, check_numeric, check_positive, check_rigid, check_shape, shown
-from ...core.known_names import nearest_name
 from ...kernels.algebra.rigid_solve import square
 from ...kernels.icp.freedom import STILL, STILL_TURNING, Freedom, motion_state
 from ...kernels.icp.loop import RegistrationLoop

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_positive, check_transformation
-from ...core.told_arguments import told_arguments
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..result import RegistrationResult
 from .estimation import TransformationEstimationPointToPoint
 from .iterative import IterativeRegistration

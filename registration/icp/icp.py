@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import (
     check_angle,
     check_callback,
@@ -21,12 +22,11 @@ from ...core.checks import (
     check_transformation,
     shown,
 )
-from ...core.told_arguments import told_arguments
+from ...core.observers import report, watched
 from ...core.units import asked_by_user, common_unit, warn_of_units
-from ...core.watching import report, watched
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_cloud, check_clouds
+from ..correspondence_input import check_cloud, check_clouds
 from ..result import RegistrationResult
 from ..rigid import nearest_rotation, scale_of
 from .constraint import Constraint, Prior, make_constraint

@@ -25,8 +25,8 @@ from ...kernels.linear_algebra import matmul
 from ...kernels.memory import download, empty, upload
 from ...kernels.search.many_clouds import ManyClouds
 from ...kernels.search.point_forest import PointForest
+from ...pcd.cached_tree import check_extent
 from ...pcd.cloud import PointCloud
-from ...pcd.kept_tree import check_extent
 from ..result import Pairs, RegistrationResult
 from ..rigid import skew, symmetric_matrices, to_local, to_world
 from .constraint import Constraint, make_freedom

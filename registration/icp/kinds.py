@@ -7,7 +7,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ...core.told_arguments import told_arguments
+from ...core.argument_errors import told_arguments
 from ...pcd.cloud import PointCloud
 from ..result import RegistrationResult
 from .constraint import Prior

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_callback, check_list, check_number, check_positive
-from ...core.told_arguments import told_arguments
-from ...core.watching import standing_for
+from ...core.observers import standing_for
 from ...kernels.linear_algebra import matmul
 from ...pcd.cloud import PointCloud
-from ..given_pairs import check_clouds
+from ..correspondence_input import check_clouds
 from ..result import RegistrationResult
 from .constraint import Prior, make_constraint
 from .estimation import TransformationEstimation

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import check_same_device, resolve_device
+from ...core.observers import report
 from ...core.units import METRE, common_unit
-from ...core.watching import report
 from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_points

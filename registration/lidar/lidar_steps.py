@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_list
-from ...core.number_runs import some_runs
+from ...core.number_ranges import some_runs
 from ...core.reports import Assessed, Fields, Report
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import eigh, matmul, norm

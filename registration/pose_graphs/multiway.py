@@ -21,10 +21,10 @@ from ...core.checks import (
     shown,
 )
 from ...core.devices import check_same_device
+from ...core.observers import report
 from ...core.progress import ReportProgress
 from ...core.reports import Fields, Report
 from ...core.units import common_unit
-from ...core.watching import report
 from ...core.wording import plain
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud

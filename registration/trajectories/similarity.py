@@ -20,9 +20,9 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.picture_names import meant_pictures
 from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import Trajectory, read_trajectory
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_list, check_name, check_positive, check_seed, check_shape, shown
 from ...core.errors import FileError
-from ...core.known_names import nearest_name
 from ...core.paths import path_of
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm

@@ -36,7 +36,7 @@ from .core.verbosity import VerbosityContextManager as VerbosityContextManager
 from .core.verbosity import VerbosityLevel as VerbosityLevel
 from .core.verbosity import get_verbosity_level as get_verbosity_level
 from .core.verbosity import set_verbosity_level as set_verbosity_level
-from .io.bags.pieces import RecordingWarning as RecordingWarning
+from .io.bags.message_chunks import RecordingWarning as RecordingWarning
 from .io.bags.recording import open_recording as open_recording
 from .io.bags.transforms import RecordedTransforms as RecordedTransforms
 from .io.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera

@@ -77,7 +77,7 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     message = f"module {package!r} has no attribute {name!r}"
     if name.startswith("_"):
         return message
-    from .core.known_names import nearest_name
+    from .core.attribute_hints import nearest_name
     from .core.open3d_names import row_of, told
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):

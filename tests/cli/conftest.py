@@ -11,7 +11,7 @@ import pointloom as loom
 from pointloom.cli.shell import console
 from pointloom.datasets.scenes.room import room_loop_sequence, write_room_sequence
 from pointloom.io.frames.recordings import record_frames
-from pointloom.kernels.language import notices
+from pointloom.kernels.language import compile_notices
 
 from ..rgbd.sequences import Part
 
@@ -22,7 +22,7 @@ pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what th
 def no_lines_of_progress(monkeypatch):
     """A command that compiles its kernels says so, and tells how far it is."""
     monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
-    monkeypatch.setattr(notices, "PATIENCE", threading.TIMEOUT_MAX)
+    monkeypatch.setattr(compile_notices, "PATIENCE", threading.TIMEOUT_MAX)
 
 
 @pytest.fixture

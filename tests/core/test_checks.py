@@ -13,7 +13,7 @@ from pointloom.core.checks import (
     check_seed,
     check_transformation,
 )
-from pointloom.core.plain_poses import is_plainly_rigid
+from pointloom.core.pose_checks import is_plainly_rigid
 
 
 @pytest.mark.parametrize("value", [True, False, np.True_, np.False_, 2.0, "2", None, np.float64(3)])

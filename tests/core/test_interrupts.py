@@ -8,8 +8,8 @@ import signal
 import pytest
 
 import pointloom as loom
-from pointloom.io.foreign import foreign_errors, ignored_errors
 from pointloom.io.frames.depth_cameras import driver_errors
+from pointloom.io.optional_imports import foreign_errors, ignored_errors
 from pointloom.io.source import content_errors
 
 

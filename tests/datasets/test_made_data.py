@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.datasets import kept as module
+from pointloom.datasets import array_cache as module
 from pointloom.datasets.scenes.room import surface_errors
 
 

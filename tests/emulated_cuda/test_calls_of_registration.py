@@ -1,6 +1,6 @@
 """How often registration and frames of depth cameras ask something of the device, and how often they wait for it.
 
-The numbers are those of test_calls.py: launches cost a program some 20 microseconds of Python and waits 10.
+The numbers are those of test_callback_queue.py: launches cost a program some 20 microseconds of Python and waits 10.
 """
 
 from __future__ import annotations

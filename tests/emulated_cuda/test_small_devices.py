@@ -9,8 +9,8 @@ import pytest
 import warp as wp
 
 import pointloom as loom
+from pointloom.core.batch_splitting import LEAST, in_halves
 from pointloom.core.devices import resolve_device
-from pointloom.core.halves import LEAST, in_halves
 from pointloom.kernels.lang import uint8
 from pointloom.kernels.memory import empty, zeros
 

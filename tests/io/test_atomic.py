@@ -11,7 +11,7 @@ import pytest
 import pointloom as loom
 from pointloom.core import atomic
 from pointloom.core.atomic import atomic_folder, atomic_write, restore_folder
-from pointloom.io.foreign import foreign_errors
+from pointloom.io.optional_imports import foreign_errors
 
 
 def write(path, content, **options):

@@ -17,7 +17,7 @@ from click.testing import CliRunner
 import pointloom as loom
 from pointloom.cli.shell.cli import cli
 from pointloom.core.errors import FileError
-from pointloom.io.bags.pieces import RecordingWarning, unpack
+from pointloom.io.bags.message_chunks import RecordingWarning, unpack
 
 pytest.importorskip("rosbags")
 

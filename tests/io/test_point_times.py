@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pointloom.io.bags.clouds import UNITS, with_seconds
-from pointloom.io.bags.pieces import RecordingWarning
+from pointloom.io.bags.message_chunks import RecordingWarning
 
 PATH, COUNT = Path("run.mcap"), 50
 SINCE_1970, SINCE_START = 1.7e9, 512.25  # [s]

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import pointloom as loom
-from pointloom.io.fans import clip_ears, split_faces
+from pointloom.io.triangulation import clip_ears, split_faces
 
 # A house with its roof fallen in: five corners of which the fourth is concave; from corner 3 on its fan turns over.
 CONCAVE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 1, 0], [0, 4, 0]], float)

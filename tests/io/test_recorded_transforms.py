@@ -240,7 +240,7 @@ def test_view_draws_the_clouds_of_a_recording(tmp_path):
         assert result.exit_code == 0 and page.exists(), result.output
 
 
-@pytest.mark.filterwarnings("default::pointloom.io.bags.pieces.RecordingWarning")
+@pytest.mark.filterwarnings("default::pointloom.io.bags.message_chunks.RecordingWarning")
 def test_a_damaged_recording_ends_with_exit_code_3(tmp_path):
     place = write(tmp_path, "bag1", count=20)
     assert run("info", place).exit_code == 0

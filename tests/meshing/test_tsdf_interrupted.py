@@ -14,7 +14,7 @@ from .tsdf_scenes import fingerprint
 FILES = (
     "meshing/volume/tsdf.py", "kernels/volumes/voxel_blocks.py", "kernels/volumes/integrate.py",
     "kernels/volumes/device_frames.py", "kernels/volumes/frame_record.py", "kernels/arrays/hash_table.py",
-    "kernels/arrays/changes.py",
+    "kernels/arrays/atomic_changes.py",
 )  # fmt: skip
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 HERE, THERE = np.eye(4), np.eye(4)

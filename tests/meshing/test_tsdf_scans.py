@@ -14,7 +14,7 @@ VOXEL, TRUNCATION = 0.1, 0.3
 UTM = np.array([500_000.0, 5_400_000.0, 100.0])
 FILES = (
     "meshing/volume/tsdf_scans.py", "meshing/volume/tsdf.py", "kernels/volumes/voxel_blocks.py",
-    "kernels/volumes/scan_fusion.py", "kernels/volumes/scan_rays.py", "kernels/arrays/changes.py",
+    "kernels/volumes/scan_fusion.py", "kernels/volumes/scan_rays.py", "kernels/arrays/atomic_changes.py",
 )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.kernels.search import group_scratch, tree_search
 from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
-from pointloom.pcd.kept_tree import SMALLEST_EXTENT
+from pointloom.pcd.cached_tree import SMALLEST_EXTENT
 
 from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
 from .nearest_oracle import EXACT, SHAPES, assert_nearest, make_cloud, queries_for, rows_of, sphere, square_distances
@@ -167,7 +167,7 @@ def test_neighbours_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances)
 
 @pytest.mark.parametrize("scale", [2e-13, 1e18])
 def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
-    """Beyond these the points are refused: test_kept_tree.py."""
+    """Beyond these the points are refused: test_cached_tree.py."""
     cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
     search = loom.NearestNeighborSearch(cloud)
     assert_nearest(search.knn_search(cloud, 8), square_distances(cloud, cloud.points), 8, np.inf, tolerances)

@@ -12,7 +12,7 @@ from ..interruptions import run_lines
 
 FILES = (
     "registration/lidar/lidar_odometry.py", "registration/lidar/scan_matching.py", "kernels/odometry/voxel_map.py",
-    "kernels/arrays/hash_table.py", "kernels/arrays/changes.py",
+    "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py",
 )  # fmt: skip
 SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from where it should be
 

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.registration import LidarOdometry
 from pointloom.registration.lidar.scan_matching import OpenDirections, wide_guesses
-from pointloom.registration.open_motions import LEAST_RISE, rises_clearly
+from pointloom.registration.unobservable_motions import LEAST_RISE, rises_clearly
 
 
 def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):

@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.atomic import atomic_write
+from ..core.attribute_hints import ToldNames
 from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
 from ..core.checks import check_count, check_number, check_positive, check_shape
 from ..core.dropped_results import returns_new
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
-from ..core.known_names import ToldNames
 from ..core.paths import path_of
 
 # Metadata keys of Open3D and its recorders that do not change the projection. Any other key raises,

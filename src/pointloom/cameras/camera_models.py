@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.attribute_hints import nearest_name
 from ..core.checks import (
     check_count,
     check_finite,
@@ -24,7 +25,6 @@ from ..core.checks import (
     check_share,
     shown,
 )
-from ..core.known_names import nearest_name
 from .camera import MOST_IN_ALL, MOST_PIXELS, PinholeCameraIntrinsic, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 

@@ -9,13 +9,13 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.argument_errors import told_arguments
 from ..core.array_libraries import NUMPY, check_library, library_of, view_as
+from ..core.attribute_hints import ToldNames
 from ..core.checks import check_count, check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
-from ..core.known_names import ToldNames
 from ..core.masked_arrays import unmasked
 from ..core.pickled_arrays import check_form, device_like, pickled, unpickled, unpickling
-from ..core.told_arguments import told_arguments
 from ..kernels.arrays.row_numbers import limits_of
 from ..kernels.images.depth import decode_depth, intensity_of, metric_depth
 from ..kernels.lang import float32, float64, int8, int64, uint8, uint16

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write, check_writable
+from ..core.attribute_hints import ToldNames
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
-from ..core.known_names import ToldNames
 from ..core.paths import path_of
 from ..core.quaternions import nearest_rotations, rotations_to_quaternions
 from ..kernels.linear_algebra import inv

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import det, matmul, norm
 from .masked_arrays import unmasked
-from .plain_poses import is_plainly_rigid
+from .pose_checks import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from types import CodeType, FrameType
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
-from .told_arguments import is_of_call, mismatch
+from .argument_errors import is_of_call, mismatch
 
 P = ParamSpec("P")
 R = TypeVar("R")

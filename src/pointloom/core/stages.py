@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from . import watching
+from . import observers
 from .errors import FileError
 from .json_files import read_json_object
 from .progress import ReportProgress
@@ -121,7 +121,7 @@ class Chain:
         _remove(folder)
 
     def _make(self, stage: Stage) -> dict[str, Any]:
-        watching.report("stage", name=stage.name)
+        observers.report("stage", name=stage.name)
         folder, part = self.root / stage.name, self.root / f"{stage.name}{PART}"
         record = record_file(self.root, stage.name)
         clock = Clock()

@@ -17,8 +17,8 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..core.attribute_hints import KnownNames
 from ..core.checks import check_shape
-from ..core.known_names import KnownNames
 from .vectors import Vector
 
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ..core.known_names import ToldNames
+from ..core.attribute_hints import ToldNames
 from ..core.masked_arrays import unmasked
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from ..io.foreign import foreign_errors, import_for
+from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las import COLORS, LasFile, open_las
 from .manifest import DAMAGE, is_dead
 

@@ -14,12 +14,12 @@ from ..core.coordinates import quiet
 from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
-from ..io.foreign import foreign_errors, import_for
+from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.copc_writer import CopcWriter
 from ..io.points.las import open_las, table_of
 from ..io.points.las_records import describe_together
 from ..io.points.las_writer import lay_out
-from .borders import LEFT
+from .border_merging import LEFT
 from .buckets import FOLDER as BUCKETS
 from .manifest import Manifest, clear_locks, only_one
 from .plan import Plan, open_plan

@@ -8,8 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..core.errors import FileError
-from .loose_files import is_made
 from .manifest import NAME
+from .unindexed_files import is_made
 
 
 @contextmanager

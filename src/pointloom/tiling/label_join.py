@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from .borders import Leavings
+from .border_merging import Leavings
 
 MOST_RANKED = 1 << 22  # approximate number of clusters sorted at a time
 MOST_INT32 = 2**31 - 1  # maximum clusters of 32-bit labels

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_finite, check_numeric, shown
 from ..core.devices import resolve_device
 from ..core.errors import FileError
-from ..io.foreign import foreign_errors, import_for
+from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.geodetic import system_named, system_of
 from ..io.points.las import open_las
 from ..kernels.extent.polygons import mask_polygon

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ..core.errors import FileError
 from ..core.paths import refuse_link
-from ..io.foreign import foreign_errors, import_for
+from ..io.optional_imports import foreign_errors, import_for
 from ..io.points.las_crs import find_keys, find_text
 from ..kernels.lru_cache import LruCache
 from ..pcd.cloud import PointCloud

@@ -1,7 +1,7 @@
 """Files of a job: their description in the plan, and the points of a window in canonical order.
 
 Points are ordered by file and row for every tile. COPC files are read by windows, other LAS and LAZ files from buckets
-(buckets.py), all others through a LAZ conversion (loose_files.py).
+(buckets.py), all others through a LAZ conversion (unindexed_files.py).
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ from ..io.points.las_records import left_out_of, own_records
 from ..io.points.las_units import units_of
 from ..io.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
-from .loose_files import FOLDER as MADE
-from .loose_files import SUFFIXES as LOOSE
-from .loose_files import taken_over
 from .manifest import NAME, NOT_LAID, read_plan
+from .unindexed_files import FOLDER as MADE
+from .unindexed_files import SUFFIXES as LOOSE
+from .unindexed_files import taken_over
 
 IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # these may be notes
 ROW_BITS = 40  # bits of a point's key for its row; the rest is the file number

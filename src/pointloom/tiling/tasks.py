@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
-from .borders import Joined, Leavings, join_step
+from .border_merging import Joined, Leavings, join_step
 from .buckets import REMOTE, Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
 from .manifest import NAME, NOT_LAID, STATES, Manifest, files_of, said_of

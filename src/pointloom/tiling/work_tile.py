@@ -25,7 +25,7 @@ from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
-from .borders import read_joined, write_left
+from .border_merging import read_joined, write_left
 from .buckets import inside
 from .epochs import read_epoch
 from .exact_sums import ExactSums

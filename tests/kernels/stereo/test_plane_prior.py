@@ -9,8 +9,8 @@ from pointloom.kernels.lang import float32, vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import start_planes
-from pointloom.kernels.stereo.place_planes import judge_places, take_priors
-from pointloom.kernels.stereo.plain_places import find_places
+from pointloom.kernels.stereo.region_planes import judge_places, take_priors
+from pointloom.kernels.stereo.textureless_regions import find_places
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
 TRUE = SHIFT / (FOCAL * BASELINE)

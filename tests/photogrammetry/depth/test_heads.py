@@ -19,7 +19,7 @@ from pointloom.photogrammetry.depth.heads import (
     Head,
     find_head,
 )
-from pointloom.photogrammetry.depth.readings import recover_pinhole
+from pointloom.photogrammetry.depth.network_outputs import recover_pinhole
 
 make = helper.make_node
 

@@ -9,8 +9,8 @@ from scipy import ndimage
 
 from pointloom.kernels.lang import vec2, vec4
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.stereo.place_planes import TOLERANCE, plane_priors
-from pointloom.kernels.stereo.plain_places import find_places
+from pointloom.kernels.stereo.region_planes import TOLERANCE, plane_priors
+from pointloom.kernels.stereo.textureless_regions import find_places
 
 WIDTH, HEIGHT = 80, 60
 v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)

@@ -15,8 +15,8 @@ from PIL.TiffImagePlugin import IFDRational
 import pointloom as loom
 from pointloom.photogrammetry.sfm.exif_checks import doubt_of_focal
 from pointloom.photogrammetry.sfm.features import find_features
+from pointloom.photogrammetry.sfm.image_positions import Xmp, parse_xmp
 from pointloom.photogrammetry.sfm.picture_folder import read_orientation
-from pointloom.photogrammetry.sfm.picture_places import Xmp, parse_xmp
 
 from .conftest import has_pycolmap
 

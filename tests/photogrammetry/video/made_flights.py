@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.picture_places import PicturePlace, PicturePlaces
+from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePlaces
 from pointloom.registration.rigid import make_pose
 
 CAMERA = loom.CameraModel("PINHOLE", 640, 480, [500, 500, 320, 240])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pointloom.photogrammetry.sfm.picture_places import PicturePlaces
+from pointloom.photogrammetry.sfm.image_positions import PicturePlaces
 from pointloom.photogrammetry.video.units import Units, fit_units
 
 from .made_flights import FRAME, attitudes_of, errors, hidden, nadir, oblique, told, walk

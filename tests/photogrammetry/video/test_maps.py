@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.picture_places import PicturePlace, PicturePlaces
+from pointloom.photogrammetry.sfm.image_positions import PicturePlace, PicturePlaces
 from pointloom.photogrammetry.video import motion
 
 from ...cli.commands import names_in, run

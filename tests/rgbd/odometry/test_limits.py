@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pointloom.kernels.rgbd import verdict_rows as at
+from pointloom.kernels.rgbd import check_rows as at
 from pointloom.kernels.rgbd.alignment import Alignment
-from pointloom.rgbd.odometry.verdicts import _first_fault
+from pointloom.rgbd.odometry.motion_checks import _first_fault
 
 
 def fault_of(*, blur=0.0, **sums):

@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.rgbd.reconstruction.fragments import Keyframe, fragments_in
-from pointloom.rgbd.reconstruction.places import Places
+from pointloom.rgbd.reconstruction.job_files import Places
 
 from .walks import Walk, blank, config, drift_of, frame_at
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.rgbd.slam.frame_checks import MOST_DEVIATION, judge_drift
 from pointloom.rgbd.slam.keyframes import Keyframes
 from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.tracker import Drift
-from pointloom.rgbd.slam.verdicts import MOST_DEVIATION, judge_drift
 
 from .slam_walks import begun, frames
 

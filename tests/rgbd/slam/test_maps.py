@@ -10,8 +10,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration.rigid import invert_pose
-from pointloom.rgbd.slam import joins, maps
-from pointloom.rgbd.slam.joins import Proposal, judge_join
+from pointloom.rgbd.slam import map_joins, maps
+from pointloom.rgbd.slam.map_joins import Proposal, judge_join
 
 from .slam_walks import begun, blank, frame, frames, walk
 
@@ -131,8 +131,8 @@ def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
     for k, pose in enumerate(poses):
         pose[0, 3] = gap * k
     answers = iter([(poses, [np.eye(4)] * views, given.get("against", 0)), ([], [], 0)])
-    monkeypatch.setattr(joins, "_views", lambda *_: next(answers))
-    monkeypatch.setattr(joins, "_rate", lambda *_: given.get("score", 0.9))
+    monkeypatch.setattr(map_joins, "_views", lambda *_: next(answers))
+    monkeypatch.setattr(map_joins, "_rate", lambda *_: given.get("score", 0.9))
     target, source = SimpleNamespace(number=0), SimpleNamespace(number=1)
     assert judge_join(target, source, np.eye(4)).refused.startswith(refused)
     assert bool(refused) is bool(given)

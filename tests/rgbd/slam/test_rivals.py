@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, judge_recognition, speaks_against
 from pointloom.rgbd.slam.tracker import find_rivals
-from pointloom.rgbd.slam.verdicts import SURE_OVERLAP, judge_recognition, speaks_against
 
 from .slam_walks import blank, changed
 from .test_verdicts import GOOD

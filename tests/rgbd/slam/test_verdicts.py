@@ -7,9 +7,9 @@ import dataclasses
 import numpy as np
 import pytest
 
+from pointloom.rgbd.odometry.motion_checks import UNDETERMINED
 from pointloom.rgbd.odometry.results import OdometryResult
-from pointloom.rgbd.odometry.verdicts import UNDETERMINED
-from pointloom.rgbd.slam.verdicts import SURE_OVERLAP, judge_recognition, judge_tracking
+from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, judge_recognition, judge_tracking
 
 GOOD = OdometryResult(
     transformation=np.eye(4),

@@ -13,7 +13,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.core.watching import report
+from pointloom.core.observers import report
 from pointloom.visualization.recording import recorder as recorder_module
 from pointloom.visualization.recording.shapes import spread_rows
 from pointloom.visualization.recording.timeline import Timeline

@@ -9,8 +9,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.core.upward import check_up
-from pointloom.visualization.render.upward import direction_under, level_up
+from pointloom.core.up_axis import check_up
+from pointloom.visualization.render.up_axis import direction_under, level_up
 from pointloom.visualization.render.view import fit_view
 
 LOW, HIGH = np.array([5.0, 6.0, 7.0]), np.array([7.0, 6.9, 9.5])

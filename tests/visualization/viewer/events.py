@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from pointloom.visualization.viewer.calls import Calls
+from pointloom.visualization.viewer.callback_queue import Calls
 from pointloom.visualization.viewer.link.client import PageClient, Worker
 from pointloom.visualization.viewer.link.delivery import Delivery
 from pointloom.visualization.viewer.link.hub import Hub

@@ -16,8 +16,8 @@ import pointloom as loom
 from pointloom.core.errors import PointloomError
 from pointloom.visualization.render.view import View
 from pointloom.visualization.viewer import draw as drawing
+from pointloom.visualization.viewer.client_presence import Presence
 from pointloom.visualization.viewer.draw import draw_geometries
-from pointloom.visualization.viewer.presence import Presence
 
 from .events import announce, join_threads, wait_until
 from .pages import visitor_of
@@ -146,7 +146,7 @@ def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
 def test_ctrl_c_ends_a_script_s_wait_and_the_script_goes_on(tmp_path):
     script = (
         "import signal, sys, numpy as np, pointloom as loom\n"
-        "from pointloom.visualization.viewer.presence import Presence\n"
+        "from pointloom.visualization.viewer.client_presence import Presence\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a script's begins with it ignored
         "look = Presence._is_over\n"
         "def first_look(*args):\n"

@@ -10,8 +10,8 @@ import pytest
 
 import pointloom as loom
 from pointloom.visualization.render.styles import Style
-from pointloom.visualization.viewer import calls
-from pointloom.visualization.viewer.calls import Calls
+from pointloom.visualization.viewer import callback_queue
+from pointloom.visualization.viewer.callback_queue import Calls
 from pointloom.visualization.viewer.hooks import with_attributes
 from pointloom.visualization.viewer.items import make_item
 from pointloom.visualization.viewer.tools.picking import Pick, project
@@ -127,7 +127,7 @@ def test_what_a_function_raises_is_shown_in_the_page_and_logged_and_the_next_is_
 def test_more_than_can_wait_is_told_to_the_page(viewer, page):
     go = threading.Event()
     viewer.add_button("slow", lambda number: go.wait(10))
-    for _ in range(calls.MOST_WAITING + 2):
+    for _ in range(callback_queue.MOST_WAITING + 2):
         page.press("slow")
     go.set()
     assert {told.text for told in page.others("notify")} == {"The program is busy: this was passed over."}
@@ -205,7 +205,7 @@ class Clock:
 
     def __init__(self, monkeypatch):
         self.now, self.open, self.answers, self.told = 100.0, True, [], []
-        monkeypatch.setattr(calls.time, "monotonic", lambda: self.now)
+        monkeypatch.setattr(callback_queue.time, "monotonic", lambda: self.now)
         monkeypatch.setattr(Calls, "_begin", lambda self: None)  # no thread: a turn is made by hand
         self.calls = Calls(self)
 
@@ -251,7 +251,7 @@ def test_a_slow_page_is_waited_for_but_not_for_ever(clock):
     assert clock.turn(1.0) == 0  # it has not drawn the last one
     clock.answers.pop()()
     assert clock.turn(0.0) == 1
-    assert clock.turn(calls.PATIENCE + 0.1) == 1  # it may be hidden behind another
+    assert clock.turn(callback_queue.PATIENCE + 0.1) == 1  # it may be hidden behind another
 
 
 def test_without_a_page_nothing_is_called_and_the_time_begins_anew(clock):

@@ -13,7 +13,7 @@ from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer import live_timeline
 from pointloom.visualization.viewer.live_recording import Drawn, moments_of
 from pointloom.visualization.viewer.live_timeline import ENTRY
-from pointloom.visualization.viewer.logged import asked_by_page
+from pointloom.visualization.viewer.timed_calls import asked_by_page
 from pointloom.visualization.viewer.viewer import Viewer
 
 from .stand_in import page_in

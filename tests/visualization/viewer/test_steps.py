@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.visualization.viewer import scene, sessions, whole_cloud
+from pointloom.visualization.viewer import point_transfer, scene, sessions
 from pointloom.visualization.viewer.detail_tree import DetailTree
+from pointloom.visualization.viewer.point_transfer import in_steps
 from pointloom.visualization.viewer.tools.clip_planes import Clip
 from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.viewer import Viewer
-from pointloom.visualization.viewer.whole_cloud import in_steps
 
 from .events import PATIENCE, join_threads, wait_until
 from .stand_in import StandIn, page_in
@@ -26,7 +26,7 @@ RED = (1.0, 0.0, 0.0)
 def small_steps(monkeypatch):
     """Steps of a few hundred points, for pages that give no sign."""
     for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
-        monkeypatch.setattr(whole_cloud, name, value)
+        monkeypatch.setattr(point_transfer, name, value)
     monkeypatch.setattr(scene, "FIRST", 100)
     monkeypatch.setattr(sessions, "PATIENCE", 0.01)
     monkeypatch.setattr(sessions, "PAUSE", 0.0)

@@ -26,7 +26,7 @@ from ...meshing.mesh.mesh_files import mesh_of
 from ...meshing.scene.cloud_change import cloud_to_mesh
 from ...pcd.change import m3c2
 from ...pcd.cloud import PointCloud
-from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
 from ...visualization.change.pictures import draw, paint
 from ...visualization.render.picture_files import check_picture

@@ -14,7 +14,7 @@ from ...core.reports import Fields
 from ...core.units import symbol_of
 from ...core.wording import format_share
 from ...pcd.cloud import PointCloud
-from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
 from ...pcd.search import NearestNeighborSearch
 from .job import Job, Settings
 from .rows import RowsReport, read_rows

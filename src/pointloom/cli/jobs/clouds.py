@@ -136,7 +136,7 @@ def estimate_normals_of_file(
 
 def _warning(cloud: PointCloud, radius: float) -> str | None:
     """Warn if the radius is so small that most points have no plane, from a sample."""
-    from ...pcd.probes import distance_of_nearest, probe_points, rounded_up
+    from ...pcd.point_spacing import distance_of_nearest, probe_points, rounded_up
     from ...pcd.search import NearestNeighborSearch
 
     probes, search = probe_points(cloud), NearestNeighborSearch(cloud)

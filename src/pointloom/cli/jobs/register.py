@@ -21,7 +21,7 @@ from ...io.points.formats import columns_of
 from ...io.points.point_cloud import cloud_of, table_of
 from ...io.table import MeshTable
 from ...pcd.cloud import PointCloud
-from ...pcd.probes import probe_points
+from ...pcd.point_spacing import probe_points
 from ...registration.globally.pair import METHODS, PairRegistration, UnfitCloudError, register_pair
 from ...registration.icp.constraint import Prior
 from ...visualization.render.pair_picture import draw_pair

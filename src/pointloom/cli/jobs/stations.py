@@ -21,7 +21,7 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.reports import Fields
 from ...core.wording import few_of
-from ...io.foreign import import_for
+from ...io.optional_imports import import_for
 from ...io.points.e57_stations import Stations, read_stations, write_stations
 from ...registration.stations.observations import ControlPoint, TargetObservation
 from ...registration.stations.result import StationsResult

@@ -14,7 +14,7 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress, say_nothing
 from ...core.reports import Assessed, Fields, Report
 from ...core.timing import Clock
-from ...core.upward import check_up
+from ...core.up_axis import check_up
 from ...core.wording import plain
 from ...io.bags.recording import is_recording
 from ...io.points.formats import columns_of
@@ -24,7 +24,7 @@ from ...visualization.render.open3d_views import read_view
 from ...visualization.render.picture_files import check_picture, save_picture
 from ...visualization.viewer.coloring_choice import choices_of
 from ...visualization.viewer.items import make_item
-from ...visualization.viewer.stills import as_entry, with_colors, write_geometries
+from ...visualization.viewer.screenshots import as_entry, with_colors, write_geometries
 from ...visualization.viewer.view_files import first_looks, read_scene
 from .answer import answer_with
 from .console import Progress, print_json

@@ -10,7 +10,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_seed
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
-from ..kept import Arrays, kept
+from ..array_cache import Arrays, kept
 from ..scenes.figure import owl
 from .results import PosedScans
 from .views import ring, scene_of, view_mesh

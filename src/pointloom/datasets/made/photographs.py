@@ -15,7 +15,7 @@ from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.value_noise import grain_pixels
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
-from ..kept import Arrays, kept
+from ..array_cache import Arrays, kept
 from .objects import object_mesh
 from .results import PosedPictures
 from .views import MeshView, ring, scene_of, view_mesh

@@ -18,7 +18,7 @@ from ...kernels.scenes.primitives import distance_to_solids
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
-from ..kept import Arrays, kept
+from ..array_cache import Arrays, kept
 from ..scenes.furniture import SIZE, furnished_room
 from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, film_pose, look_along, room_pose, room_views, round_pose
 

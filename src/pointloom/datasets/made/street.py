@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.checks import check_count, check_seed
 from ...pcd.cloud import PointCloud
-from ..kept import Arrays, kept
+from ..array_cache import Arrays, kept
 from ..scenes.drive import TURN, in_world, pose_at, sensor_pose, turning_rays
 from ..scenes.street import painted_street
 from .results import PosedScans

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_seed
 from ...pcd.cloud import PointCloud
-from ..kept import Arrays, kept
+from ..array_cache import Arrays, kept
 from ..scenes.country import EXTENT, TREES, Country, painted_country
 
 UTM = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] south-west corner in zone 32 north, and height of zero

@@ -15,11 +15,11 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from ...core.atomic import part_name
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_name
 from ...core.errors import FileError
-from ...core.known_names import nearest_name
 from ...core.paths import path_of
-from ..kept import data_folder
+from ..array_cache import data_folder
 
 MIRROR = "POINTLOOM_DATA_MIRROR"
 LISTING = ".files.json"  # list of a set's files, by which later calls recognize it as complete

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ...core.errors import FileError
 from ..source import open_source
-from .pieces import Channel, Chunk, Contents, Row, number, slice_of, unpack
+from .message_chunks import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE, _HEADER, _INDEX, _CHUNK, _CHUNK_INFO, _CONNECTION = 2, 3, 4, 5, 6, 7

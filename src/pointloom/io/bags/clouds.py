@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError
 from ...core.units import warn_of_units
 from ..table import PointTable
-from .pieces import RecordingWarning, byte_order
+from .message_chunks import RecordingWarning, byte_order
 
 LIVOX = tuple(f"{package}/msg/CustomMsg" for package in ("livox_ros_driver", "livox_ros_driver2", "livox_interfaces"))
 _FIELDS = [("offset_time", "u4"), ("x", "f4"), ("y", "f4"), ("z", "f4")]

@@ -9,7 +9,7 @@ from pathlib import Path
 from ...core.errors import FileError
 from ...core.sqlite_files import ascending, check_tables, protect
 from ..source import open_source
-from .pieces import Channel, Contents
+from .message_chunks import Channel, Contents
 
 MAGIC = b"SQLite format 3\0"
 _TABLES = ("topics", "messages")

@@ -16,7 +16,7 @@ from typing import Any
 
 from ...core.errors import FileError
 from ..source import open_source
-from .pieces import Channel, Chunk, Contents, Row, number, slice_of, unpack
+from .message_chunks import Channel, Chunk, Contents, Row, number, slice_of, unpack
 
 MAGIC = b"\x89MCAP0\r\n"
 _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK, _INDEX, _STATISTICS, _DATA_END = 2, 3, 4, 5, 6, 7, 11, 15

@@ -24,7 +24,7 @@ from ..frames.frame_checks import checked_frame
 from ..frames.frame_times import TimeWatch
 from ..pictures.image_files import decode_depth, decode_texture
 from ..pictures.png_stream import PNG_MAGIC
-from .pieces import byte_order
+from .message_chunks import byte_order
 
 IMAGE, COMPRESSED, CAMERA_INFO = (f"sensor_msgs/msg/{name}" for name in ("Image", "CompressedImage", "CameraInfo"))
 DEPTH = {"16UC1": "u2", "mono16": "u2", "32FC1": "f4"}

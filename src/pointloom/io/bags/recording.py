@@ -20,15 +20,15 @@ from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...kernels.lru_cache import LruCache
 from ...pcd.cloud import PointCloud
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..points.point_cloud import cloud_of
 from ..points.scan_files import natural_key
 from .bag1 import read_bag1
 from .clouds import LIVOX, table_of_livox, table_of_message
 from .db3 import read_db3
 from .mcap import read_mcap
+from .message_chunks import Contents, RecordingWarning, byte_order
 from .motions import IMU, POSES, ImuReadings, imu_of_messages, trajectory_of_messages
-from .pieces import Contents, RecordingWarning, byte_order
 from .recorded_frames import RecordedFrames, choose_pictures
 from .transforms import TRANSFORMS, RecordedTransforms, transforms_of_messages
 

@@ -22,9 +22,9 @@ from ..source import open_source
 from ..table import MeshTable
 from .gltf_arrays import GltfArrays
 from .gltf_file import GltfFile
-from .gltf_left import SPECULAR, LeftBehind, check_required
 from .gltf_nodes import walk_scene
 from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
+from .gltf_unsupported import SPECULAR, LeftBehind, check_required
 
 _TRANSFORM = "KHR_texture_transform"
 # Texture extensions whose image formats are not supported.

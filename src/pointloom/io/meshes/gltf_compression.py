@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from .gltf_file import GltfFile
 
 DRACO = "KHR_draco_mesh_compression"

@@ -18,8 +18,8 @@ from ..color_space import linear_to_srgb
 from ..columns import fit_colors
 from .gltf_arrays import GltfArrays
 from .gltf_compression import DRACO, DracoMesh
-from .gltf_left import LeftBehind
 from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, turn_normals
+from .gltf_unsupported import LeftBehind
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
 ALPHA = "alpha"

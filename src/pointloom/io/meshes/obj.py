@@ -24,7 +24,6 @@ from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
-from ..fans import split_faces
 from ..pictures.texture_files import (
     alpha_mode,
     derived_name,
@@ -38,6 +37,7 @@ from ..pictures.texture_files import (
 )
 from ..source import open_source
 from ..table import MeshTable
+from ..triangulation import split_faces
 from .obj_corners import read_corners
 
 # Maximum number of words after each option of a map; those of _MOVING are fewer if a word is no number.

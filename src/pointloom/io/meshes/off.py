@@ -23,9 +23,9 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
 from ..columns import check_reach, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
-from ..fans import split_faces
 from ..source import open_source
 from ..table import MeshTable
+from ..triangulation import split_faces
 
 _COMMENT = re.compile(rb"#[^\n]*")
 _HEAD = re.compile(rb"\s*(ST)?(C)?(N)?(4)?(n)?OFF(?=[\s\d]|$)([ \t]+BINARY)?")

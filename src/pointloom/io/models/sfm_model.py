@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera_models import CameraModel
 from ...cameras.trajectory import Trajectory
+from ...core.attribute_hints import nearest_name
 from ...core.checks import (
     check_list,
     check_name,
@@ -24,7 +25,6 @@ from ...core.checks import (
     shown,
 )
 from ...core.dropped_results import returns_new
-from ...core.known_names import nearest_name
 from ...pcd.cloud import PointCloud
 
 _NO_POINTS: NDArray[np.float64] = np.zeros((0, 3))

@@ -24,8 +24,8 @@ from PIL import BmpImagePlugin, Image, ImageFile, JpegImagePlugin, PngImagePlugi
 from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ...core.paths import path_of
-from ..foreign import foreign_errors
 from ..npy_header import read_npy_header
+from ..optional_imports import foreign_errors
 from ..source import Source
 from .png_stream import PNG_MAGIC, parse_png_header, whole_png
 

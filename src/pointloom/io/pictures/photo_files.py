@@ -21,7 +21,7 @@ from PIL import Image, TiffImagePlugin, WebPImagePlugin
 
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
-from ..foreign import foreign_errors, ignored_errors, import_for
+from ..optional_imports import foreign_errors, ignored_errors, import_for
 from .image_files import PIXEL_LIMIT, PictureHeader
 
 _MAGIC = {b"II*\0": "<", b"MM\0*": ">"}

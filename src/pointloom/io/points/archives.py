@@ -14,7 +14,7 @@ from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
-from ..foreign import foreign_errors
+from ..optional_imports import foreign_errors
 from .npz import read_member
 
 Arrays = dict[str, NDArray[Any]]

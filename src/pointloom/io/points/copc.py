@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..source import Source
 from ..table import PointTable
 from .las import COLORS, LasFile, open_las, scale_by, table_of

@@ -14,7 +14,7 @@ from ...core.checks import check_count
 from ...core.errors import FileError
 from ...core.units import LengthUnit
 from ...kernels.lru_cache import LruCache
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..source import netted, open_source
 from ..table import PointTable
 from .copc import INFO, CopcFile, octree_of

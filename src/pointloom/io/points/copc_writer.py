@@ -24,7 +24,7 @@ from ...kernels.lang import vec3d
 from ...kernels.memory import upload
 from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
 from ...pcd.detail_nodes import NodeTable, make_nodes
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
 from .copc import ENTRY, HIERARCHY, IN_PAGE, INFO, INFO_FIELDS
 from .las_header import LasHeader

@@ -23,8 +23,8 @@ from ...core.escaped_text import escaped
 from ...core.quaternions import quaternions_to_rotations
 from ...core.units import METRE
 from ..columns import stack_colors, stack_normals
-from ..foreign import foreign_errors, import_for
-from ..growing import GrowingColumns
+from ..growing_columns import GrowingColumns
+from ..optional_imports import foreign_errors, import_for
 from ..source import open_source
 from ..table import PointTable
 

@@ -16,7 +16,7 @@ from ...core.errors import FileError
 from ...core.paths import path_of
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
-from ..foreign import foreign_errors
+from ..optional_imports import foreign_errors
 from ..source import netted
 from ..table import PointTable
 from .e57 import SCAN_INDEX, open_e57, read_pose, read_scan

@@ -20,7 +20,7 @@ from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.quaternions import rotations_to_quaternions
 from ..columns import colors_to_bytes
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
 from .e57 import ATTRIBUTES, BLOCK, CARTESIAN, COLORS, NARROW, NORMALS, SCAN_INDEX, WIDE, ScanFrame
 from .header_units import in_metres

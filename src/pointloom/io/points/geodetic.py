@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...core.checks import shown
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from .las_crs import find_keys, find_text
 from .las_header import LasHeader
 

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ..columns import stack_normals
-from ..foreign import foreign_errors, import_for
-from ..growing import GrowingColumns
+from ..growing_columns import GrowingColumns
+from ..optional_imports import foreign_errors, import_for
 from ..source import Source, open_source
 from ..table import PointTable
 from .las_crs import is_geographic

@@ -13,7 +13,7 @@ from typing import Any
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.units import LengthUnit
-from ..foreign import import_for
+from ..optional_imports import import_for
 from .las_crs import WKT, crs_name, find_keys, find_text
 from .las_header import PROJECTION, LasHeader, LasRecord
 from .las_units import units_of

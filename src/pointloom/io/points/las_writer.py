@@ -20,7 +20,7 @@ from ...core.coordinates import finite_box, quiet
 from ...core.errors import FileError
 from ..attribute_names import NameRules
 from ..columns import stack_colors
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..table import PointTable
 from .las import COLORS, NORMALS, layout_of
 from .las_extra import EXTRA_BYTES, TITLE, TYPES, ExtraColumn, record_of, store_extra

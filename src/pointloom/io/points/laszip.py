@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ...core.paths import path_of
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..source import Source
 from .las_header import LasHeader
 

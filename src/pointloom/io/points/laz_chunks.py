@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from .las import open_las
 from .las_header import LasHeader
 from .laszip import RECORD as LASZIP

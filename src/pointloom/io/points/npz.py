@@ -24,8 +24,8 @@ from ...core.paths import path_of
 from ...core.units import KNOWN, LengthUnit, text_of, unit_of_text
 from ..attribute_names import NameRules
 from ..columns import stack_colors, stack_normals
-from ..foreign import foreign_errors
 from ..npy_header import read_npy_header
+from ..optional_imports import foreign_errors
 from ..source import open_source
 from ..table import PointTable
 

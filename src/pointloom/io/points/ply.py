@@ -32,10 +32,10 @@ from ..columns import (
     stack_points,
     warn_of_loss,
 )
-from ..fans import split_faces
 from ..pictures.texture_files import picture_names, read_textures, write_with
 from ..source import Source, open_source
 from ..table import MeshTable, PointTable
+from ..triangulation import split_faces
 from .ply_faces import STRIPS, attribute_columns, strip_triangles, triangle_attributes, warn_of_rest
 from .ply_header import TYPE_NAMES, Element, PlyHeader, Property, read_header
 from .ply_rows import Column, ListColumn, read_rows

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...core.errors import FileError
 from ...pcd.harmonics import MOST_DEGREE, signs_of_flip
 from ...pcd.splats import logits_of
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 from ..source import Source, open_source
 from ..table import PointTable
 

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.trajectory import Trajectory
+from ...core.attribute_hints import KnownNames
 from ...core.checks import check_shape
-from ...core.known_names import KnownNames
 from .intrinsic import PinholeCameraIntrinsic
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import LARGEST_NUMBER, RIGID_TOLERANCE, check_number
-from ...core.plain_poses import is_plainly_rigid
+from ...core.pose_checks import is_plainly_rigid
 from ...kernels.linear_algebra import matmul
 from ...pcd.motion import map_about
 from ..held import Held, column

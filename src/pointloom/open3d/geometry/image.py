@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 from scipy.ndimage import correlate1d
 
-from ...core.known_names import ToldNames
+from ...core.attribute_hints import ToldNames
 from .enums import ImageFilterType
 from .geometry import GeometryType
 

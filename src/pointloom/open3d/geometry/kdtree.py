@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import KDTree
 
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_count, check_positive
-from ...core.known_names import ToldNames
 from ..held import Held
 from ..vectors import DoubleVector, IntVector
 from .search_param import KDTreeSearchParam, keywords_of

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from typing import Any
 
-from ...core.known_names import ToldNames
+from ...core.attribute_hints import ToldNames
 
 
 class SearchType(enum.IntEnum):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...core.known_names import KnownNames
+from ...core.attribute_hints import KnownNames
 from ...meshing.mesh.mesh import TriangleMesh
 from ..held import ours
 from ..vectors import Vector3dVector, Vector4iVector

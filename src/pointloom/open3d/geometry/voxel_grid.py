@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.known_names import KnownNames
+from ...core.attribute_hints import KnownNames
 from ...meshing.mesh import voxel_grid
 from ..held import as_array, column, ours
 from ..vectors import Vector3dVector

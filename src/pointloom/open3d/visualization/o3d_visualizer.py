@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_name, check_number, check_positive
 from ...core.errors import PointloomError
-from ...core.known_names import KnownNames
 from .shown import drawn
 from .visualizer import FilePath, Visualizer
 

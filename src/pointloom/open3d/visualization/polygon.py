@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from ...core.known_names import KnownNames
+from ...core.attribute_hints import KnownNames
 from ...pcd import polygon_volume
 from ..geometry import PointCloud, TriangleMesh
 from ..held import as_array, ours

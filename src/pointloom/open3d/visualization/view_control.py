@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.attribute_hints import ToldNames
 from ...core.checks import check_direction, check_number, check_shape
-from ...core.known_names import ToldNames
 from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, LEAST_ZOOM, MOST_ZOOM, ZOOM
 from ...visualization.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters

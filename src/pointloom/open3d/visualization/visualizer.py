@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 
 from ...core.atomic import atomic_write
+from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_color, check_count, check_positive
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
-from ...core.known_names import KnownNames
 from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
 from ...visualization.render.render import render

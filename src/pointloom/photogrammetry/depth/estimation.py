@@ -28,9 +28,9 @@ from ...pcd.cloud import PointCloud
 from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
 from .inputs import Map
 from .network import DepthModel
+from .network_outputs import OwnCamera, Reading
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
-from .readings import OwnCamera, Reading
 from .tiles import MOST_TILES, refine_by_tiles
 
 SPARSE = "the sparse model"

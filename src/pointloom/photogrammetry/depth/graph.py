@@ -10,7 +10,7 @@ from typing import Any
 
 from ...core.errors import FileError
 from ...core.paths import plain_name
-from ...io.foreign import foreign_errors, import_for
+from ...io.optional_imports import foreign_errors, import_for
 
 NUMBER_TYPES = ("FLOAT", "FLOAT16", "DOUBLE", "INT32", "INT64")
 NO_MODEL = "no ONNX model that can be used"

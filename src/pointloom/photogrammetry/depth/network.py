@@ -20,14 +20,14 @@ from ...core.devices import resolve_device
 from ...core.errors import DeviceError, FileError
 from ...core.interrupts import signal_exception
 from ...core.paths import path_of
-from ...io.foreign import import_for
+from ...io.optional_imports import import_for
 from ...io.source import content_errors, open_source
 from .graph import NO_MODEL, WEIGHTS_REMEDY, Graph, load_graph
 from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
 from .inputs import Map, Placement, place, prepare
+from .network_outputs import Reading, ReadingError, read_outputs
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
-from .readings import Reading, ReadingError, read_outputs
 
 TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
 WHOLE = ("tensor(int64)",)

@@ -15,7 +15,7 @@ from PIL import JpegImagePlugin, PngImagePlugin
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_numeric, shown
 from ...core.paths import path_of
-from ...io.foreign import ignored_errors
+from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PIXEL_LIMIT, read_color, read_depth, read_picture_header
 
 SUFFIXES = (".png", ".jpg", ".jpeg")

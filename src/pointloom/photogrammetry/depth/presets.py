@@ -40,7 +40,7 @@ class Preset:
         outputs: Names of the depth output if there are several.
         takes_views: The input may have five dimensions [1, views, 3, h, w].
         heads: Allowed ends of the graph (heads.py); empty: not checked.
-        reading: Conversion of the outputs (readings.py): "map", "canonical", "points" or "camera".
+        reading: Conversion of the outputs (network_outputs.py): "map", "canonical", "points" or "camera".
         others: Names of further outputs, by content.
         needed: Required ones among them.
         numbers: Integer inputs besides the image, by name.

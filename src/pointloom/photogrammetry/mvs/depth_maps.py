@@ -22,7 +22,7 @@ from ...core.checks import check_finite, check_numeric
 from ...core.errors import FileError, FilePath
 from ...core.json_files import check_keys, read_json_object
 from ...core.paths import path_of
-from ...io.foreign import foreign_errors
+from ...io.optional_imports import foreign_errors
 from ...io.points.npz import read_member
 from .posed_pictures import PosedCamera, check_cameras, check_sources
 

@@ -20,9 +20,9 @@ from ...kernels.memory import clone, download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources, patch_on
 from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
-from ...kernels.stereo.place_planes import TOLERANCE, judge_places, plane_priors, take_priors
-from ...kernels.stereo.plain_places import find_places
 from ...kernels.stereo.plane_results import finish_planes
+from ...kernels.stereo.region_planes import TOLERANCE, judge_places, plane_priors, take_priors
+from ...kernels.stereo.textureless_regions import find_places
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
 from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture

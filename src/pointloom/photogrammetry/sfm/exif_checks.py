@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ...core.errors import FilePath
-from ...io.foreign import ignored_errors
+from ...io.optional_imports import ignored_errors
 from ...io.pictures.photo_files import plain_number, read_exif
 from .picture_folder import ORIENTATION, read_header
 from .picture_writing import counted, some_of

@@ -12,7 +12,7 @@ from PIL import Image
 
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
-from ...io.foreign import ignored_errors
+from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PictureHeader
 from ...io.pictures.photo_files import is_photo, read_exif
 from .exif_checks import doubts_of_orientation

@@ -17,7 +17,7 @@ from ...core.atomic import restore_folder
 from ...core.checks import shown
 from ...core.errors import DatasetError, FileError, FilePath
 from ...core.paths import path_of
-from ...io.foreign import ignored_errors
+from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PictureHeader, read_color, read_depth, read_picture_header
 from ...io.pictures.photo_files import (
     KINDS,

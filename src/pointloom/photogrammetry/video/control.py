@@ -18,7 +18,7 @@ from ...pcd.geodesy import WorldFrame
 from ...registration.rigid import fit_pose
 from ...registration.stations.observations import ControlPoint
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_rows
-from ..sfm.picture_places import PicturePlaces
+from ..sfm.image_positions import PicturePlaces
 from .control_blunders import FEWEST_TO_TELL, ROUGH, agreeing, deviations, misfit
 from .control_report import CHECK, CONTROL, UNUSED, ControlFit, ControlResidual, GpsGaps
 from .control_systems import to_geodetic

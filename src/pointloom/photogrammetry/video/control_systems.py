@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import shown
 from ...core.escaped_text import escaped
-from ...io.foreign import foreign_errors, import_for
+from ...io.optional_imports import foreign_errors, import_for
 from ...io.points.geodetic import system_named
 from ...pcd.geodesy import HIGHEST, NORTHERN, SOUTHERN, from_utm
 

@@ -20,7 +20,7 @@ from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions
 from ...registration.trajectories.up_direction import UpDirection
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_level, fit_rows
-from ..sfm.picture_places import PicturePlace, PicturePlaces
+from ..sfm.image_positions import PicturePlace, PicturePlaces
 
 Array = NDArray[np.float64]
 

@@ -12,10 +12,10 @@ from typing import Any
 
 from ...cameras.picture_names import meant_pictures
 from ...core.atomic import atomic_write
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
-from ...core.known_names import nearest_name
 from ...core.progress import ReportProgress
 from ...core.stages import Chain, Made
 from ...core.timing import peak_bytes_of_all
@@ -24,8 +24,8 @@ from ...core.work_folder import check_work_folder, held
 from ...io.pictures.image_files import read_picture_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
+from ..sfm.image_positions import read_picture_places
 from ..sfm.picture_folder import check_place
-from ..sfm.picture_places import read_picture_places
 from . import motion, surface
 from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
 from .ground_control import ControlMark, GroundControl

@@ -21,7 +21,7 @@ from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
 from ...registration.trajectories.up_direction import UpDirection, turn_upright, up_direction
-from ..sfm.picture_places import PicturePlaces
+from ..sfm.image_positions import PicturePlaces
 from .control import fit_control
 from .control_files import ground_of
 from .control_report import ControlFit

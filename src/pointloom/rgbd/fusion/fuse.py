@@ -29,7 +29,7 @@ from ...kernels.linear_algebra import inv
 from ...meshing.volume.surface_weights import least_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ..slam.model import Model
-from ..slam.sizes import check_sizes
+from ..slam.volume_sizes import check_sizes
 from .pose_check import PoseCheck
 from .refine import PoseRefinement, PoseRefiner
 from .results import FusionResult

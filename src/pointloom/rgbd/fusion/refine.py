@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.number_runs import some_frames
+from ...core.number_ranges import some_frames
 from ...core.reports import Assessed
 from ...core.wording import format_share
 from ...kernels.linear_algebra import matmul, norm

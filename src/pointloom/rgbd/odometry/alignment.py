@@ -13,9 +13,9 @@ from ...core.errors import DeviceError
 from ...kernels.rgbd.alignment import Alignment, align_levels
 from ...kernels.rgbd.alignment_rows import AlignmentRules
 from .frames import OdometryFrame
+from .motion_checks import judge
 from .options import Method
 from .results import OdometryResult
-from .verdicts import judge
 
 REACH = 25.0  # outlier limit in depth noise deviations
 SHORT_STEP = 0.03  # [px]

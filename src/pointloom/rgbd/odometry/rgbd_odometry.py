@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.images import RGBDImage, upload_depth
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
 from ...core.errors import DeviceError
 from ...core.gpu_arrays import device_for
-from ...core.told_arguments import told_arguments
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.images.depth import intensity_of
 from ...kernels.images.depth_filters import filter_bilateral, halve_color, halve_depth
 from ...kernels.lang import mat44d, reduce, uint8, vec3

@@ -10,11 +10,11 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from ...core.atomic import atomic_write
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_count, check_name, check_positive, shown
 from ...core.errors import FileError, FilePath
 from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
-from ...core.known_names import nearest_name
 
 TSDF_RESOLUTION = 512  # voxels per edge of Open3D's cube, `tsdf_cubic_size`
 LEAST_TRUNCATION = 0.04  # [m] as in Open3D; above depth camera noise at 3 m

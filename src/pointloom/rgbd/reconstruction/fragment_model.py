@@ -19,7 +19,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
 from .job import run_system
-from .places import Places
+from .job_files import Places
 from .report import SystemReport
 
 # Entries of the system's report in the account; the rest is about the mesh and the run.

@@ -34,7 +34,7 @@ from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .config import ReconstructionConfig
 from .frames import Frames, LostFrame, ReadFrame
-from .places import Places
+from .job_files import Places
 from .volumes import cloud_of, fuse_frames, make_volume
 
 Matrix = NDArray[np.float64]

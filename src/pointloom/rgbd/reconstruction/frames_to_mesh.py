@@ -22,9 +22,9 @@ from ...meshing.mesh.mesh_summary import describe_mesh
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from ..slam.focal_check import FocalCheck, check_focal
 from ..slam.looped_model import SlamAccount, model_by_slam
-from ..slam.paths import error_against_truth
-from ..slam.sizes import check_sizes
+from ..slam.path_statistics import error_against_truth
 from ..slam.tracking import VOXEL_SIZE
+from ..slam.volume_sizes import check_sizes
 from .fragment_model import FragmentOptions, FragmentsAccount, model_by_fragments, settings_for
 
 EMPTY = "the mesh is empty: no voxel was seen often enough; use more frames"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from ...core import watching
+from ...core import observers
 from ...core.checks import check_progress
 from ...core.errors import FilePath
 from ...core.progress import ReportProgress
@@ -16,9 +16,9 @@ from ...io.frames.recordings import record_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from .config import ReconstructionConfig
 from .fragments import make_fragments
+from .job_files import Places
 from .nonrigid import refine_with_slac, slac_params
 from .placement import register_fragments
-from .places import Places
 from .refinement import refine_registration
 from .report import SystemReport, report_of
 from .scene import integrate_scene
@@ -87,12 +87,12 @@ def run_system(
     config.write(places.root / CONFIG_FILE)
     frames = _readable(source, places, resume, say)
     clock.stop("record")
-    watching.report("stage", name="fragments")
+    observers.report("stage", name="fragments")
     found = make_fragments(frames, config, folder, **options)
     clock.stop("fragments")
     placement, bent, scene = None, None, None
     if found.fragments:
-        watching.report("stage", name="register")
+        observers.report("stage", name="register")
         placement = register_fragments(config, folder, **options)
         clock.stop("register")
         if refine:
@@ -102,7 +102,7 @@ def run_system(
             bent = refine_with_slac(config, folder, **options)
             placement = bent.placement
             clock.stop("slac")
-        watching.report("stage", name="integrate")
+        observers.report("stage", name="integrate")
         scene = integrate_scene(frames, config, folder, slac=slac, **options)
         clock.stop("integrate")
     cost: dict[str, Any] = {"seconds": clock.seconds, "peak_bytes": peak_bytes()}

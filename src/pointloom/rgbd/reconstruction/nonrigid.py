@@ -25,8 +25,8 @@ from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_
 from ...registration.pose_graphs.reports import RefinementReport
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
+from .job_files import Places
 from .placement import Placement, read_clouds
-from .places import Places
 from .refinement import latest_placement
 
 STAGE = "slac"

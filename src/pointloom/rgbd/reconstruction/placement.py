@@ -20,7 +20,7 @@ from ...registration.pose_graphs.pose_graph import PoseGraph
 from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_pose_graph
 from .config import ReconstructionConfig
 from .fragments import Fragment, digest_of_all, fragments_in
-from .places import Places
+from .job_files import Places
 
 Matrix = NDArray[np.float64]
 

@@ -29,8 +29,8 @@ from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizati
 from ...registration.rigid import invert_pose
 from .config import ReconstructionConfig
 from .fragments import PRUNE, Fragment, fragments_in, make_edge
+from .job_files import Places
 from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
-from .places import Places
 
 Matrix = NDArray[np.float64]
 

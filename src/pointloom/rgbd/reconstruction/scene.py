@@ -27,9 +27,9 @@ from ...registration.trajectories.trajectory_error import evaluate_trajectory
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
 from .frames import Frames, LostFrame, ReadFrame
+from .job_files import Places
 from .nonrigid import placement_with_slac
 from .placement import Placement
-from .places import Places
 from .refinement import latest_placement
 from .volumes import Straightener, fuse_frames, make_volume
 

@@ -18,8 +18,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
+from ...core.observers import report, unwatched
 from ...core.progress import ReportProgress
-from ...core.watching import report, unwatched
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
 from ...kernels.rgbd import stream_views as at
@@ -29,18 +29,18 @@ from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose
 from .foreground import Foreground
+from .frame_checks import LEAST_DEPTH, depth_share, is_determined, judge_drift
 from .frames import SensorFrame
-from .joins import MapJoin
 from .keyframes import Keyframes
 from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
+from .map_joins import MapJoin
 from .map_merging import Joining
 from .maps import Maps, SlamMap, map_sizes
 from .model import Model
-from .movers import Movers
+from .moving_objects import Movers
 from .results import TrackingResult
 from .submaps import SubmapRecorder
 from .tracker import Tracker, clean_pose
-from .verdicts import LEAST_DEPTH, depth_share, is_determined, judge_drift
 
 Pose = NDArray[np.float64]
 

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
 from ...kernels.memory import download
-from ...kernels.rgbd import verdict_rows as at
+from ...kernels.rgbd import check_rows as at
 from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
 from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
 from ..odometry.frames import OdometryFrame
+from ..odometry.motion_checks import LEAST_EIGENVALUE, judge
 from ..odometry.results import OdometryResult
-from ..odometry.verdicts import LEAST_EIGENVALUE, judge
 from .frames import SensorFrame
 
 Pose = NDArray[np.float64]

@@ -12,10 +12,10 @@ from ...kernels.linear_algebra import inv, matmul
 from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
-from .joins import LEAST_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
 from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
+from .map_joins import LEAST_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
 from .maps import Maps, SlamMap, map_sizes
-from .movers import Movers
+from .moving_objects import Movers
 from .results import TrackingResult
 from .submaps import Submap
 from .tracker import AGREED, clean_pose

@@ -1,6 +1,6 @@
 """Maps of a SLAM run: a camera that is lost for long starts a new one, and may return to an old one.
 
-Each map has its own model, keyframes and coordinates until it is joined (joins.py).
+Each map has its own model, keyframes and coordinates until it is joined (map_joins.py).
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_positive, check_rigid
-from ...core.watching import report
+from ...core.observers import report
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.rgbd.model_maps import colors_of, hide_unseen
 from ...meshing.mesh.mesh import TriangleMesh
@@ -20,7 +20,7 @@ from ..odometry.alignment import Method, align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frames import MOST_PIXELS, SensorFrame
-from .movers import Movers
+from .moving_objects import Movers
 
 Pose = NDArray[np.float64]
 

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from ...cameras.trajectory import Trajectory
 from ...core.dropped_results import returns_new
-from ...core.number_runs import some_frames
+from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, Fields, in_columns
 from ...core.wording import format_share
 from ...io.frames.frames import why_out_of_reach
 from ...registration.trajectories.trajectory_error import TrajectoryError
-from .joins import MapJoin
-from .paths import error_against_truth, path_length
+from .map_joins import MapJoin
+from .path_statistics import error_against_truth, path_length
 
 MANY_UNCERTAIN = 0.2  # fraction of uncertain frames above which the path is unreliable
 

@@ -33,11 +33,7 @@ from ...registration.rigid import (
 from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
-from .frames import SensorFrame, coarsest_level
-from .keyframes import Keyframes
-from .model import Model
-from .results import Verdict
-from .verdicts import (
+from .frame_checks import (
     LEAST_DEPTH,
     MOST_SHIFT,
     RIM_OVERLAP,
@@ -50,6 +46,10 @@ from .verdicts import (
     lies_on_model,
     speaks_against,
 )
+from .frames import SensorFrame, coarsest_level
+from .keyframes import Keyframes
+from .model import Model
+from .results import Verdict
 
 Pose = NDArray[np.float64]
 

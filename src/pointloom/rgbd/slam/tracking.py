@@ -29,8 +29,8 @@ from ...io.frames.rgbd_sources import RGBDSource
 from .dense_slam import DenseSLAM
 from .maps import map_sizes
 from .results import TrackingResult
-from .sizes import check_sizes
 from .tracked_path import TrackedPath
+from .volume_sizes import check_sizes
 
 VOXEL_SIZE = 0.02  # [m] of the model
 

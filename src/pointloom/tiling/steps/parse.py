@@ -17,9 +17,9 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_count, check_direction, check_finite, check_positive, check_search, check_shape, shown
 from ...core.errors import FileError, values_of_file
-from ...core.known_names import nearest_name
 from ...core.units import UnitWarning, without_warnings
 from ...kernels.features.eigen_features import SHAPES
 from ...kernels.lang import int32

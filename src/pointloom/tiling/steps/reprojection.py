@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import shown
 from ...core.errors import FileError
-from ...io.foreign import import_for
+from ...io.optional_imports import import_for
 from ...io.points.geodetic import system_named, system_of
 from ...io.points.las import open_las
 from ..exact_sums import ExactSums

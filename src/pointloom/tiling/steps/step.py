@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.known_names import nearest_name
+from ...core.attribute_hints import nearest_name
 from ...pcd.cloud import PointCloud
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_numeric, check_positive
-from ...core.told_arguments import told_arguments
 from ...core.units import symbol_of
 from ...meshing.scene.cloud_change import CloudToMeshResult
 from ...pcd.change import M3C2Result

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count, check_name, check_number, check_positive, check_progress, check_transformation
+from ...core.observers import watch
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
-from ...core.watching import watch
 from ..render.parts import Matrix, Triple
 from ..render.styles import STYLE_KEYS, Style
-from ..render.upward import direction_under, told_up
+from ..render.up_axis import direction_under, told_up
 from ..render.view import View
 from .film import check_look, find_view
 from .script import Stage

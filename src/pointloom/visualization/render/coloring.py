@@ -10,8 +10,8 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_shape, shown
-from ...core.known_names import nearest_name
 from ...core.units import symbol_of
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing import value_colors

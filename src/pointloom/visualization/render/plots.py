@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_count, check_name, check_positive, shown
-from ...core.told_arguments import told_arguments
-from ...io.foreign import import_for
+from ...io.optional_imports import import_for
 from ...meshing.volume.distance_field_views import FieldSlice
 from ...registration.stations.observations import ControlPoint, StationPair, TargetObservation
 from ...registration.stations.result import StationsResult

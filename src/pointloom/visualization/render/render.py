@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import check_pixels
+from ...core.argument_errors import told_arguments
 from ...core.array_libraries import view_as
 from ...core.checks import check_color, shown
 from ...core.devices import resolve_device
-from ...core.told_arguments import told_arguments
 from ...core.units import asked_by_user, warn_of_units
-from ...core.upward import UP, check_up
+from ...core.up_axis import UP, check_up
 from ...kernels.drawing.layers import join_mattes
 from ...kernels.drawing.placing import make_normal_lines
 from ...kernels.lang import vec3, vec3i
@@ -30,7 +30,7 @@ from .parts import PLAIN_LINE, Lines, Part, Points, Triangles, Triple
 from .picture import Picture as Picture
 from .scene import Drawing, Scene
 from .styles import Style
-from .upward import direction_under, up_of
+from .up_axis import direction_under, up_of
 from .view import Frame, Insets, View
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ..render.open3d_views import OPEN3D_KEYS, read_view
-from ..render.upward import level_up
+from ..render.up_axis import level_up
 from ..render.view import View
 from .items import Bounds, Frame
 

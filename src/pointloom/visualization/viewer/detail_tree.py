@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...core.checks import check_count, check_indices, check_list, check_name, check_progress
 from ...core.devices import resolve_device
 from ...core.progress import ReportProgress
-from ...io.growing import GrowingColumns
+from ...io.growing_columns import GrowingColumns
 from ...io.points.in_parts import open_in_parts
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.arrays.bounds import bound_points

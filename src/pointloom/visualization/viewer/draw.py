@@ -18,18 +18,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.standard_streams import write_to_stderr
-from ...core.told_arguments import told_arguments
 from ..notebook_output import MOST_PAGE_BYTES as MOST_BYTES
 from ..notebook_output import MOST_WIDTH, in_notebook, ipython_shell, page_output, still_output
 from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
 from ..render.scene import Scene
-from .presence import LINGER
+from .client_presence import LINGER
+from .screenshots import as_entry, write_geometries
 from .server import ViewerError
-from .stills import as_entry, write_geometries
 from .viewer import MOST_POINTS, Viewer
 
 MOST_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
@@ -203,7 +203,7 @@ def _picture(
     named: list[Named], view: dict[str, Any], size: tuple[int, int], normals: bool, wireframe: bool
 ) -> Picture:
     from ..render.render import render
-    from .stills import as_entry
+    from .screenshots import as_entry
 
     camera = {name: value for name, value in view.items() if value is not None} or None
     entries = [as_entry(one) for one in named]

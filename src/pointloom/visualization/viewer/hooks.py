@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ...core.checks import check_callback, check_list, check_name, check_number, check_positive, shown
-from .calls import Calls, HookPages
+from .callback_queue import Calls, HookPages
 from .items import Item
 from .keys import check_hotkey
 from .live_timeline import HISTORY_BYTES, LiveTimeline

@@ -17,7 +17,7 @@ from ..recording.timeline import Frame, Placed, Timeline
 from ..recording.writers import check_recording, write_recording
 from .items import Item
 from .live_timeline import LiveTimeline, State
-from .stills import shown_geometry
+from .screenshots import shown_geometry
 
 if TYPE_CHECKING:
     from .viewer import Viewer

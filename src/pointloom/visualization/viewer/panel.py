@@ -24,8 +24,8 @@ from ..render.ticks import choose_ticks, with_ends
 from .coloring_choice import COLORMAPS, Choices, choices_of, has_meaning, shown_coloring
 from .items import Item, to_bytes
 from .keys import KEYS, STEP, add_key, bind_keys
-from .logged import asked_by_page
 from .sessions import Session
+from .timed_calls import asked_by_page
 from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:

@@ -11,29 +11,29 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.coordinates import finite_rows
 from ...core.errors import PointloomError
-from ...core.known_names import nearest_name
 from ...core.open3d_names import row_of, told
-from ...core.upward import check_up
+from ...core.up_axis import check_up
 from ...kernels.memory import download
 from ..render.geometries import Named, check_units
 from ..render.parts import Lines, Part, Points, Triangles, Triple
-from ..render.upward import direction_under, up_of
+from ..render.up_axis import direction_under, up_of
 from ..render.view import View, fit_view
-from .arrivals import Arrivals
 from .camera import camera_of, diagonal, reach_of, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .extents import Bounds, Extents
+from .home_views import Arrivals
 from .hooks import Hooks
 from .items import Frame, Item
 from .panel import Panel
+from .point_transfer import FIRST
 from .server import ViewerServer
 from .sessions import POINT_SIZE, Session
 from .surfaces import line_arrays, surface_arrays
-from .whole_cloud import FIRST
 
 if TYPE_CHECKING:
     from .link import Node, PageClient, PageServer

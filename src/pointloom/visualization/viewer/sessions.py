@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..render.view import View
-from .arrivals import Homes
 from .camera import Camera, camera_of, reach_of, view_of
+from .home_views import Homes
 from .items import Item
-from .whole_cloud import WholeCloud
+from .point_transfer import WholeCloud
 
 if TYPE_CHECKING:
     from .link import PageCamera, PageClient

@@ -22,12 +22,12 @@ from ..notebook_output import in_notebook, live_output
 from ..render.geometries import Named, named_geometries
 from ..render.open3d_views import OPEN3D_KEYS
 from ..render.view import View
+from .client_presence import LINGER, Presence
 from .copc_tree import CopcTree
 from .items import Frame, make_item
-from .logged import logged
-from .presence import LINGER, Presence
 from .scene import Scene, check_color, check_size
 from .sessions import POINT_SIZE
+from .timed_calls import logged
 
 
 class Looks(Scene):
@@ -76,7 +76,7 @@ class Looks(Scene):
         Raises:
             FileError: The file cannot be written.
         """
-        from .stills import draw_scene
+        from .screenshots import draw_scene
 
         with self.lock:
             viewer: Any = self  # a Viewer
@@ -84,7 +84,7 @@ class Looks(Scene):
 
     def save_html(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
         """Write the scene as a standalone HTML file with at most `max_points` points. Raises `FileError`."""
-        from .stills import write_scene
+        from .screenshots import write_scene
 
         with self.lock:
             write_scene(self, path, overwrite=overwrite)  # type: ignore[arg-type]  # a Viewer

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ....core.attribute_hints import KnownNames
 from ....core.checks import check_count, check_number, check_numeric
-from ....core.known_names import KnownNames
 from ....pcd import features
 from ....registration import matching, result, rigid, robust_kernels
 from ....registration.globally import fast_global, ransac

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from ....core.atomic import atomic_write
 from ....core.checks import check_finite, check_positive, check_rows
 from ....pcd.cloud import PointCloud
-from ....pcd.probes import distance_of_nearest, probe_points
+from ....pcd.point_spacing import distance_of_nearest, probe_points
 from ....pcd.search import NearestNeighborSearch
-from ....registration.given_pairs import check_clouds
+from ....registration.correspondence_input import check_clouds
 from ....registration.icp.estimation import (
     TransformationEstimation,
     TransformationEstimationPointToPlane,

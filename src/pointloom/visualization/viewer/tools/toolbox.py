@@ -18,8 +18,8 @@ from ....kernels.memory import download, upload
 from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
 from ...render.view import View
-from ..logged import asked_by_page
 from ..surfaces import surface_arrays
+from ..timed_calls import asked_by_page
 from .clip_planes import Clip, clip_mesh
 from .measuring import length_text, measurements
 from .pairs_tool import PairsTool

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...core.argument_errors import told_arguments
 from ...core.checks import check_finite, check_positive, check_rows
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
-from ...core.told_arguments import told_arguments
 from ...kernels.array_types import Cells
 from ...kernels.lang import vec3
 from ...kernels.memory import check_room, download, upload

@@ -10,8 +10,8 @@ from pointloom.io.points import text_parts
 from pointloom.io.points.formats import READERS
 from pointloom.io.points.las import open_las
 from pointloom.io.points.text_parts import TextInParts
-from pointloom.tiling import loose_files
 from pointloom.tiling import plan as plan_module
+from pointloom.tiling import unindexed_files
 from pointloom.tiling.status import tile_status
 
 from .scenes import plan_of
@@ -60,7 +60,7 @@ SLOW = [pytest.param(name, marks=pytest.mark.slow) for name in ("a.pcd", "a.pts"
 @pytest.mark.parametrize("name", ["a.ply", "a.csv", *SLOW])
 def test_points_of_every_format_are_those_of_las(tmp_path, name, monkeypatch, of_las):
     monkeypatch.setattr(text_parts, "BLOCK", 10_000)
-    monkeypatch.setattr(loose_files, "ROWS", 1500)
+    monkeypatch.setattr(unindexed_files, "ROWS", 1500)
     path, job = tmp_path / name, tmp_path / "job"
     write(cloud(), path)
     loom.tiling.plan_tiles(path, STEPS, job, size=20.0)

@@ -27,7 +27,7 @@ def watch(callback: Watcher) -> Iterator[None]:
 
     Example:
         >>> import pointloom as loom
-        >>> from pointloom.core.watching import watch
+        >>> from pointloom.core.observers import watch
         >>> seen = []
         >>> with watch(lambda event, data: seen.append((event, data.get("iteration_index")))):
         ...     cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])

@@ -2,7 +2,7 @@
 
 Tracking starts nearby, so wrong poses slid or left the model: the checks are the agreement of the common surface, the
 determination of the motion, and the jump. Moving people hide the model, but the remaining pixels agree at a correct
-pose. Recognitions from keyframes need the stricter checks of odometry (src/pointloom/rgbd/odometry/verdicts.py).
+pose. Recognitions from keyframes need the stricter checks of odometry (src/pointloom/rgbd/odometry/motion_checks.py).
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import norm
 from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
+from ..odometry.motion_checks import UNDETERMINED
 from ..odometry.results import OdometryResult
-from ..odometry.verdicts import UNDETERMINED
 from .results import TrackingResult, Verdict
 
 LEAST_DEPTH = 0.02  # minimum depth fraction of a frame

@@ -18,11 +18,11 @@ from ...registration.globally.rating import Witness, rate_surfaces, surface_of
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..odometry.alignment import align_frames
 from ..odometry.results import OdometryResult
+from .frame_checks import FIRM_OVERLAP, LEAST_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
 from .frames import SensorFrame
 from .keyframes import view_distance
 from .maps import SlamMap
 from .tracker import AGREED, NEAR_AGAIN, clean_pose
-from .verdicts import FIRM_OVERLAP, LEAST_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
 
 Pose = NDArray[np.float64]
 

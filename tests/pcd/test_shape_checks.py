@@ -8,9 +8,9 @@ import pytest
 import pointloom as loom
 from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
+from pointloom.kernels.segmentation.shape_alternatives import Band, count_band
 from pointloom.kernels.segmentation.shape_fit import frame_of
 from pointloom.kernels.segmentation.shape_models import PLANE
-from pointloom.kernels.segmentation.shape_rivals import Band, count_band
 from pointloom.kernels.segmentation.shape_search import Found
 from pointloom.pcd.segmentation import limits_of, search_of
 

@@ -8,9 +8,9 @@ import types
 import pytest
 
 import pointloom as loom
-from pointloom.visualization.viewer import presence, scene
+from pointloom.visualization.viewer import client_presence, scene
+from pointloom.visualization.viewer.client_presence import LINGER, Presence
 from pointloom.visualization.viewer.link import hub
-from pointloom.visualization.viewer.presence import LINGER, Presence
 
 from . import events
 from .events import wait_until
@@ -34,9 +34,9 @@ class Waiting:
     def __init__(self, viewer, linger, monkeypatch):
         self.later, self.looks, self.over = 0.0, 0, threading.Event()
         clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.later)
-        for module in (presence, scene, hub):
+        for module in (client_presence, scene, hub):
             monkeypatch.setattr(module, "time", clock)
-        monkeypatch.setattr(presence, "LOOK", 0.001)
+        monkeypatch.setattr(client_presence, "LOOK", 0.001)
         is_over = Presence._is_over
 
         def look(*args):
@@ -121,7 +121,7 @@ def stand_in(seen):
     ],
 )
 def test_polling_says_once_that_the_last_page_has_gone(capfd, monkeypatch, seen, linger, over, words):
-    monkeypatch.setattr(presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
+    monkeypatch.setattr(client_presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
     one = Presence(stand_in(seen))
     assert [one.wait(0, linger) for _ in range(3)] == [over] * 3
     with pytest.raises(ValueError, match="linger"):

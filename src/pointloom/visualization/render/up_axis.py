@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.upward import AXES, UP, up_under
+from ...core.up_axis import AXES, UP, up_under
 from ...meshing.mesh.mesh_arrays import MeshArrays
 from .parts import Triple
 

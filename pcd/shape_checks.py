@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ..kernels.array_types import AnyArray
 from ..kernels.arrays.side_by_side import read_together
+from ..kernels.segmentation.shape_alternatives import Band, Rival, RivalStarts, count_band
 from ..kernels.segmentation.shape_fit import FlatFit, ShapeFit, flat_fit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
-from ..kernels.segmentation.shape_rivals import Band, Rival, RivalStarts, count_band
 from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch, spread_of
 from .shape import KINDS, Shape
 

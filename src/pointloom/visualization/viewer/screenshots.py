@@ -9,20 +9,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.upward import UP
+from ...core.up_axis import UP
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
 from ..render.geometries import Named
 from ..render.parts import Triple
 from ..render.picture_files import check_picture, save_picture
 from ..render.styles import Style
-from ..render.upward import direction_under, up_of
+from ..render.up_axis import direction_under, up_of
 from ..render.view import View
 from .coloring_choice import choices_of, shown_coloring
 from .items import Item
+from .point_transfer import even_share
 from .sessions import POINT_SIZE
 from .tools.clip_planes import Clip, clip_mesh
-from .whole_cloud import even_share
 
 if TYPE_CHECKING:
     from .viewer import Viewer

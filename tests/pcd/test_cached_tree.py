@@ -13,19 +13,19 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.fingerprint import fingerprint
 from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.pcd import kept_tree
+from pointloom.pcd import cached_tree
 
 
 @pytest.fixture
 def builds(monkeypatch):
     """The sizes of the trees that clouds build."""
-    sizes, original = [], kept_tree.PointTree
+    sizes, original = [], cached_tree.PointTree
 
     def build(points):
         sizes.append(points.size)
         return original(points)
 
-    monkeypatch.setattr(kept_tree, "PointTree", build)
+    monkeypatch.setattr(cached_tree, "PointTree", build)
     return sizes
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigh, eigvalsh, matmul
-from ...kernels.rgbd import verdict_rows as at
+from ...kernels.rgbd import check_rows as at
 from ...kernels.rgbd.alignment import Alignment
 from ...registration.rigid import symmetric_matrices
 from .frames import OdometryFrame

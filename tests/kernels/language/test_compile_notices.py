@@ -9,7 +9,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang, launches
-from pointloom.kernels.language import module_loading, notices
+from pointloom.kernels.language import compile_notices, module_loading
 
 pytestmark = pytest.mark.both_compilers
 
@@ -21,8 +21,8 @@ def records(caplog) -> list[str]:
 @pytest.mark.parametrize("holds_all_threads", [False, True])
 def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
     now, timers = [1.0], []
-    monkeypatch.setattr(notices, "time", SimpleNamespace(monotonic=lambda: now[0]))
-    monkeypatch.setattr(notices.threading.Timer, "start", lambda timer: timers.append(timer))
+    monkeypatch.setattr(compile_notices, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(compile_notices.threading.Timer, "start", lambda timer: timers.append(timer))
 
     def take(seconds):
         now[0] += seconds
@@ -30,22 +30,26 @@ def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
             timers.pop().function()
 
     with caplog.at_level(logging.INFO, "pointloom"):
-        with notices.announced("slow_kernel"):
-            notices.compiling()
-            take(2 * notices.PATIENCE)
-        with notices.announced("loaded_kernel"):  # from a cache, on a slow machine
-            take(2 * notices.PATIENCE)
-        with notices.announced("quick_kernel"):
-            notices.compiling()
-            now[0] += 0.5 * notices.PATIENCE
+        with compile_notices.announced("slow_kernel"):
+            compile_notices.compiling()
+            take(2 * compile_notices.PATIENCE)
+        with compile_notices.announced("loaded_kernel"):  # from a cache, on a slow machine
+            take(2 * compile_notices.PATIENCE)
+        with compile_notices.announced("quick_kernel"):
+            compile_notices.compiling()
+            now[0] += 0.5 * compile_notices.PATIENCE
     (message,) = records(caplog)
     assert "slow_kernel for its first use on this machine" in message
 
 
 def test_an_error_ends_the_announcement(caplog, monkeypatch):
-    monkeypatch.setattr(notices, "PATIENCE", 60.0)
-    with caplog.at_level(logging.INFO, "pointloom"), pytest.raises(ValueError), notices.announced("broken_kernel"):
-        notices.compiling()
+    monkeypatch.setattr(compile_notices, "PATIENCE", 60.0)
+    with (
+        caplog.at_level(logging.INFO, "pointloom"),
+        pytest.raises(ValueError),
+        compile_notices.announced("broken_kernel"),
+    ):
+        compile_notices.compiling()
         raise ValueError
     assert not [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]
     assert records(caplog) == []
@@ -55,7 +59,7 @@ def test_the_first_launch_of_a_kernel_alone_is_announced(write_kernels, device, 
     source = "@kernel\ndef double_it_kernel(a: array(dtype=float)):\n    i = tid()\n    a[i] = a[i] * 2.0\n"
     kernel = write_kernels(f"announced_{device[:3]}_{lang.current_cpu_compiler()}", source).double_it_kernel
     named = []
-    monkeypatch.setattr(launches, "announced", lambda name: named.append(name) or notices.announced(name))
+    monkeypatch.setattr(launches, "announced", lambda name: named.append(name) or compile_notices.announced(name))
     a = wp.zeros(4, dtype=float, device=device)
     for _ in range(3):
         lang.launch(kernel, 4, [a])

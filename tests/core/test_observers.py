@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.watching import report, standing_for, unwatched, watch, watched
+from pointloom.core.observers import report, standing_for, unwatched, watch, watched
 
 SHIFT = np.array([0.03, -0.02, 0.01])
 Events = list[tuple[str, dict[str, Any]]]

@@ -30,8 +30,8 @@ from ..lang import (
 from ..memory import empty, full, zeros
 from .patch_costs import Reference, Sources, way_back, window_of
 from .patch_match import mean_of_best, source_cost
-from .plain_places import Places, pixel_of, place_of
 from .plane_results import AGREED_PIXELS, AGREED_SHARE
+from .textureless_regions import Places, pixel_of, place_of
 
 REACH = 2  # [px] radius of the texture window
 PLAIN = 0.011  # brightness deviation of pure noise: 2 to 3 of 255

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...core.errors import FileError
-from ..foreign import foreign_errors, import_for
+from ..optional_imports import foreign_errors, import_for
 
 MAX_CHUNK = 1 << 31  # [B] unpacked; writers start a new chunk at about 1 MB
 _MAX_SMALL, _MAX_RATIO = 1 << 28, 1000  # [B] larger chunks are compressed by at most this ratio
@@ -24,7 +24,7 @@ class RecordingWarning(UserWarning):
 
     Example:
         >>> import warnings, pointloom as loom
-        >>> from pointloom.io.bags.pieces import RecordingWarning
+        >>> from pointloom.io.bags.message_chunks import RecordingWarning
         >>> with warnings.catch_warnings():
         ...     warnings.simplefilter("error", RecordingWarning)  # make it an error
     """

@@ -11,7 +11,7 @@ import pytest
 import warp as wp
 
 from pointloom.kernels import lang  # noqa: F401  starts Warp
-from pointloom.kernels.language import kept_kernels
+from pointloom.kernels.language import kernel_cache
 
 WORK = """
 import numpy as np
@@ -47,7 +47,7 @@ def run(cache: Path, program: str = WORK) -> str:
 
 
 def files_of(cache: Path) -> list[Path]:
-    return sorted(cache.glob(f"*/{kept_kernels.FOLDER}/*/*.json"))
+    return sorted(cache.glob(f"*/{kernel_cache.FOLDER}/*/*.json"))
 
 
 @pytest.mark.slow
@@ -82,40 +82,40 @@ def test_what_is_amiss_is_not_used(cache, harm):
 
 
 def test_other_sources_keep_apart(monkeypatch, tmp_path):
-    kept = kept_kernels.Kept([], "a", "=Q", "symbol", "code.o")
-    module = f"{kept_kernels.PACKAGE}.room.file"
-    monkeypatch.setattr(kept_kernels.wp.config, "kernel_cache_dir", str(tmp_path))
+    kept = kernel_cache.Kept([], "a", "=Q", "symbol", "code.o")
+    module = f"{kernel_cache.PACKAGE}.room.file"
+    monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
 
     def folder_of(digest: str) -> None:
-        monkeypatch.setattr(kept_kernels, "digest_of_sources", lambda: digest)
-        kept_kernels._folder.cache_clear()
-        kept_kernels._read.cache_clear()
+        monkeypatch.setattr(kernel_cache, "digest_of_sources", lambda: digest)
+        kernel_cache._folder.cache_clear()
+        kernel_cache._read.cache_clear()
 
     try:
-        for number in range(kept_kernels.MOST_FOLDERS + 3):
+        for number in range(kernel_cache.MOST_FOLDERS + 3):
             folder_of(f"sources {number}")
-            assert kept_kernels.find(module, "k") is None
-            kept_kernels.keep(module, "k", kept)
-            assert kept_kernels.find(module, "k") == kept
-        assert len(list((tmp_path / kept_kernels.FOLDER).iterdir())) == kept_kernels.MOST_FOLDERS
-        kept_kernels.keep("elsewhere.kernels", "k", kept)
-        assert kept_kernels.find("elsewhere.kernels", "k") is None
+            assert kernel_cache.find(module, "k") is None
+            kernel_cache.keep(module, "k", kept)
+            assert kernel_cache.find(module, "k") == kept
+        assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MOST_FOLDERS
+        kernel_cache.keep("elsewhere.kernels", "k", kept)
+        assert kernel_cache.find("elsewhere.kernels", "k") is None
     finally:
         monkeypatch.undo()
-        kept_kernels._folder.cache_clear()
-        kept_kernels._read.cache_clear()
+        kernel_cache._folder.cache_clear()
+        kernel_cache._read.cache_clear()
 
 
 def test_a_folder_that_cannot_be_written_to_keeps_nothing(monkeypatch, tmp_path):
-    (tmp_path / kept_kernels.FOLDER).touch()
-    monkeypatch.setattr(kept_kernels.wp.config, "kernel_cache_dir", str(tmp_path))
-    kept_kernels._folder.cache_clear()
+    (tmp_path / kernel_cache.FOLDER).touch()
+    monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
+    kernel_cache._folder.cache_clear()
     try:
-        kept_kernels.keep(f"{kept_kernels.PACKAGE}.room.file", "k", kept_kernels.Kept([], "a", "=Q", "s", "c.o"))
-        assert kept_kernels.find(f"{kept_kernels.PACKAGE}.room.file", "k") is None
+        kernel_cache.keep(f"{kernel_cache.PACKAGE}.room.file", "k", kernel_cache.Kept([], "a", "=Q", "s", "c.o"))
+        assert kernel_cache.find(f"{kernel_cache.PACKAGE}.room.file", "k") is None
     finally:
         monkeypatch.undo()
-        kept_kernels._folder.cache_clear()
+        kernel_cache._folder.cache_clear()
 
 
 WRONG = """

@@ -21,7 +21,7 @@ from PIL import Image
 
 from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
-from ...io.foreign import ignored_errors
+from ...io.optional_imports import ignored_errors
 from ...pcd.geodesy import WorldFrame
 from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
 from .picture_writing import counted, some_of

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from pointloom.datasets import kept as module
-from pointloom.datasets.kept import kept
+from pointloom.datasets import array_cache as module
+from pointloom.datasets.array_cache import kept
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ import inspect
 from collections.abc import Callable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
-from .known_names import nearest_name
+from .attribute_hints import nearest_name
 from .open3d_names import ARGUMENTS, row_of, told
 
 P = ParamSpec("P")

@@ -23,7 +23,7 @@ from ..core.errors import FileError
 from ..core.progress import ReportProgress
 from ..core.units import LengthUnit
 from ..io.attribute_names import new_names
-from ..io.foreign import foreign_errors
+from ..io.optional_imports import foreign_errors
 from ..io.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..io.points.formats import READERS
 from ..io.points.in_parts import open_in_parts

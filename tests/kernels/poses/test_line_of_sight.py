@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.kernels.poses import sight
-from pointloom.kernels.poses.sight import KEPT, Sight, find_sight
+from pointloom.kernels.poses import line_of_sight
+from pointloom.kernels.poses.line_of_sight import KEPT, Sight, find_sight
 
 EYE = np.zeros((1, 3))
 
@@ -62,6 +62,6 @@ def test_a_cloud_that_no_place_shows_has_no_sight(device, rng, monkeypatch):
     ways[:3000] *= 0.6  # a ball in a ball
     points = points_of(ways, device)
     assert find_sight(points, 0.1) is not None
-    monkeypatch.setattr(sight, "HIDDEN", 0.01)
+    monkeypatch.setattr(line_of_sight, "HIDDEN", 0.01)
     assert find_sight(points, 0.1) is None
     assert find_sight(points_of(np.empty((0, 3)), device), 0.1) is None
