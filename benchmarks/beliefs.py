@@ -4,7 +4,7 @@
 
 Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; accepting
 one is wrong. Right pairs share at least 15% of the smaller cloud; a pose is correct within 5 degrees and 3 voxels.
-Each cloud is turned and shifted at random first. LEAST_REST of registration/globally/rating.py was chosen by one half
+Each cloud is turned and shifted at random first. MIN_REST of registration/globally/rating.py was chosen by one half
 of the scenes; the table says how pairs within the other half are judged. It prints the table of
 docs/registration.md and the pairs that are accepted wrongly.
 """

@@ -68,7 +68,7 @@ def check(ours: np.ndarray, theirs: np.ndarray | tuple[np.ndarray, np.ndarray], 
     assert abs(apart[0] / apart[1] - 1) < 1e-2, f"{apart[0]:.5f} m apart, {peer}'s {apart[1]:.5f} m"
 
 
-FARTHEST_POINTS = Operation(
+MAX_POINTS = Operation(
     name="farthest_points",
     scenes={"200k": partial(scenes.bumpy_surface, 200_000), "1M": partial(scenes.bumpy_surface, 1_000_000)},
     quick={"20k": partial(scenes.bumpy_surface, 20_000)},
@@ -82,9 +82,9 @@ FARTHEST_POINTS = Operation(
     ),
     check=check,
 )
-OPERATIONS = (FARTHEST_POINTS,)
+OPERATIONS = (MAX_POINTS,)
 
 
-@timed(FARTHEST_POINTS)
+@timed(MAX_POINTS)
 def test_farthest_points(turn) -> None:
     turn()

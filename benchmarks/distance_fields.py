@@ -26,7 +26,7 @@ from scipy import ndimage
 
 import pointloom as loom
 
-MOST_VOXELS = 2**27  # of a dense box that scipy is asked for: 5 GB
+MAX_VOXELS = 2**27  # of a dense box that scipy is asked for: 5 GB
 QUERIES = 500_000
 
 
@@ -71,7 +71,7 @@ def measure_scan(path: str, voxel_size: float, reach: float) -> None:
     low, high = field.bounds
     size = np.rint((high - low) / voxel_size).astype(int)
     print(f"{path}: {field}, {field.memory_bytes / 1e6:.0f} MB, {seconds:.3f} s; dense {' x '.join(map(str, size))}")
-    if math.prod(size.tolist()) <= MOST_VOXELS:
+    if math.prod(size.tolist()) <= MAX_VOXELS:
         occupied = field.to_array() == 0
         theirs, expected = best_of(lambda: ndimage.distance_transform_edt(~occupied, return_indices=True)[0], 1)
         expected = np.rint(expected**2)

@@ -20,9 +20,9 @@ FEATURES = 4000  # of a picture
 RATIO = 0.8  # of the distances of the nearest and the second feature (Lowe 2004)
 EPIPOLAR = 1.5  # [px] from the line
 REPROJECTION = 1.5  # [px]
-LEAST_ANGLE = 1.0  # [degrees] between the two ways to a point
+MIN_ANGLE = 1.0  # [degrees] between the two ways to a point
 AHEAD = 6  # pictures that each is matched with: those whose axes are nearest to its own
-FARTHEST_TURN = 50.0  # [degrees] between the axes of pictures that are matched
+MAX_TURN = 50.0  # [degrees] between the axes of pictures that are matched
 
 
 @dataclass
@@ -168,7 +168,7 @@ def _pairs(cameras: list[Any]) -> list[tuple[int, int]]:
     turns = np.degrees(np.arccos(np.clip(axes @ axes.T, -1, 1)))
     pairs = set()
     for i in range(len(cameras)):
-        near = [j for j in np.argsort(turns[i], kind="stable").tolist() if j != i and turns[i, j] < FARTHEST_TURN]
+        near = [j for j in np.argsort(turns[i], kind="stable").tolist() if j != i and turns[i, j] < MAX_TURN]
         pairs |= {(min(i, j), max(i, j)) for j in near[:AHEAD]}
     return sorted(pairs)
 
@@ -212,7 +212,7 @@ def _triangulated(seen: dict[int, Any], cameras: list[Any]) -> Any:
         way = X - cameras[i].center
         ways.append(way / np.linalg.norm(way))
     angle = max(np.degrees(np.arccos(np.clip(a @ b, -1, 1))) for a, b in itertools.combinations(ways, 2))
-    return X if angle >= LEAST_ANGLE else None
+    return X if angle >= MIN_ANGLE else None
 
 
 def _root(parent: dict[Any, Any], node: Any) -> Any:

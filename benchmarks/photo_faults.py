@@ -33,7 +33,7 @@ from PIL import Image
 from pointloom.datasets.made.views import look_at
 
 COUNT, STEP = 8, 12.0  # pictures, and [degrees] from one to the next
-MOST_RUNS = 60
+MAX_RUNS = 60
 MARK = "POINTLOOM_PHOTO_FAULTS"
 OPTIONS = ["--max-size", "96", "--max-features", "1500", "--force", "--resume", "--json"]
 STAGES = ("frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh")
@@ -96,7 +96,7 @@ def attack(folder: Path, base: Path, mean: float, chance: random.Random, most: i
     work, out = base / "work", base / "out"
     shutil.rmtree(base, ignore_errors=True)
     out.mkdir(parents=True)
-    for _ in range(MOST_RUNS):
+    for _ in range(MAX_RUNS):
         ahead = [stage for stage in STAGES if not (work / "records" / f"{stage}.json").is_file()]
         begun = work / f"{chance.choice(ahead or STAGES)}.part" if chance.random() < 0.5 else None
         wait = chance.expovariate(1 / mean) if begun is None else chance.expovariate(1 / LATE)
@@ -115,7 +115,7 @@ def attack(folder: Path, base: Path, mean: float, chance: random.Random, most: i
         done = [stage for stage in STAGES if (work / "records" / f"{stage}.json").is_file()]
         tell[f"after {done[-1] if done else 'nothing'}"] += 1
         tell["processes left over"] += children_left(out)
-    raise SystemExit(f"not finished after {MOST_RUNS} runs")
+    raise SystemExit(f"not finished after {MAX_RUNS} runs")
 
 
 def main() -> None:

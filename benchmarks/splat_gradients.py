@@ -32,10 +32,10 @@ from pointloom.kernels.lang import (
     vec4,
 )
 from pointloom.kernels.memory import empty, zeros
-from pointloom.kernels.splats.blending import LEAST_LEFT, opacity_at
+from pointloom.kernels.splats.blending import MIN_LEFT, opacity_at
 from pointloom.kernels.splats.projection import (
     BESIDE,
-    MOST_OPACITY,
+    MAX_OPACITY,
     TILE_PIXELS,
     ProjectedSplats,
     SplatColumns,
@@ -105,7 +105,7 @@ def light_pixels_kernel(lists: TileLists, projected: ProjectedSplats, background
         left = 1.0
         place = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and left > LEAST_LEFT:
+        while place < last and left > MIN_LEFT:
             splat = lists.members[place]
             opacity = opacity_at(splat, column, row, projected)
             color = color + projected.colors[splat] * (left * opacity)
@@ -162,7 +162,7 @@ def pull_entries_kernel(lists: TileLists, projected: ProjectedSplats, light: Lig
                     by_color = by_color + error * (left * opacity)
                     pulls.left[base + k] = left
                     pulls.behind[base + k] = color * opacity + behind * (1.0 - opacity)
-                    if opacity < MOST_OPACITY:
+                    if opacity < MAX_OPACITY:
                         by_opacity = dot(error, color - behind) * left
                         by_power = by_opacity * opacity
                         x = column - middle[0]

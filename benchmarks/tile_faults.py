@@ -43,8 +43,8 @@ CLUSTERS = [{"step": "voxel_down_sample", "voxel_size": 0.5}, {"step": "cluster_
 CHAINS = {"filters": STEPS, "clusters": CLUSTERS}
 RUNNERS = ("workers", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
-MOST_RUNS = 60  # of one job
-MOST_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
+MAX_RUNS = 60  # of one job
+MAX_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
 LONGEST = 300.0  # [s] of one run
 LINGER = 60.0  # [s] that workers may look for a scheduler that has gone
 MARK = "POINTLOOM_FAULT_RUN"  # in the environment of all processes of a run
@@ -84,11 +84,11 @@ class Attack:
 
     def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
         self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
-        self._here = min(most, kills.total() + MOST_KILLS)
+        self._here = min(most, kills.total() + MAX_KILLS)
 
     def work(self, runner: str) -> None:
         """Run until all tiles are done, killing meanwhile."""
-        for _ in range(MOST_RUNS):
+        for _ in range(MAX_RUNS):
             with _cluster(runner) as (options, others):
                 self.counts["runs"] += 1
                 process = _begin("run", str(self.job), *options)
@@ -108,7 +108,7 @@ class Attack:
                 retry_tiles(self.job)
             elif status.is_finished:
                 return
-        raise SystemExit(f"{self.job}: not finished after {MOST_RUNS} runs")
+        raise SystemExit(f"{self.job}: not finished after {MAX_RUNS} runs")
 
     def _harass(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
         end = time.monotonic() + LONGEST

@@ -20,7 +20,7 @@ from ..kernels.surface.cylinder_change import Changes, Cylinder, find_flattest, 
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
-LEAST_POINTS = 4  # per cylinder: a spread of fewer is unreliable
+MIN_POINTS = 4  # per cylinder: a spread of fewer is unreliable
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ class M3C2Result:
     def is_significant(self) -> NDArray[np.bool_]:
         """True where the distance exceeds the level of detection with at least 4 points per epoch, bool (n,)."""
         with np.errstate(invalid="ignore"):
-            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= LEAST_POINTS)
+            return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= MIN_POINTS)
 
     def __repr__(self) -> str:
         found, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())

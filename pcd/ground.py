@@ -20,8 +20,8 @@ from ..kernels.terrain.ground_in_reach import NearGround, window_over
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 
-MOST_CELLS = 2**28  # 7 GB of grids
-MOST_RADIUS = 512  # cells: number of windows, about 80,000 reads per cell in total
+MAX_CELLS = 2**28  # 7 GB of grids
+MAX_RADIUS = 512  # cells: number of windows, about 80,000 reads per cell in total
 
 
 CELL, WINDOW, THRESHOLD, SCALING = 1.0, 18.0, 0.5, 1.25  # [m] values of the paper
@@ -112,7 +112,7 @@ def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float,
 
 
 def _check_cells(cell: float, counts: NDArray[np.float64]) -> None:
-    if not counts.prod() <= MOST_CELLS:
+    if not counts.prod() <= MAX_CELLS:
         raise ValueError(
             f"cell_size: {cell} m makes a grid of {counts[0]:,.0f} x {counts[1]:,.0f} cells, more than 2^28; "
             "take larger cells, or crop stray points away"
@@ -120,9 +120,9 @@ def _check_cells(cell: float, counts: NDArray[np.float64]) -> None:
 
 
 def check_window(window: float, cell: float) -> None:
-    if window > MOST_RADIUS * cell:
+    if window > MAX_RADIUS * cell:
         raise ValueError(
-            f"max_window: {window:g} m are more than {MOST_RADIUS} cells of {cell} m; take larger cells or a smaller "
+            f"max_window: {window:g} m are more than {MAX_RADIUS} cells of {cell} m; take larger cells or a smaller "
             "window"
         )
 

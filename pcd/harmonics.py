@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import matmul, solve
 
-MOST_DEGREE = 4
+MAX_DEGREE = 4
 FIRST = 0.5 / math.sqrt(math.pi)  # harmonic of degree 0
 
 
 def degree_of(count: int) -> int | None:
     """Degree with this number of coefficients per color, including the first; None if there is none."""
     degree = math.isqrt(count) - 1
-    return degree if 0 <= degree <= MOST_DEGREE and (degree + 1) ** 2 == count else None
+    return degree if 0 <= degree <= MAX_DEGREE and (degree + 1) ** 2 == count else None
 
 
 def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.float64]:

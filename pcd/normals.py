@@ -31,7 +31,7 @@ from .length_checks import warn_of_short
 from .selection import Selection
 
 NORMAL_NEIGHBORS = 30  # default of estimate_normals()
-MOST_PASSES = 10_000  # of smoothing
+MAX_PASSES = 10_000  # of smoothing
 
 
 class Normals(Selection):
@@ -356,4 +356,4 @@ class Normals(Selection):
 
 def _check_passes(iterations: Any) -> int:
     reason = "by then hardly anything is left but the mean of all points; take fewer"
-    return check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
+    return check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)

@@ -14,7 +14,7 @@ from .search import NearestNeighborSearch
 _PROBES = 1000
 
 # Maximum neighbors of all probes, 8 B each.
-_MOST_NEIGHBORS = 1000
+_MAX_NEIGHBORS = 1000
 
 
 def probe_points(cloud: Any) -> NDArray[np.float64]:
@@ -29,7 +29,7 @@ def distance_of_nearest(
 ) -> float | None:
     """Distance [m] within which this fraction of the probes have `count` points, themselves included. None if there are
     too few or too many points, or no probe."""
-    if not len(probes) or count > _MOST_NEIGHBORS:
+    if not len(probes) or count > _MAX_NEIGHBORS:
         return None
     found = search.knn_search(probes, count)
     if (found.counts < count).any():

@@ -23,7 +23,7 @@ from .cloud import PointCloud
 
 GROUND, NOISE = (2,), (7, 18)  # LAS classes
 REACH = 20  # default, in cells
-MOST_CELLS = 2**28
+MAX_CELLS = 2**28
 BYTES = 32  # per cell
 SLACK = 1e-9  # of a cell: tolerance for bounds at cell borders
 
@@ -80,7 +80,7 @@ def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
     with np.errstate(over="ignore"):
         cells = float(shape.prod())
     told = f"cell: {side:g} makes {shape[0]:,.0f} x {shape[1]:,.0f} cells"
-    if not cells <= MOST_CELLS:
+    if not cells <= MAX_CELLS:
         raise ValueError(f"{told}, {cells * BYTES / 1e9:,.0f} GB, and 2^28 is the most; take larger cells, or tiles")
     free = free_bytes(device)
     if free is not None and cells * BYTES > free:

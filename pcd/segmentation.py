@@ -42,7 +42,7 @@ ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
 EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's default
 POINT_SHARE = 0.001  # of the points: Open3D's default
 FEWEST = 10
-MOST_SAMPLES = 10_000_000
+MAX_SAMPLES = 10_000_000
 WRAP = 2**30  # sample numbers stay below 2^31
 NORMALS = "call cloud = cloud.estimate_normals()"
 
@@ -559,9 +559,7 @@ def _check_search(
     return (
         check_positive("distance_threshold", distance_threshold),
         check_count("ransac_n", ransac_n, minimum=3),
-        check_count(
-            "num_iterations", num_iterations, maximum=MOST_SAMPLES, because="a plane not found by then is none"
-        ),
+        check_count("num_iterations", num_iterations, maximum=MAX_SAMPLES, because="a plane not found by then is none"),
         chance,
         check_seed(seed),
     )
@@ -590,6 +588,6 @@ def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, Sh
 
 def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int, float, int]:
     most = check_count(
-        "num_iterations", num_iterations, maximum=MOST_SAMPLES, because="a shape not found by then is none"
+        "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="a shape not found by then is none"
     )
     return most, check_share("probability", probability), check_seed(seed)

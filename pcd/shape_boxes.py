@@ -27,7 +27,7 @@ SIDES = np.array(  # corners counterclockwise from outside: low and high of each
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
 )
 STEPS = 1000  # of the contact distance: heights are integers
-MOST_DEGREES = 30.0  # beyond it a plane may be perpendicular to two axes
+MAX_DEGREES = 30.0  # beyond it a plane may be perpendicular to two axes
 SHARED = 0.5  # required overlap of two faces along their edge, of the shorter one
 
 
@@ -124,8 +124,8 @@ def find_boxes(
         raise ValueError(f"found: it is of a cloud of {len(found.labels):,} points, and this has {len(cloud):,}")
     gap = check_positive("distance_threshold", distance_threshold)
     angle = check_positive("angle_threshold_deg", angle_threshold_deg)
-    if angle > MOST_DEGREES:
-        raise ValueError(f"angle_threshold_deg: expected up to {MOST_DEGREES:g}, got {shown(angle_threshold_deg)}")
+    if angle > MAX_DEGREES:
+        raise ValueError(f"angle_threshold_deg: expected up to {MAX_DEGREES:g}, got {shown(angle_threshold_deg)}")
     planes = {k: shape for k, shape in enumerate(found.shapes) if shape.kind == "plane"}
     free, groups = sorted(planes, key=lambda k: (-planes[k].support, k)), []
     if len(free) < 2 or not len(cloud):

@@ -28,9 +28,9 @@ from .segmentation import check_samples, limits_of, search_of
 from .shape import KINDS, Shape
 from .shape_checks import is_flat, is_open, plane_of, shape_of
 
-LEAST, LEAST_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
+LEAST, MIN_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
 STEPS = 5.0  # maximum gap in a component, in median neighbor distances
-FIRST_BATCH, MOST_BATCH = 512, 8192  # samples per kind between evaluations
+FIRST_BATCH, MAX_BATCH = 512, 8192  # samples per kind between evaluations
 POOL = 64  # candidates kept between rounds
 TRIED = 3  # candidates fitted per selection
 # Weights of support by kind, which prefer simpler shapes.
@@ -116,7 +116,7 @@ def detect_shapes(
     wanted = _check_kinds(kinds)
     limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
     most, chance, start = check_samples(num_iterations, probability, seed)
-    fewest = max(LEAST, int(LEAST_SHARE * len(cloud)))
+    fewest = max(LEAST, int(MIN_SHARE * len(cloud)))
     if min_support is not None:
         fewest = check_count("min_support", min_support, minimum=10)
     reach = None if cluster_epsilon is None else check_positive("cluster_epsilon", cluster_epsilon)
@@ -210,7 +210,7 @@ class _Rounds:
                 np.concatenate([self._of, np.full(len(counts), kind)]),
                 np.concatenate([self._counts, counts]),
             )
-        self._batch = min(2 * self._batch, MOST_BATCH)
+        self._batch = min(2 * self._batch, MAX_BATCH)
 
     def _keep(self, shapes: NDArray[Any], of: NDArray[Any], counts: NDArray[Any]) -> None:
         """Keep the candidates with the most points, simple kinds before others with similar support."""

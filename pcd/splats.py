@@ -26,7 +26,7 @@ from ..kernels.linear_algebra import cube_root, det, matmul
 from ..kernels.splats.motion import mask_splats, turn_harmonics, turn_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
-from .harmonics import FIRST, MOST_DEGREE, degree_of, turns_of_harmonics
+from .harmonics import FIRST, MAX_DEGREE, degree_of, turns_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
@@ -354,7 +354,7 @@ def _coefficients(harmonics: ArrayLike, count: int) -> NDArray[np.float64]:
     values = check_numeric("harmonics", harmonics).astype(np.float64)
     values = values[:, None] if values.ndim == 2 else values
     if values.ndim != 3 or values.shape[0] != count or values.shape[2] != 3 or degree_of(values.shape[1]) is None:
-        counts = [(degree + 1) ** 2 for degree in range(MOST_DEGREE + 1)]
+        counts = [(degree + 1) ** 2 for degree in range(MAX_DEGREE + 1)]
         raise ValueError(f"harmonics: expected shape [{count}, K, 3] with K of {counts}, got {list(values.shape)}")
     return values
 

@@ -41,7 +41,7 @@ KINDS = ("dtm", "dsm", "chm", "density", "intensity", "lowest")
 METHODS = ("idw", "tin")
 NODATA = -9999.0
 NEIGHBORS = 8  # of an interpolated height
-MOST_EDGE = 1 << 24  # cells along a side for gap filling: their centers are float32
+MAX_EDGE = 1 << 24  # cells along a side for gap filling: their centers are float32
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +99,7 @@ class Raster:
             (32, 32)
         """
         reach, count = check_positive("max_distance", max_distance), check_count("neighbors", neighbors)
-        if max(self.values.shape) > MOST_EDGE:
+        if max(self.values.shape) > MAX_EDGE:
             raise ValueError(f"values: {self.values.shape} cells are more than 2^24 along a side; fill parts of it")
         upright = self.values[::-1].T  # by column from the lowest row, as cells are numbered
         columns, rows = upright.shape

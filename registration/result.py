@@ -14,7 +14,7 @@ from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
 from ..kernels.memory import download
 
-FEWEST_TARGETS = 10  # minimum matched targets for a scale
+MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
 Pairs = NDArray[np.int32]
 
@@ -89,7 +89,7 @@ class RegistrationResult:
         on_device = isinstance(pairs, wp.array) or is_on_gpu(pairs)
         rows = download(share_numbers("pairs", pairs)) if on_device else np.asarray(pairs)
         targets = len(np.unique(rows[:, 1]))
-        if targets < FEWEST_TARGETS and len(rows) > SHARED * targets:
+        if targets < MIN_TARGETS and len(rows) > SHARED * targets:
             self.converged = False
             self.reason = f"scale not determined: {len(rows):,} source points match {targets} target points"
 

@@ -13,7 +13,7 @@ from ..core.checks import check_number, check_numeric, check_positive
 from ..kernels.icp import robust_weights
 from ..kernels.linear_algebra import elementwise
 
-LEAST = robust_weights.LEAST_RESIDUAL
+LEAST = robust_weights.MIN_RESIDUAL
 
 
 @dataclasses.dataclass(frozen=True)

@@ -19,14 +19,14 @@ STEP_VOXELS = 0.75  # voxels: test displacement both ways; rotations at the mean
 JUDGING_POINTS = 1024  # sampled points: detect a mean cost rise of 0.01
 # Minimum mean cost rise (0..1) per step, and in standard deviations. Undetermined: -0.012 to 0.011 and at most 2.4
 # (three synthetic corridors, a tunnel, a field); weakly determined (doors of 6 cm, far boxes): 0.03 and 5.
-LEAST_RISE, LEAST_DEVIATIONS = 0.02, 3.0
+MIN_RISE, MIN_DEVIATIONS = 0.02, 3.0
 
 
 def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:
     """True where points match clearly worse at other poses, [k], by `compare_costs`."""
     total, square, pairs, _ = rises.T
-    is_much = total >= LEAST_RISE * np.maximum(pairs, 1)
-    return is_much & (total >= LEAST_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
+    is_much = total >= MIN_RISE * np.maximum(pairs, 1)
+    return is_much & (total >= MIN_DEVIATIONS * np.sqrt(np.maximum(square, 1)))
 
 
 def moved(pose: Matrix, motion: Matrix, about: Matrix | None = None) -> Matrix:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 MAGIC = struct.pack("<I", 0xBA55ED50)
 MACHINE_CODE, KINDS = 2, (1, 2, 4, 8, 16, 32)
-HEADER, LEAST_ENTRY, MOST_ENTRY = 16, 32, 4096  # bytes
+HEADER, MIN_ENTRY, MAX_ENTRY = 16, 32, 4096  # bytes
 
 
 class Entry(NamedTuple):
@@ -37,7 +37,7 @@ def entries(data: bytes | bytearray | mmap.mmap) -> Iterator[Entry]:
         entry, end = at + header, at + header + size
         while entry < end:
             kind, _, own_header, payload = struct.unpack_from("<HHIQ", data, entry)
-            if kind not in KINDS or not LEAST_ENTRY <= own_header <= MOST_ENTRY:
+            if kind not in KINDS or not MIN_ENTRY <= own_header <= MAX_ENTRY:
                 break
             yield Entry(entry + own_header, payload, kind, struct.unpack_from("<I", data, entry + 28)[0])
             entry += own_header + payload

@@ -32,7 +32,7 @@ DRY_STAGES = {"smoke": ["tests/kernels/arrays/test_select.py"]}
 SKIP = ("tests/kernels/test_check_cuda.py", "tests/kernels/test_cuda_cache.py")
 SKIP += ("tests/visualization/viewer", "tests/photogrammetry/depth")
 LACKING = ("No module named", "ImportError while importing")
-STAGE_AT_LEAST, ALONE_AT_LEAST, ALONE_AT_MOST, MOST_ALONE = 15.0, 20.0, 60.0, 60
+STAGE_AT_LEAST, ALONE_AT_LEAST, ALONE_AT_MOST, MAX_ALONE = 15.0, 20.0, 60.0, 60
 LONGEST_TEST = 100  # seconds, where pytest-timeout is installed
 
 
@@ -118,7 +118,7 @@ class Suite:
         for test in self.found["failed"]:
             if test in self.found["alone"]:
                 continue
-            if self.left < ALONE_AT_LEAST or len(self.found["alone"]) >= MOST_ALONE:
+            if self.left < ALONE_AT_LEAST or len(self.found["alone"]) >= MAX_ALONE:
                 return
             ran = run([test], min(self.left - 5, ALONE_AT_MOST), self.state / "logs" / "tests-one.txt")
             self.found["alone"][test] = ran.code == 0

@@ -39,8 +39,8 @@ from pointloom.photogrammetry.depth.presets import PRESETS  # noqa: E402
 from tests.photogrammetry.depth.published_networks import FILES, FOCAL, depth_of, picture_of, published  # noqa: E402
 
 AREA, LUCK = "depth network", "depth network, a preset that fits by luck"
-MOST_ERROR = 0.05  # median, relative
-LEAST_ORDER = 0.9  # rank correlation
+MAX_ERROR = 0.05  # median, relative
+MIN_ORDER = 0.9  # rank correlation
 ROWS, COLUMNS = 120, 160
 
 
@@ -85,7 +85,7 @@ def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
         truth = truth * float(np.median((answers[own].depth / truth)[answers[own].depth > 0]))
     errors = {preset: _error(found, truth) for preset, found in answers.items()}
     figure = f"{100 * errors[own]:.2g} % under its own preset" if np.isfinite(errors.get(own, np.inf)) else ""
-    wrong = {preset for preset, error in errors.items() if not error <= MOST_ERROR}
+    wrong = {preset for preset, error in errors.items() if not error <= MAX_ERROR}
     said = {preset: _refusal(path, preset) for preset in answers}
     yield _count(AREA, case, {own, *wrong} & set(answers), wrong, said, figure)
     if luck := set(answers) - wrong - {own}:
@@ -133,7 +133,7 @@ def _error(found: DepthEstimate, truth: NDArray[np.float64]) -> float:
     if found.unit == "m":
         return float(np.median(abs(found.depth[seen] / truth[seen] - 1)))
     order = float(spearmanr(found.depth[seen], truth[seen])[0])
-    return 0.0 if order >= LEAST_ORDER else np.inf
+    return 0.0 if order >= MIN_ORDER else np.inf
 
 
 def _camera() -> loom.PinholeCameraIntrinsic:

@@ -23,7 +23,7 @@ import pointloom as loom  # noqa: E402
 
 AREA = "LiDAR odometry"
 SEED = 7
-LEAST_ERROR, LEAST_SHARE = 0.3, 0.02  # [m], of the way
+MIN_ERROR, MIN_SHARE = 0.3, 0.02  # [m], of the way
 AROUND = ((31.0, 0.0), (9.0, 0.0), (20.0, 3.0), (20.0, -3.0), (29.0, 3.0), (29.0, -3.0))  # lorries about x = 20
 
 
@@ -122,7 +122,7 @@ def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
             odometry.register(loom.PointCloud(scan))
         way = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
         error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
-        wrong = error > max(LEAST_ERROR, LEAST_SHARE * way)
+        wrong = error > max(MIN_ERROR, MIN_SHARE * way)
         believed, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
         said, peer = warnings, kiss_icp(run, max_range)
         yield Judged(AREA, name, 1, int(wrong), believed, refused, said, f"{error:.2f} of {way:.1f} m", peer)

@@ -27,7 +27,7 @@ from sfm_accuracy import camera_errors
 import pointloom as loom
 
 AREA = "focal length"
-WRONG_FOCAL, WRONG_CENTERS, LEAST_PLACED = 0.05, 0.01, 0.6
+WRONG_FOCAL, WRONG_CENTERS, MIN_PLACED = 0.05, 0.01, 0.6
 FEATURES = 1000
 COUNT = 12  # pictures of the room: 66 pairs
 
@@ -167,7 +167,7 @@ def judge_case(case: Case) -> Judged:
 
 def errors_of(model: loom.SfmModel | None, truth: Truth) -> tuple[int, str]:
     """Whether a model is wrong, and by how much."""
-    if model is None or len(model) < LEAST_PLACED * len(truth):
+    if model is None or len(model) < MIN_PLACED * len(truth):
         return 1, f"{0 if model is None else len(model)} of {len(truth)} placed"
     off = [
         camera.params[0] / camera.width / truth[name][1] - 1

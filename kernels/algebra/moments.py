@@ -4,7 +4,7 @@ from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, 
 
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
 whole_moments = vector(10, int64)  # the same of differences in integer steps
-MOST_WHOLE = 131072  # points whose integer moments fit into 64 bits: products have 46
+MAX_WHOLE = 131072  # points whose integer moments fit into 64 bits: products have 46
 COARSER = 2.0**-8  # step factor for up to 2^33 points
 
 
@@ -13,7 +13,7 @@ def steps_for(sqdist: float, count: int) -> float:
     """Steps per meter for differences up to sqrt(sqdist): 2^23 in the next power of two, less if sums overflow."""
     power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
     steps = bits_float((150 - power) << 23)
-    if count > MOST_WHOLE:
+    if count > MAX_WHOLE:
         steps = steps * COARSER
     return steps
 

@@ -14,7 +14,7 @@ from ..lang import array, func, int32, int64, kernel, launch, struct, tid
 from ..language.device_lock import turn_on
 from ..memory import download, empty, host_view, rows_of
 
-LEAST_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
+MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
 
 
 @kernel
@@ -74,7 +74,7 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
     if not device.is_cuda and bit_count + index_bits <= 63:
         packed = download(keys) << index_bits
         packed |= np.arange(count, dtype=np.int64)
-        if starts is None or len(starts) - 1 > count // LEAST_RUN:
+        if starts is None or len(starts) - 1 > count // MIN_RUN:
             packed.sort()
         else:
             for first, end in itertools.pairwise(starts.tolist()):

@@ -43,7 +43,7 @@ from .deformation_graph import MEMBERS, DeformationGraph, Influence, bent_place
 
 DAMPING = 1.0e-9  # of the diagonal: fixes parts of a body without rows, negligible elsewhere
 TOLERANCE = 1.0e-6  # of a solve: remaining fraction of the right side in the preconditioner's norm
-MOST_TURNS = 2000
+MAX_TURNS = 2000
 pull_sums = vector(6, float64)
 pull_block = vector(21, float64)
 
@@ -312,7 +312,7 @@ class BendingSteps:
         blocks = [self.influence, rows]
         reduce_segments(sum_node_squares, rows.blocks, self.live, blocks, self.square_partials, system.squares)
         launch(factor_nodes_kernel, count, [graph, stiffness, system])
-        state = Gradients(zeros(2 * count, vec3d, graph.nodes.device), 0.0, MOST_TURNS)
+        state = Gradients(zeros(2 * count, vec3d, graph.nodes.device), 0.0, MAX_TURNS)
         launch(pull_nodes_kernel, count, [graph, stiffness, system, state.residual])
 
         def map_search() -> None:

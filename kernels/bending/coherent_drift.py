@@ -34,7 +34,7 @@ FARTHEST = 43.0  # maximum exponent
 INVERSE_LOG2 = 1.4426950408889634
 LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that integer multiples are exact
 LOG2_LOW = 1.90821492927058770002e-10
-MOST_HALVINGS = 62.5  # of a Gaussian before it is cut off
+MAX_HALVINGS = 62.5  # of a Gaussian before it is cut off
 EXPONENT_BIAS, EXPONENT_PLACE = 127, 23  # of a float32
 LANES = 8  # points per CPU thread
 REACH_SLACK = 1.001  # factor of a squared radius in float32, so that a tree omits nothing
@@ -48,7 +48,7 @@ pull_moments = vector(22, float64)
 def falloff(x: float64) -> float64:
     """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free; 0 beyond FARTHEST."""
     turns = x * float64(INVERSE_LOG2) + 0.5
-    n = int(turns if turns < float64(MOST_HALVINGS) else float64(MOST_HALVINGS))
+    n = int(turns if turns < float64(MAX_HALVINGS) else float64(MAX_HALVINGS))
     k = float64(n)
     r = (k * float64(LOG2_HIGH) - x) + k * float64(LOG2_LOW)
     s = float64(1.0 / 39916800.0)

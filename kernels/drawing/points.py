@@ -26,7 +26,7 @@ from ..lang import (
 from ..memory import download, full, zeros
 from .z_buffer import DepthBuffer, View, is_before, project, to_camera
 
-MOST_RADIUS = 512.0  # [cells] limits the time of a disc right in front of the camera
+MAX_RADIUS = 512.0  # [cells] limits the time of a disc right in front of the camera
 FEW_POINTS = 0.03125  # points per cell up to which each draws its own disc
 SAMPLE = 1 << 18  # points sampled to find the size that closes gaps
 SQUARE = 32  # [cells] side of the counting squares
@@ -42,7 +42,7 @@ class Splat:
     reach: float
     most: float
 
-    def __init__(self, radius: float, reach: float = 0.0, most: float = MOST_RADIUS) -> None:
+    def __init__(self, radius: float, reach: float = 0.0, most: float = MAX_RADIUS) -> None:
         self.radius, self.reach, self.most = radius, reach, most
 
 

@@ -35,7 +35,7 @@ from .z_buffer import FAR_OUT, NEAR, DepthBuffer, View, is_before, offer_behind,
 SMALL = 256  # cells of a box drawn by one thread
 SIDE = 32  # [cells] side of a tile, threads of a group
 THREADS = 1 << 17
-MOST_SHAPES = 1 << 20  # maximum list length
+MAX_SHAPES = 1 << 20  # maximum list length
 TILE_BITS = 43  # of a total: tile count, below the shape count
 ONE_SHAPE = 1 << TILE_BITS
 TILES = ONE_SHAPE - 1
@@ -50,7 +50,7 @@ class LargeShapes:
     total: array(dtype=int64)
 
     def __init__(self, most: int, device: Device) -> None:
-        """An empty list for up to `most` shapes (at most MOST_SHAPES); with 0 threads draw everything themselves."""
+        """An empty list for up to `most` shapes (at most MAX_SHAPES); with 0 threads draw everything themselves."""
         self.shapes, self.firsts = empty(most, int32, device), empty(most, int64, device)
         self.total = zeros(min(most, 1), int64, device)
 
@@ -336,8 +336,8 @@ def draw_in_tiles(
 ) -> None:
     """`draw_triangles`, large ones by `threads` threads together."""
     count = triangles.size // 3
-    for first in range(0, count, MOST_SHAPES):
-        some = triangles[3 * first : 3 * min(first + MOST_SHAPES, count)]
+    for first in range(0, count, MAX_SHAPES):
+        some = triangles[3 * first : 3 * min(first + MAX_SHAPES, count)]
         large = LargeShapes(some.size // 3, vertices.device)
         drawn = [vertices, some, view, int(cull), start + first, large]
         launch(draw_triangles_kernel, some.size // 3, [*drawn, buffer])

@@ -37,7 +37,7 @@ from ..memory import download, empty, full, upload, zeros
 
 LAST_INDEX = 0x7FFFFFFF  # keys store it minus the index, so that the first of equal points wins
 MARGIN = 1e-9  # of the distance: Qhull's planes of unit coordinates are accurate to some 1e-15 over their facet
-LEAST_OFFSET = 1e-5  # of the farthest corner: facets nearer to the center are too steep to divide by
+MIN_OFFSET = 1e-5  # of the farthest corner: facets nearer to the center are too steep to divide by
 UNCOVERED = -1.0  # at nodes without a facet
 
 
@@ -224,7 +224,7 @@ def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, plane
     device = points.device
     normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], centre))
     arms = corners - centre
-    ahead = offsets > LEAST_OFFSET * np.abs(arms).max(initial=0)
+    ahead = offsets > MIN_OFFSET * np.abs(arms).max(initial=0)
     nodes = full(6 * (width + 1) ** 2, UNCOVERED, float64, device)
     facets = upload(arms[ahead].reshape(-1, 3), vec3d, device)
     slopes = upload(normals[ahead] / offsets[ahead, None], vec3d, device)

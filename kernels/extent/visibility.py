@@ -40,7 +40,7 @@ from .hull_filter import LAST_INDEX, grid_place, locate_direction
 ring_numbers = vector(9, float64)
 NOWHERE = 255  # face of a point that is not finite or at the camera
 MARGIN = 1e-11  # of the distance: covers the rounding of g (1e-16) and of the weights (1e-10 of the change of g)
-LEAST_AREA = 1e-6  # of a cell: weights of flatter triangles are mostly rounding
+MIN_AREA = 1e-6  # of a cell: weights of flatter triangles are mostly rounding
 BLOCKS = 32  # blocks of cells per face edge
 POINTS_A_CELL = 3  # of the finer level, for uniformly distributed points
 LARGEST_BLOCK = 64  # cells per block edge: 2048 per face
@@ -271,7 +271,7 @@ def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scala
         launch(find_nearest_kernel, rows.size, [rows, views, faces, ranges, width, blocks, keys])
         launch(gather_nearest_kernel, cell_count, [keys, views, nearest])
         mask = empty(rows.size, uint8, device)
-        least_area = LEAST_AREA * (2 / (BLOCKS * width)) ** 2
+        least_area = MIN_AREA * (2 / (BLOCKS * width)) ** 2
         launch(mask_seen_kernel, rows.size, [rows, views, faces, width, least_area, blocks, nearest, mask])
         rows = gather_rows(rows, positions_of(mask))  # sync
         width = -(-width // 2)

@@ -29,7 +29,7 @@ from .matches import Matches
 from .rows import COUNT_AT, RESIDUAL_AT, SPREAD_AT, mean_source, row_sums, row_system
 from .step import PAIRS, Progress, StepRules, end_job, judge_job, length_of, note_step
 
-LEAST_NOISE = 1.0e-6  # of the source's spread: minimum residual, so that a prior counts beside exact pairs
+MIN_NOISE = 1.0e-6  # of the source's spread: minimum residual, so that a prior counts beside exact pairs
 
 
 @func
@@ -179,7 +179,7 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
     total = sums[RESIDUAL_AT]
     if method == PAIRS:
         total = sums[16] + sums[17] - 2.0 * (sums[7] + sums[11] + sums[15])
-    least = float64(LEAST_NOISE) * size
+    least = float64(MIN_NOISE) * size
     return max(total / (float64(rows) * sums[COUNT_AT]), least * least)
 
 

@@ -35,7 +35,7 @@ BINS = 2048  # per round: 11 bits, three rounds for 31
 BIN_BITS = 11
 SQUARE_SHIFT = 20  # for fractional RMSDs in one round: the eleven highest bits below the sign
 ROUNDING = 2.0**-20  # of a source's spread: smaller distances are float32 rounding, and equal
-LEAST_SHARE = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
+MIN_SHARE = 0.1  # minimum fraction of pairs kept: a few coincidental matches are not the overlap
 
 
 @kernel
@@ -138,7 +138,7 @@ def pick_least_rmsd_kernel(
                 middle = bits_float((b << SQUARE_SHIFT) + (1 << (SQUARE_SHIFT - 1)))
                 sqdists += float64(count) * (float64(middle) + rounding * rounding)
                 score = sqdists / (kept * kept * kept * sqrt(kept))
-                if kept >= float64(LEAST_SHARE) * total and (chosen < 0 or score < least):
+                if kept >= float64(MIN_SHARE) * total and (chosen < 0 or score < least):
                     chosen = b
                     least = score
         thresholds[i] = -1

@@ -12,7 +12,7 @@ CAUCHY = 3
 GEMAN_MCCLURE = 4
 TUKEY = 5
 GENERAL = 6
-LEAST_RESIDUAL = 1.0e-9  # [m] lower limit of |r|: exact matches get a large finite weight
+MIN_RESIDUAL = 1.0e-9  # [m] lower limit of |r|: exact matches get a large finite weight
 TO_TWO = 2.0e-3  # closer shapes count as 2, as in Open3D
 TO_ZERO = 1.0e-8
 MINUS_INFINITY = -1.0e7  # smaller shapes use the limit at minus infinity
@@ -51,7 +51,7 @@ def robust_weight(loss: Loss, r: float64) -> float64:
     size = abs(r)
     weight = float64(1.0)
     if loss.kind == L1:
-        weight = 1.0 / max(size, float64(LEAST_RESIDUAL))
+        weight = 1.0 / max(size, float64(MIN_RESIDUAL))
     if loss.kind == HUBER:
         weight = loss.k / max(size, loss.k)
     if loss.kind == CAUCHY:

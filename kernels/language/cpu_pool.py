@@ -22,7 +22,7 @@ from . import cpu_code
 from .pool_code import CLOSED, FIELDS, LINE, STATE, WORKER, PoolCode, pool_code
 
 VARIABLE = "POINTLOOM_CPU_THREADS"
-MOST_THREADS = 1024  # each is started, and more threads than cores only wait
+MAX_THREADS = 1024  # each is started, and more threads than cores only wait
 CHUNKS_A_THREAD = 16  # so that one slow chunk, or a busy core, does not prolong a launch much
 SPINS = 1000  # polls for a chunk before a worker sleeps: 10 to 50 us, longer than the host needs between launches
 STACK = 8 << 20  # stack bytes of a worker; macOS gives 512 kB, and kernels with large vectors need a part of it
@@ -121,13 +121,13 @@ def default_thread_count() -> int:
     """Number of cores of this process, or POINTLOOM_CPU_THREADS. Raises ValueError if that is not an integer >= 1."""
     said = os.environ.get(VARIABLE, "")
     if said:
-        if not (said.isascii() and said.isdigit() and 1 <= int(said[:9]) <= MOST_THREADS):
-            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MOST_THREADS}, got {said[:40]!r}")
+        if not (said.isascii() and said.isdigit() and 1 <= int(said[:9]) <= MAX_THREADS):
+            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MAX_THREADS}, got {said[:40]!r}")
         return int(said)
     if sys.platform != "linux":
         return 1  # the waits of other systems are untested
     cores = len(os.sched_getaffinity(0))
-    return max(1, min(cores, _cores_of_group() or cores, MOST_THREADS))
+    return max(1, min(cores, _cores_of_group() or cores, MAX_THREADS))
 
 
 def _cores_of_group() -> int:
@@ -148,7 +148,7 @@ def thread_count() -> int:
 
 
 def set_thread_count(count: int | None) -> None:
-    """Set the number of threads, 1 to MOST_THREADS, or None for the default; take the lock."""
+    """Set the number of threads, 1 to MAX_THREADS, or None for the default; take the lock."""
     global _wanted
     _wanted = count
     _end()

@@ -24,7 +24,7 @@ from .compiled_ahead import digest_of_sources
 from .structs import Place
 
 FOLDER = "pointloom-kept"  # in Warp's cache
-MOST_FOLDERS = 8  # folders of other sources or processors, before the oldest is removed
+MAX_FOLDERS = 8  # folders of other sources or processors, before the oldest is removed
 PACKAGE = __name__.rpartition(".language.")[0]
 
 
@@ -119,5 +119,5 @@ def _folder() -> Path | None:
 
 def _forget_oldest(folder: Path) -> None:
     folders = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)
-    for path in folders[:-MOST_FOLDERS]:
+    for path in folders[:-MAX_FOLDERS]:
         shutil.rmtree(path, ignore_errors=True)

@@ -263,8 +263,8 @@ def close_loops(
     return pieces, corners, of_loop, len(rows)
 
 
-MOST_VERTICES = 1000  # of a loop: 1.7e8 triangles, a second or two on two cores
-MOST_CELLS = 2**24  # pairs of vertices at once: 740 MB
+MAX_VERTICES = 1000  # of a loop: 1.7e8 triangles, a second or two on two cores
+MAX_CELLS = 2**24  # pairs of vertices at once: 740 MB
 PASSES = 8  # over holes that use a chord of another
 
 
@@ -344,11 +344,11 @@ class FoundLoops:
 
 
 def plan_batches(chosen: np.ndarray, counts: np.ndarray) -> list[np.ndarray]:
-    """Batches of loops of similar size with at most MOST_CELLS chords, largest first."""
+    """Batches of loops of similar size with at most MAX_CELLS chords, largest first."""
     order, batches, cells = chosen[np.argsort(-counts[chosen], kind="stable")], [], 0
     for loop, count in zip(order.tolist(), counts[order].tolist(), strict=True):
         cells += count * count
-        if not batches or cells > MOST_CELLS or 2 * count < counts[batches[-1][0]]:
+        if not batches or cells > MAX_CELLS or 2 * count < counts[batches[-1][0]]:
             batches.append([])
             cells = count * count
         batches[-1].append(loop)
@@ -387,7 +387,7 @@ class Filling:
     def _fill(self, vertices: Points, hole_size: float) -> int:
         found = FoundLoops(vertices, self.triangles)
         within = found.radii <= hole_size
-        chosen = np.flatnonzero(within & (found.counts <= MOST_VERTICES))
+        chosen = np.flatnonzero(within & (found.counts <= MAX_VERTICES))
         self.left = int(within.sum())
         parts = [close_loops(vertices, self.triangles, found, batch) for batch in plan_batches(chosen, found.counts)]
         if not parts:

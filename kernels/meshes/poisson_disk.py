@@ -38,8 +38,8 @@ WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbors it fit
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
 IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
 ROOM = 6.5  # neighbors times kept samples over all, 1.8 times the value of random samples on a plane
-MOST_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
-MOST_PAIRS = 2**30  # entries of the lists: 8 GB
+MAX_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
+MAX_PAIRS = 2**30  # entries of the lists: 8 GB
 
 
 @struct
@@ -68,7 +68,7 @@ class Elimination:
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
         self.found, self.running = zeros(1, int32, device), full(1, 1, int32, device)
         near, room = Neighborhood(tree, widest, None), math.ceil(ROOM * count / kept)
-        if device.is_cuda or room * count > MOST_ROOM or not self._list_at_once(near, room):
+        if device.is_cuda or room * count > MAX_ROOM or not self._list_at_once(near, room):
             self._list_counted(near)
 
     def _list_at_once(self, near: Neighborhood, room: int) -> bool:
@@ -85,7 +85,7 @@ class Elimination:
         counts = empty(count, int32, device)
         near.visit(count_neighbors_kernel, near.places, [counts])
         total = sum_counts(counts)  # sync
-        if total > MOST_PAIRS:
+        if total > MAX_PAIRS:
             raise CrowdedError(total)
         check_room(device, 8 * total, f"{total:,} neighbours of {count:,} samples")
         starts = offsets_of(counts)

@@ -39,7 +39,7 @@ from .mesh_topology import corner_vertex, next_corner
 from .part_votes import follow_most
 
 SAME_ANGLE = 1.0e-5  # [rad]: float32 resolution of the angle between coincident walls
-MOST_TRIED = 64  # half-edges at one edge for which all pairs are tried
+MAX_TRIED = 64  # half-edges at one edge for which all pairs are tried
 MATCHED, TENTATIVE = 1, 2  # how a half-edge was matched, 0 if it was not
 
 
@@ -275,11 +275,11 @@ def match_sheets_kernel(
         for p in range(first, last):
             if is_free(open_edges, naturals, p, tier) == 1:
                 balance += 2 * int(open_edges.ends[p]) - 1
-        if balance == 0 or last - first > MOST_TRIED:
+        if balance == 0 or last - first > MAX_TRIED:
             match_brackets(placed, open_edges, naturals, first, last, tier)
-        if last - first <= MOST_TRIED:
+        if last - first <= MAX_TRIED:
             match_flattest(placed, open_edges, naturals, first, last, tier, 1)
-    if last - first <= MOST_TRIED:
+    if last - first <= MAX_TRIED:
         match_flattest(placed, open_edges, naturals, first, last, 1, 0)
         match_flattest(placed, open_edges, naturals, first, last, 1, 2)
 

@@ -16,7 +16,7 @@ from . import map_course
 from .map_course import (
     FOLD,
     GIVEN,
-    MOST_LEGS,
+    MAX_LEGS,
     ORDER,
     PLANE_RUN,
     RESULT,
@@ -37,8 +37,8 @@ from .voxel_map import VoxelMap
 
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
 CUDA_RUN = 1  # a GPU needs the threads; a second stage sums FOLD rows each
-LEAST_PAIRS = 6  # fewer do not fix a pose against noise
-LEAST_ROOM = 1024  # minimum room for scan points
+MIN_PAIRS = 6  # fewer do not fix a pose against noise
+MIN_ROOM = 1024  # minimum room for scan points
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +97,7 @@ class MapAligner:
         room = 0 if self._course is None else self._course.points.size
         is_kept = len(arrays) == len(self._arrays) and all(map(_is_same, arrays, self._arrays))
         if total > room or not is_kept:
-            self._make(max(LEAST_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
+            self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
             self._arrays = arrays
         self._counts = (points.size, few.size)
         launch(load_scan_kernel, total, [points, few, self._course])
@@ -120,7 +120,7 @@ class MapAligner:
         self._told = empty((-(-room // PLANE_RUN), TRIANGLE), float64, device)
 
     def run(self, legs: Sequence[Leg], held: np.ndarray | None = None) -> tuple[list[Reached], np.ndarray]:
-        """Run at most MOST_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
+        """Run at most MAX_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
         about the sensor and translation [m]). `held` is in units of the trace over translations. One sync.
         """
         course, corner = self._course, np.triu_indices(UNKNOWNS)
@@ -134,24 +134,24 @@ class MapAligner:
         found = download(course.results)  # sync
         told = np.zeros((UNKNOWNS, UNKNOWNS))
         if legs[-1].to_planes:
-            told[corner] = found[MOST_LEGS, :TRIANGLE]
+            told[corner] = found[MAX_LEGS, :TRIANGLE]
             told += np.triu(told, 1).T
         return [self._reached(leg, row) for leg, row in zip(legs, found, strict=False)], told
 
     def _orders(self, legs: Sequence[Leg], held: np.ndarray | None) -> np.ndarray:
-        if len(legs) > MOST_LEGS:
-            raise ValueError(f"legs: expected up to {MOST_LEGS}, got {len(legs)}")
-        orders = np.zeros((MOST_LEGS + 1, ORDER))
+        if len(legs) > MAX_LEGS:
+            raise ValueError(f"legs: expected up to {MAX_LEGS}, got {len(legs)}")
+        orders = np.zeros((MAX_LEGS + 1, ORDER))
         for row, leg in zip(orders, legs, strict=False):
             row[:16] = leg.pose.ravel()
             row[16:] = (
-                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.least, LEAST_PAIRS),
+                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.least, MIN_PAIRS),
                 leg.turns, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few], leg.is_held,
                 leg.start, leg.is_needed,
             )  # fmt: skip
         if held is not None:
-            orders[MOST_LEGS, :TRIANGLE] = held
-        orders[MOST_LEGS, map_course.LEGS] = len(legs)
+            orders[MAX_LEGS, :TRIANGLE] = held
+        orders[MAX_LEGS, map_course.LEGS] = len(legs)
         return orders
 
     def _reached(self, leg: Leg, row: np.ndarray) -> Reached:

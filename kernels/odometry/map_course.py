@@ -17,7 +17,7 @@ from .voxel_map_search import find_nearest_in_map, moments_in_map
 
 PLANE_RUN = 32  # points per thread for plane information
 FOLD = 64  # rows per second-stage sum on CUDA
-MOST_LEGS = 64
+MAX_LEGS = 64
 RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # states of a leg
 GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # starts of a leg
 # columns of an order: pose (16), then these
@@ -50,8 +50,8 @@ class Course:
     def __init__(self, room: int, voxel_map: VoxelMap, plane_reach: float, device: Device) -> None:
         self.points, self.planes = empty(room, vec3, device), empty(room, plane, device)
         self.known, self.states, self.running = (empty(n, int32, device) for n in (room, 2, 1))
-        self.orders = zeros((MOST_LEGS + 1, ORDER), float64, device)
-        self.results = zeros((MOST_LEGS + 1, RESULT), float64, device)
+        self.orders = zeros((MAX_LEGS + 1, ORDER), float64, device)
+        self.results = zeros((MAX_LEGS + 1, RESULT), float64, device)
         self.poses, self.voxel_map, self.plane_reach = empty(1, mat44d, device), voxel_map, plane_reach
 
 
@@ -192,7 +192,7 @@ def end_leg(leg: int, state: int, total: sums, course: Course):
     course.results[leg, STATE] = float64(state)
     course.results[leg, TAKEN] = float64(course.states[1])
     following = leg + 1
-    count = leg_number(MOST_LEGS, LEGS, course)
+    count = leg_number(MAX_LEGS, LEGS, course)
     if state == LOST and course.orders[leg, NEEDED] == 1.0:
         count = following
     if following == count:
@@ -223,7 +223,7 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
         for k in range(TRIANGLE):
             h[k] = total[k]
             if course.orders[leg, HELD] == 1.0:
-                h[k] = h[k] + course.orders[MOST_LEGS, k] * trace
+                h[k] = h[k] + course.orders[MAX_LEGS, k] * trace
         b = vec6d(0.0)
         for k in range(UNKNOWNS):
             b[k] = total[TRIANGLE + k]
@@ -274,4 +274,4 @@ def add_planes_kernel(rows: array(dtype=float64, ndim=2), course: Course):
     total = float64(0.0)
     for j in range(rows.shape[0]):
         total += rows[j, i]
-    course.results[MOST_LEGS, i] = total
+    course.results[MAX_LEGS, i] = total

@@ -13,7 +13,7 @@ CUDA_RUN = 4
 ROUNDS = 3
 SCALES = 9.0  # squared: costs reach one half at three standard deviations
 FIRST_SCALE = 0.1  # squared voxel edges: scale of the last ICP of LiDAR odometry
-LEAST_SCALE = 2.0e-4  # likewise: a synthetic noise-free scan has no spread
+MIN_SCALE = 2.0e-4  # likewise: a synthetic noise-free scan has no spread
 COLUMNS = 4
 
 
@@ -100,7 +100,7 @@ def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
     """
     device, (k, count), run = squares.device, squares.shape, run_length(squares)
     runs = -(-count // run)
-    first, least = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, LEAST_SCALE))
+    first, least = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, MIN_SCALE))
     scales, weights = full(1, first, float64, device), empty((runs, 2), float64, device)
     for _ in range(ROUNDS):
         launch(weigh_squares_kernel, runs, [squares, run, scales, weights])

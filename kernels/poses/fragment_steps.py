@@ -40,7 +40,7 @@ from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sum
 
 DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
 TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned); 1e-6 changes no point by 10 um
-MOST_TURNS = 1000
+MAX_TURNS = 1000
 pose_block = vector(21, float64)
 anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
 
@@ -313,7 +313,7 @@ class FragmentStep:
         """The step, vec3d (2 fragments + anchors), and the iteration count."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
-        state = Gradients(zeros(system.size, vec3d, device), 0.0, MOST_TURNS)
+        state = Gradients(zeros(system.size, vec3d, device), 0.0, MAX_TURNS)
         self._gather(self.rows.residuals, state.solution, state.image)
         ties = [self.lattice, system.tie, system.rotations, 2 * system.fragment_count, state.image]
         launch(pull_anchors_kernel, self.lattice.anchor_count, ties)

@@ -47,7 +47,7 @@ motions = vector(6, float64)
 NEAR_AT, AGREEING_AT, MATCHED_AT, ALIGNED_AT = 42, 43, 44, 45
 
 PLANES = 3  # sufficient to fix a pose
-MOST_DIRECTIONS = 6  # of plane normals, and orthogonal to two of them
+MAX_DIRECTIONS = 6  # of plane normals, and orthogonal to two of them
 # In match distances (1.5 voxels): half a voxel to the points that fit a plane, one voxel to those on it,
 # three voxels to those whose normals it bends.
 FITTED, ON_PLANE, BENT = 0.35, 0.75, 2.0
@@ -110,7 +110,7 @@ class Overlap:
         count, device = source.points.size, source.device
         self.points, self.normals = target.points, target.normals
         self.distance, self.cosine, self.tight = distance, cosine, tight
-        self.frame, self.frame_size = empty(MOST_DIRECTIONS, vec3, device), zeros(1, int32, device)
+        self.frame, self.frame_size = empty(MAX_DIRECTIONS, vec3, device), zeros(1, int32, device)
         self.middle, self.scale = empty(1, vec3d, device), empty(1, float64, device)
         self.moved, self.turned = empty(count, vec3, device), empty(count, vec3, device)
         arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.turned]
@@ -166,7 +166,7 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
 
 
 def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
-    """Write the directions of planes and their count, at most MOST_DIRECTIONS of PLANES."""
+    """Write the directions of planes and their count, at most MAX_DIRECTIONS of PLANES."""
     launch(find_directions_kernel, 1, [planes, directions, count])
 
 

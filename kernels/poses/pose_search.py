@@ -23,7 +23,7 @@ from .pose_hypotheses import REFUSED, Checks, Samples, score_poses
 if TYPE_CHECKING:
     from .pose_fitness import PoseFitness
 
-FIRST_ROUND, LEAST_ROUND, MOST_ROUND = 4096, 1024, 16384  # hypotheses per round
+FIRST_ROUND, MIN_ROUND, MAX_ROUND = 4096, 1024, 16384  # hypotheses per round
 SCORED = 4096  # correspondences that rank the hypotheses of a round; at 1 % inliers 40 of them support a correct one
 RANKED = 2048  # hypotheses of a round considered for refitting
 KEPT = 16  # distinct ones scored by the whole cloud
@@ -227,12 +227,12 @@ class PoseSearch:
         found = FoundPose()
         needed, size = float(most), FIRST_ROUND
         while found.drawn < min(most, needed):
-            size = min(size, most - found.drawn, max(math.ceil(needed) - found.drawn, LEAST_ROUND))
+            size = min(size, most - found.drawn, max(math.ceil(needed) - found.drawn, MIN_ROUND))
             self._round(found, size, distance, sample_size, checks, normals, with_scaling, seed)
             found.drawn += size
             if confidence < 1.0:
                 needed = samples_needed(found.inliers / self.pairs.count, sample_size, confidence, most)
-            size = min(2 * size, MOST_ROUND)
+            size = min(2 * size, MAX_ROUND)
         found.confident = found.pose is not None and confidence < 1.0 and needed <= found.drawn
         if found.pose is not None:
             pose = upload(found.pose[None], mat44d, self.device)

@@ -11,7 +11,7 @@ from ..memory import empty
 from .pair_fits import PairCoordinates, source_point, target_point
 
 TRIPLE = 3
-CPU_BATCH, CUDA_BATCH, MOST_BATCH = 8192, 2**17, 2**20  # smaller batches would save a GPU less than a sync takes
+CPU_BATCH, CUDA_BATCH, MAX_BATCH = 8192, 2**17, 2**20  # smaller batches would save a GPU less than a sync takes
 
 
 @func
@@ -65,5 +65,5 @@ def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float,
             launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
             found.append(rows)
             total += chosen.size
-        done, batch = done + size, min(2 * batch, MOST_BATCH)
+        done, batch = done + size, min(2 * batch, MAX_BATCH)
     return concatenate_rows(found) if found else empty(0, int32, device)

@@ -42,8 +42,8 @@ from .nearest_triangle import NOBODY, NearestTriangles
 from .point_triangle import measure_triangle
 from .triangle_tree import TriangleTree
 
-MOST_PIECES = 2**22  # per round: about 500 MB
-LEAST_ROOM = 1024  # pieces per round
+MAX_PIECES = 2**22  # per round: about 500 MB
+MIN_ROOM = 1024  # pieces per round
 ROUNDS = 24  # mantissa bits of float32
 # Lower bound, upper bound, largest bound of the round, pieces of
 # the next round, rounds so far, and whether another round is needed.
@@ -216,7 +216,7 @@ def end_round_kernel(given: Pieces, tolerance: float64):
     given.known[COUNT] = float64(4 * left)
     given.known[TURN] = turn
     wanted = 0
-    if most > given.known[LEAST] + tolerance and 4 * left <= int64(MOST_PIECES) and turn < float64(ROUNDS):
+    if most > given.known[LEAST] + tolerance and 4 * left <= int64(MAX_PIECES) and turn < float64(ROUNDS):
         wanted = 1
     given.known[WANTED] = float64(wanted)
     given.running[0] = wanted if 4 * left <= int64(given.room) else 0
@@ -304,14 +304,14 @@ class FarthestSearch:
         """True if the host values are final; else continue and read again (no sync)."""
         if not found[WANTED]:
             return True
-        before, room = self._pieces, max(LEAST_ROOM, min(4 * int(found[COUNT]), MOST_PIECES))
+        before, room = self._pieces, max(MIN_ROOM, min(4 * int(found[COUNT]), MAX_PIECES))
         self._pieces = Pieces(room, self.known)
         self._pieces.go_on(self._tree, self._tolerance, before)
         return False
 
     @staticmethod
     def told(found: np.ndarray) -> tuple[float, float]:
-        """(lower, upper) bound; farther apart than the tolerance only if MOST_PIECES was exceeded."""
+        """(lower, upper) bound; farther apart than the tolerance only if MAX_PIECES was exceeded."""
         return float(found[LEAST]), float(found[MOST])
 
 

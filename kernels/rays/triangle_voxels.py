@@ -37,7 +37,7 @@ from ..memory import check_room, empty
 SLACK = 1.0e-3
 # Fraction of half an edge added to the box against rounding. Sufficient for triangles of 10^6 voxels.
 TOUCH = 1.0 + 1.0 / 1073741824.0
-ROOM, LEAST_ROOM, MOST_ROOM = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
+ROOM, MIN_ROOM, MAX_ROOM = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
 COLUMN_BYTES = 8
 HIT_BYTES = 52  # key, sort buffers with positions, flags and runs
 MOST = 2**31 - 1
@@ -253,7 +253,7 @@ class Columns:
         self.arrays, self.is_settled = [totals], False
         if device.is_cuda and count:
             x, y, z = (int(number) for number in frame.counts)
-            self.arrays.append(self._count(min(MOST_ROOM, LEAST_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
+            self.arrays.append(self._count(min(MAX_ROOM, MIN_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
 
     def _count(self, room: int) -> LongIntegers:
         self._room, hits = room, empty(room, int32, self.device)

@@ -26,7 +26,7 @@ ABOVE_ONE = 1.000000000000001
 NO_ROW = 0x7FFFFFFF
 ROWS = 20  # residues of five points with their squares
 EXACT_BITS = 53  # integers below 2^53 are exact in float64
-MOST_ROW = 0x7FFFFFF0  # guards follow all rows of a cloud
+MAX_ROW = 0x7FFFFFF0  # guards follow all rows of a cloud
 ball = vector(6, float64)  # N and D of a sphere, and the bounds of their errors
 
 
@@ -161,7 +161,7 @@ def sphere_through(b: vec3d, c: vec3d, d: vec3d) -> ball:
 
 @func
 def row_of(code: int, given: Predicates) -> int:
-    row = MOST_ROW + code - given.count
+    row = MAX_ROW + code - given.count
     if code < given.count:
         row = given.rows[code]
     return row

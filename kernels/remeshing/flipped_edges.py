@@ -28,9 +28,9 @@ from ..lang import (
 from ..memory import clone, download, full, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .creased_mesh import NO_NUMBER, CreasedMesh, after_round, is_crease, is_edge, last_corner, mixed_key
-from .short_edges import LEAST_COSINE, is_next_to
+from .short_edges import MIN_COSINE, is_next_to
 
-MOST_GAIN = 1 << 20  # above all gains
+MAX_GAIN = 1 << 20  # above all gains
 
 
 @func
@@ -50,7 +50,7 @@ def normal_of(a: vec3, b: vec3, c: vec3) -> vec3d:
 
 @func
 def agrees(n: vec3d, m: vec3d) -> int:
-    return 1 if dot(n, m) > float64(LEAST_COSINE) * length(n) * length(m) else 0
+    return 1 if dot(n, m) > float64(MIN_COSINE) * length(n) * length(m) else 0
 
 
 @func
@@ -99,7 +99,7 @@ def price_flips_kernel(
     if gain > 0:
         g = mesh.edges.halves[mesh.edges.starts[e]]
         h = mesh.edges.halves[mesh.edges.starts[e] + 1]
-        key = mixed_key(MOST_GAIN - gain, e)
+        key = mixed_key(MAX_GAIN - gain, e)
         keys[e] = key
         atomic_min(lowest, corner_vertex(mesh.triangles, g), key)
         atomic_min(lowest, corner_vertex(mesh.triangles, next_corner(g)), key)

@@ -43,7 +43,7 @@ from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .graph_levels import Level, Preconditioner, row_product
 from .vertex_values import widen_rows
 
-MOST_TURNS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
+MAX_TURNS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
 
 
 class UnsolvedError(ArithmeticError): ...
@@ -72,7 +72,7 @@ class LaplacianSolver:
     residual is at most `limit` (in units of `unit`, vec2d [1], or 1); `most` is the maximum number of iterations."""
 
     def __init__(
-        self, level: Level, solution: Positions, limit: float, most: int = MOST_TURNS, unit: Array1[vec2d] | None = None
+        self, level: Level, solution: Positions, limit: float, most: int = MAX_TURNS, unit: Array1[vec2d] | None = None
     ) -> None:
         self.level, self.state = level, Gradients(solution, limit, most, unit)
         self.preconditioner = Preconditioner(level)

@@ -33,7 +33,7 @@ from ..meshes.mesh_edges import opposite_vertex
 from ..meshes.mesh_edits import gather_triangles
 from .creased_mesh import FREE, LINE, NO_NUMBER, CreasedMesh, after_round, is_edge, is_paired, mixed_key
 
-LEAST_COSINE = 0.5  # between the normals of a triangle before and after
+MIN_COSINE = 0.5  # between the normals of a triangle before and after
 
 
 @func
@@ -86,7 +86,7 @@ def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> 
             if t[2] == a:
                 r = x + vec3d(0.0, 0.0, 0.0)
             m = cross(q - p, r - p)
-            if not dot(n, m) > float64(LEAST_COSINE) * length(n) * length(m):
+            if not dot(n, m) > float64(MIN_COSINE) * length(n) * length(m):
                 wrong = 1
             longest = max(dot(q - p, q - p), max(dot(r - q, r - q), dot(p - r, p - r)))
             if longest > most:

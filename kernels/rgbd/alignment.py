@@ -70,7 +70,7 @@ if TYPE_CHECKING:
 
 
 certainty_sums = vector(22, float64)  # the upper triangle, then the pixels
-LEAST_SLOPE = 0.015  # of brightness [1 / px]: three 8-bit gray levels, rare as noise in means of 16 px
+MIN_SLOPE = 0.015  # of brightness [1 / px]: three 8-bit gray levels, rare as noise in means of 16 px
 EDGE_STEP = 0.03  # relative depth deviation from the plane at a depth edge
 ALIKE = 0.1  # fraction of brightness weighted by the estimated noise: its errors are correlated between pixels
 SHADE_NOISE = 0.04  # brightness deviation between frames of real cameras
@@ -162,7 +162,7 @@ def sum_certainty(
                 g = j * (surface_share / (noise * noise))
             if source.brightness[i] >= 0.0 and brightness_share > 0.0 and inside == 1:
                 look = seen_brightness(u, v, other, target)
-                if look[1] * look[1] + look[2] * look[2] > LEAST_SLOPE * LEAST_SLOPE:
+                if look[1] * look[1] + look[2] * look[2] > MIN_SLOPE * MIN_SLOPE:
                     k = brightness_row(p, look, other, target)
                     weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
                     if margin > 0:
@@ -172,11 +172,11 @@ def sum_certainty(
 
 
 DAMPING = 1.0e-6  # of the diagonal: fixes undetermined motions
-LEAST_PIXELS = 12.0  # fewer determine nothing
-LEAST_NOISE, MOST_NOISE = 0.25, 100.0  # factor of the depth variance
-LEAST_SHADE_NOISE, MOST_SHADE_NOISE = 0.004, 0.2  # brightness deviation, 0..1
-LEAST_GAIN, MOST_GAIN = 0.5, 2.0  # limits of exposure changes
-LEAST_VARIANCE = 1.0e-4  # of brightness: flatter images do not determine the gain
+MIN_PIXELS = 12.0  # fewer determine nothing
+MIN_NOISE, MAX_NOISE = 0.25, 100.0  # factor of the depth variance
+MIN_SHADE_NOISE, MAX_SHADE_NOISE = 0.004, 0.2  # brightness deviation, 0..1
+MIN_GAIN, MAX_GAIN = 0.5, 2.0  # limits of exposure changes
+MIN_VARIANCE = 1.0e-4  # of brightness: flatter images do not determine the gain
 
 
 @func
@@ -224,13 +224,13 @@ def set_warps(level: int, source: FrameLevels, pose: mat44d, warps: array(dtype=
 def learn_noise(total: row_sums, state: AlignmentState):
     """Update residual variances and exposure for the next step."""
     count = total[SURFACE_COUNT]
-    if count > float64(LEAST_PIXELS):
-        variance = bounded(total[SURFACE_ERROR] / count, float64(LEAST_NOISE), float64(MOST_NOISE))
+    if count > float64(MIN_PIXELS):
+        variance = bounded(total[SURFACE_ERROR] / count, float64(MIN_NOISE), float64(MAX_NOISE))
         state.scales[0] = float(1.0 / variance)
     count = total[BRIGHTNESS_COUNT]
-    if count > float64(LEAST_PIXELS):
-        least = float64(LEAST_SHADE_NOISE) * float64(LEAST_SHADE_NOISE)
-        most = float64(MOST_SHADE_NOISE) * float64(MOST_SHADE_NOISE)
+    if count > float64(MIN_PIXELS):
+        least = float64(MIN_SHADE_NOISE) * float64(MIN_SHADE_NOISE)
+        most = float64(MAX_SHADE_NOISE) * float64(MAX_SHADE_NOISE)
         state.scales[1] = float(1.0 / bounded(total[BRIGHTNESS_ERROR] / count, least, most))
         weight = total[SHADES]
         source = total[SHADES + 1] / weight
@@ -238,8 +238,8 @@ def learn_noise(total: row_sums, state: AlignmentState):
         source_variance = total[SHADES + 3] / weight - source * source
         target_variance = total[SHADES + 4] / weight - target * target
         gain = float64(1.0)
-        if min(source_variance, target_variance) > float64(LEAST_VARIANCE):
-            gain = bounded(sqrt(target_variance / source_variance), float64(LEAST_GAIN), float64(MOST_GAIN))
+        if min(source_variance, target_variance) > float64(MIN_VARIANCE):
+            gain = bounded(sqrt(target_variance / source_variance), float64(MIN_GAIN), float64(MAX_GAIN))
         state.scales[2] = float(gain)
         state.scales[3] = float(target - gain * source)
 
@@ -257,7 +257,7 @@ def step_alignment_kernel(
     taken = state.counts[1] + 1
     done = 0
     pose = state.pose[0]
-    if total[SURFACE_COUNT] + total[BRIGHTNESS_COUNT] < float64(LEAST_PIXELS):
+    if total[SURFACE_COUNT] + total[BRIGHTNESS_COUNT] < float64(MIN_PIXELS):
         done = 1
     else:
         x = damped_solution(total)
@@ -293,7 +293,7 @@ def begin_alignment_kernel(source: FrameLevels, level: int, state: AlignmentStat
     set_warps(level, source, state.pose[i], state.warps)
 
 
-MOST_KEPT = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
+MAX_KEPT = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
 KEPT = ("verdict", "certainty", "firm")
 EDGE = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
 
@@ -391,12 +391,12 @@ class Descent:
         self._loop.run()
 
 
-_descents: LruCache[Descent] = LruCache(MOST_KEPT)  # on GPUs, by frame sizes and rules
+_descents: LruCache[Descent] = LruCache(MAX_KEPT)  # on GPUs, by frame sizes and rules
 _turn = threading.Lock()
 
 
 def clear_descents() -> None:
-    """Release GPU memory kept for further alignments: levels of two frames, MOST_KEPT times."""
+    """Release GPU memory kept for further alignments: levels of two frames, MAX_KEPT times."""
     with _turn:
         _descents.clear()
 

@@ -15,7 +15,7 @@ PLANES, EXCESS = 26, 27  # pixels with a plane, and bounded sum of squares in no
 verdict_sums = vector(28, float64)
 verdict_row = vector(28, float32)
 INLIER_REACH = 4.0  # deviations of the noise
-MOST_EXCESS = 16.0  # per pixel, the squared reach: pixels of thin objects must not dominate
+MAX_EXCESS = 16.0  # per pixel, the squared reach: pixels of thin objects must not dominate
 AGREEMENT = 0.8  # cosine between normals of one surface
 
 
@@ -60,7 +60,7 @@ def sum_verdict(
                     r = dot(axis(plane), p) - plane[3]
                     out[SQUARES] = r * r
                     out[PLANES] = 1.0
-                    out[EXCESS] = min(r * r / (noise * noise), MOST_EXCESS)
+                    out[EXCESS] = min(r * r / (noise * noise), MAX_EXCESS)
                     if source.planes[i][3] < 0.0:
                         cosine = dot(turned_normal(source.planes[i], source.lenses[level], warps), axis(plane))
                         out[NORMALS] = 1.0

@@ -11,7 +11,7 @@ from ..memory import empty
 FERNS = 512  # 2,048 tests, one byte each
 PLACES, SIZES = 0, 1  # streams of random numbers
 SHALLOWEST, RANGE = 0.4, 4.0  # [m] depth thresholds: minimum and range
-LEAST_RATIO, RATIOS = 0.6, 0.9  # ratios of depths or brightnesses: minimum and range
+MIN_RATIO, RATIOS = 0.6, 0.9  # ratios of depths or brightnesses: minimum and range
 ANSWERED = 4  # shift of the validity bits
 
 
@@ -51,7 +51,7 @@ def encode_ferns_kernel(
     a = first + fern_pixel(u[0], i, 2, seed, width, height)
     b = first + fern_pixel(u[1], i, 3, seed, width, height)
     c = first + fern_pixel(u[2], i, 4, seed, width, height)
-    ratios = vec4(w[0], w[1], w[2], w[3]) * RATIOS + vec4(LEAST_RATIO, LEAST_RATIO, LEAST_RATIO, LEAST_RATIO)
+    ratios = vec4(w[0], w[1], w[2], w[3]) * RATIOS + vec4(MIN_RATIO, MIN_RATIO, MIN_RATIO, MIN_RATIO)
     code = answer(0, depth[a], SHALLOWEST + w[0] * RANGE, 1.0)
     code = code | answer(1, depth[a], depth[b], ratios[1])
     code = code | answer(2, brightness[a], brightness[b], ratios[2])

@@ -18,8 +18,8 @@ SAME_SURFACE = 0.04  # relative depth difference of four pixels of one surface: 
 WINDOW_SURFACE = 0.06  # the same per pixel of distance from a window's center
 NO_DEPTH = 1.0e30  # [m] result without valid pixels
 NO_COLOR = -1.0  # brightness of pixels without color
-LEAST_SINE = 0.08  # of the angle between surface and view: flatter ones have no reliable plane
-LEAST_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
+MIN_SINE = 0.08  # of the angle between surface and view: flatter ones have no reliable plane
+MIN_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
 
 
 @struct
@@ -225,7 +225,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
         w0 = 1.0 / z
         sums = window_sums(i, u, v, radius, level, levels)
         side = float(2 * radius + 1)
-        if sums[0] >= LEAST_SUPPORT * side * side:
+        if sums[0] >= MIN_SUPPORT * side * side:
             slopes = slopes_of(sums, w0)
             if slopes[3] > 0.0:
                 a = slopes[0]
@@ -238,7 +238,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
                 rx = (float(u) - lens[2]) / lens[0]
                 ry = (float(v) - lens[3]) / lens[1]
                 ray = sqrt(rx * rx + ry * ry + 1.0)
-                if c > LEAST_SINE * length * ray:  # n . ray = c here
+                if c > MIN_SINE * length * ray:  # n . ray = c here
                     plane = vec4(-nx / length, -ny / length, -nz / length, -1.0 / length)
                     surface = 1.0 / c
     planes[i] = plane

@@ -15,8 +15,8 @@ from .point_tree import BUCKET, LEAF
 CPU_RUN = 32  # groups per CPU thread; queries of the first have no previous group and traverse the tree
 SCRATCH = 2**25  # scratch numbers of one kind per CPU launch
 SM_THREADS = 768  # per CUDA launch: a multiprocessor's capacity at 80 registers per thread
-MOST_LEAVES = 512  # measured by a warp, besides two per neighbor
-MOST_KEYS = 2**28  # per CUDA launch, 2 GB
+MAX_LEAVES = 512  # measured by a warp, besides two per neighbor
+MAX_KEYS = 2**28  # per CUDA launch, 2 GB
 
 
 @struct
@@ -67,7 +67,7 @@ class GroupScratch:
 
     def _allocate_for_warps(self, device: Device, row: int) -> None:
         """One launch whose warps process groups in turn: as many as the device holds, or as fit into memory."""
-        warps = max(1, min(device.sm_count * SM_THREADS, MOST_KEYS // row) // WARP)
+        warps = max(1, min(device.sm_count * SM_THREADS, MAX_KEYS // row) // WARP)
         while True:
             self.run, self.most = max(1, -(-self.groups // warps)), max(1, self.groups)
             used = max(1, -(-self.groups // self.run))
@@ -105,4 +105,4 @@ def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
 
 def candidate_room(device: Device, k: int) -> int:
     """Maximum candidates of a group; a longer list on CUDA, because a lane that searches alone is slower."""
-    return MOST_LEAVES + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)
+    return MAX_LEAVES + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)

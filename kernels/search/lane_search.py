@@ -39,7 +39,7 @@ from .point_tree import BUCKET, FAN, LEAF, SIDES, PointTree, measure_box, square
 eight_points = vector(24, float32)
 SURFACE = 0.0025  # [1] a bucket's squared diagonal times k times this is the squared radius of k points on a plane
 SPARE = 1.5  # safety factor of the expected squared radius
-MOST_GROWTH = 8.0  # maximum growth of a squared radius per step
+MAX_GROWTH = 8.0  # maximum growth of a squared radius per step
 SHRUNK = 0.25  # shrink factor of a squared radius with too many leaves
 TINY = 1.0e-37  # [m^2] minimum of a growing squared radius
 TURNS = 12  # attempts before each lane traverses the tree
@@ -205,7 +205,7 @@ def keep_for_lanes(
             if fewest >= float(scratch.k) or covered >= reach or turn >= TURNS:
                 turn = TURNS + 1
             else:
-                grown = covered * min(SPARE * float(scratch.k) / max(fewest, 1.0), MOST_GROWTH)
+                grown = covered * min(SPARE * float(scratch.k) / max(fewest, 1.0), MAX_GROWTH)
                 if listed * LEAF >= tree.count:
                     grown = reach
                 covered = min(min(reach, 0.5 * (covered + beyond)), max(grown, TINY))

@@ -12,7 +12,7 @@ from .group_search import nearest_of_leaves
 from .point_tree import PointTree
 from .tree_search import reach_of
 
-MOST_ENTRIES = 2**30  # per part: below the array size limit of a launch
+MAX_ENTRIES = 2**30  # per part: below the array size limit of a launch
 
 
 @kernel(most_registers=80)
@@ -38,7 +38,7 @@ def list_neighbors_kernel(
 
 
 def list_neighbors(
-    tree: PointTree, k: int, radius: float = INFINITY, sort: bool = True, own: bool = False, most: int = MOST_ENTRIES
+    tree: PointTree, k: int, radius: float = INFINITY, sort: bool = True, own: bool = False, most: int = MAX_ENTRIES
 ) -> Iterator[tuple[int, Indices]]:
     """Yield (begin, lists): the k nearest, including itself, of the points from rank `begin` on, int32 (points * k).
     Short lists (by `radius` [m] or float32 overflow) are padded with the point itself if `own`, else with -1.

@@ -25,7 +25,7 @@ FIRST_LEVEL = 3  # larger cells contain no plane: an eighth of the box is alread
 SPREAD = 3.0  # MADs around the median for inliers
 NORMAL_MAD = 1.4826  # scales the MAD of a normal distribution to its standard deviation
 CLEAR = 1.0e-6  # below 1: maximum required similarity of normals
-SPREAD_MAD, MOST_SIMILAR = SPREAD * NORMAL_MAD, 1.0 - CLEAR
+SPREAD_MAD, MAX_SIMILAR = SPREAD * NORMAL_MAD, 1.0 - CLEAR
 PACKED = 11  # numbers per run that the host reads
 ROUNDING = 4.0e-7  # of the cloud's size [m]: positions are rounded by 6e-8 of it on three axes
 
@@ -192,7 +192,7 @@ def bound_runs_kernel(
     """Limits of each run: median and a number of MADs."""
     i = tid()
     runs = near.shape[0]
-    similar[i] = min(similarities[runs + i] - SPREAD_MAD * similar_spreads[runs + i], MOST_SIMILAR)
+    similar[i] = min(similarities[runs + i] - SPREAD_MAD * similar_spreads[runs + i], MAX_SIMILAR)
     near[i] = max(distances[runs + i] + SPREAD_MAD * distance_spreads[runs + i], slack)
 
 

@@ -157,7 +157,7 @@ class BestPlane:
 
 GROUP = 8  # planes per thread
 CPU_RUN, CUDA_RUN = 16, 2  # blocks per thread: few atomics on the CPU, many threads on CUDA
-FIRST_BATCH, BATCH_GROWTH, MOST_PLANES = 32, 3, 4096  # planes between two checks of the result
+FIRST_BATCH, BATCH_GROWTH, MAX_PLANES = 32, 3, 4096  # planes between two checks of the result
 ROUNDING = 4.0e-6  # of the largest coordinate: covers the rounding of two sums of four products in float32
 eight_counts = vector(GROUP, int32)
 
@@ -315,7 +315,7 @@ class PlaneSearch:
                     best_count, best_sum = top, float(sums[k]) if contested else None
             done += size
             needed = samples_needed(best_count / self.rows.size, sample_size, probability, most)
-            batch = min(BATCH_GROWTH * batch, MOST_PLANES)
+            batch = min(BATCH_GROWTH * batch, MAX_PLANES)
         return best
 
     def _find_on_device(
@@ -329,7 +329,7 @@ class PlaneSearch:
             best.offer(planes, self._score(planes, size, threshold))  # sync
             done += size
             needed = samples_needed(best.count / self.rows.size, sample_size, probability, most)
-            batch = min(BATCH_GROWTH * batch, MOST_PLANES)
+            batch = min(BATCH_GROWTH * batch, MAX_PLANES)
         self._inliers = best.inliers
         return best.plane if best.count else None
 

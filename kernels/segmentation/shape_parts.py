@@ -21,7 +21,7 @@ from .shape_models import measure
 from .shape_search import Found, ShapeSearch, turn_points_kernel
 
 TAIL = 0.01  # of a face's points at either end that may belong to adjacent surfaces
-MOST_STEPS = 2_000_000_000  # of a height, an integer for the atomics
+MAX_STEPS = 2_000_000_000  # of a height, an integer for the atomics
 
 
 @kernel
@@ -68,7 +68,7 @@ def stretch_reach_kernel(
     if k >= 0:
         for j in range(places.shape[0]):
             height = dot(sampled_point(points, i, places[j]), normals[j]) / step
-            height = max(float64(-2.0e9), min(float64(2.0e9), height))  # MOST_STEPS
+            height = max(float64(-2.0e9), min(float64(2.0e9), height))  # MAX_STEPS
             atomic_min(low, k, j, int(height))  # the minimum does not depend on the order
             atomic_max(high, k, j, int(height))  # the maximum does not depend on the order
 
@@ -78,7 +78,7 @@ def reach_across(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Minimum and maximum height [m] of each plane's points (row; label -1: none) above each plane; one sync."""
     count, device = len(places), points.device
-    low, high = full((count, count), MOST_STEPS, int32, device), full((count, count), -MOST_STEPS, int32, device)
+    low, high = full((count, count), MAX_STEPS, int32, device), full((count, count), -MAX_STEPS, int32, device)
     there = [upload(labels, int32, device), upload(places, vec3d, device), upload(normals, vec3d, device)]
     launch(stretch_reach_kernel, points.size, [points, *there, step, low, high])
     return download(low) * step, download(high) * step  # sync

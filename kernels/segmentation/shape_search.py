@@ -60,8 +60,8 @@ from .shape_models import (
 )
 from .shape_rows import every_of
 
-LEAST_SINE = 0.05  # between normals: below it, noise determines their intersection
-LEAST_WINDOW = 16  # points of the shortest run
+MIN_SINE = 0.05  # between normals: below it, noise determines their intersection
+MIN_WINDOW = 16  # points of the shortest run
 NARROW, WIDE = (
     0.9995,
     0.06,
@@ -86,7 +86,7 @@ def plane_through(p: vec3d, q: vec3d, o: vec3d) -> eight:
     n = cross(u, v)
     size = sqrt(dot(n, n))
     shape = no_shape()
-    if size > float64(LEAST_SINE) * sqrt(dot(u, u) * dot(v, v)) and size > 0.0:
+    if size > float64(MIN_SINE) * sqrt(dot(u, u) * dot(v, v)) and size > 0.0:
         shape = shape_of(p, n / size, 1.0, 1.0)
     return shape
 
@@ -97,7 +97,7 @@ def round_through(p: vec3d, m: vec3d, q: vec3d, n: vec3d, kind: int) -> eight:
     a = cross(m, n)
     size = sqrt(dot(a, a))
     shape = no_shape()
-    if size > float64(LEAST_SINE):
+    if size > float64(MIN_SINE):
         w = p - q
         b = dot(m, n)
         t = (b * dot(n, w) - dot(m, w)) / (size * size)
@@ -251,7 +251,7 @@ def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z:
 def row_near(rows: int, seed: int, number: int, stream: int, levels: int, anchor: int) -> int:
     """Random index in the run of the anchor with the sample's length."""
     level = random_below(random_bits(seed, number, 0), levels)
-    width = max(rows >> level, min(rows, LEAST_WINDOW))
+    width = max(rows >> level, min(rows, MIN_WINDOW))
     start = min((anchor // width) * width, rows - width)
     return start + random_below(random_bits(seed, number, stream), width)
 
@@ -447,11 +447,11 @@ def score_shapes(
 
 SAMPLE_POINTS = {PLANE: 3, SPHERE: 2, CYLINDER: 2, CONE: 3, TORUS: 4}
 PART = 2048  # points used to score all samples
-FIRST_BATCH, BATCH_GROWTH, MOST_BATCH = 256, 4, 8192
+FIRST_BATCH, BATCH_GROWTH, MAX_BATCH = 256, 4, 8192
 PROMISING = 16  # samples of a batch scored on all points
 REFINED = 6  # samples fitted to their points
 FITTED_PART = 4096  # maximum number of points for the first fit of the best samples
-MOST_FITS = 6  # of one sample, each to the inliers of the previous one
+MAX_FITS = 6  # of one sample, each to the inliers of the previous one
 SECTORS, BANDS = 36, 18  # cells around a shape and along it: the fraction with points is its coverage
 STREAM = 7919  # offset between the seeds of kinds
 
@@ -600,7 +600,7 @@ class ShapeSearch:
         self.share = step
         self.cloud = self._split(vec3(*middle), 1, 0, rows.size)
         self.part = self._split(vec3(*middle), step, step // 2, min(rows.size, max(1, rows.size // step)))
-        self.levels = max(1, int(math.log2(max(1, rows.size / LEAST_WINDOW))))
+        self.levels = max(1, int(math.log2(max(1, rows.size / MIN_WINDOW))))
         self.fitter = ShapeFitter(points, self.center, max(self.size, 1e-30))
 
     def draw(self, kind: int, count: int, seed: int, first: int, limits: ShapeLimits) -> Drawn:
@@ -646,7 +646,7 @@ class ShapeSearch:
             done += size
             share = counts[0] / self.rows.size if len(counts) else 0.0
             needed = samples_needed(share, kind, self.levels, probability, most)
-            batch = min(BATCH_GROWTH * batch, MOST_BATCH)
+            batch = min(BATCH_GROWTH * batch, MAX_BATCH)
         part = self._part_search()
         if part is not None and len(pool):
             refined = [one for one in part.refine_all([kind] * len(pool), pool, limits) if one is not None]
@@ -667,7 +667,7 @@ class ShapeSearch:
     ) -> list[tuple[ShapeFit, int] | None]:
         """Shapes refitted while their inliers increase, with counts; None without inliers; one sync."""
         chosen = Selection(
-            self.normals, limits.distance, limits.cosine, limits.smallest, limits.largest, MOST_FITS
+            self.normals, limits.distance, limits.cosine, limits.smallest, limits.largest, MAX_FITS
         )  # fmt: skip
         return self.fitter.refine_all(kinds, shapes, self.rows, chosen, gain)
 

@@ -22,8 +22,8 @@ from .shape_fit_rows import (
 )
 from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 
-FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
-MOST_STEPS = 60
+FIRST_DAMPING, MIN_DAMPING, MAX_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
+MAX_STEPS = 60
 PATIENCE = 12  # steps before a fit is given up: true shapes take 2 to 6
 SETTLED = 1.0e-12  # of the size of the points: a step as short has no effect
 LOST = 1.0e-14  # of its diagonal: a smaller pivot leaves its unknown undetermined
@@ -257,13 +257,13 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
             ended = 1
         take_over(fits.shapes, fits.offers, k)
         fits.sums[k] = trial
-        fits.dampings[k] = max(fits.dampings[k] * 0.1, float64(LEAST_DAMPING))
+        fits.dampings[k] = max(fits.dampings[k] * 0.1, float64(MIN_DAMPING))
     else:
-        if short or fits.dampings[k] > float64(MOST_DAMPING):
+        if short or fits.dampings[k] > float64(MAX_DAMPING):
             ended = 1
         fits.dampings[k] = fits.dampings[k] * 10.0
     fits.steps[k] = fits.steps[k] + 1
-    if fits.steps[k] >= MOST_STEPS:
+    if fits.steps[k] >= MAX_STEPS:
         ended = 1
     far = fits.sums[k][SQUARES] > rules.hopeless * fits.sums[k][COUNT]
     if rules.hopeless > 0.0 and fits.steps[k] >= PATIENCE and far:

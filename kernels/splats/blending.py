@@ -7,10 +7,10 @@ from ..drawing.shading import SAMPLES, color_byte
 from ..drawing.z_buffer import DepthBuffer, View, ray_through
 from ..lang import INFINITY, array, dot, float32, func, int64, kernel, launch, length, struct, tid, uint8, vec3, vec4
 from ..memory import empty, zeros
-from .projection import FAINTEST, MOST_OPACITY, TILE_PIXELS, ProjectedSplats
+from .projection import FAINTEST, MAX_OPACITY, TILE_PIXELS, ProjectedSplats
 from .tile_lists import TileLists, pixel_of_thread
 
-LEAST_LEFT = 1.0e-4  # transmittance at which blending stops
+MIN_LEFT = 1.0e-4  # transmittance at which blending stops
 
 
 @struct
@@ -39,7 +39,7 @@ def opacity_at(splat: int, column: float, row: float, projected: ProjectedSplats
     power = -0.5 * (conic[0] * x * x + conic[2] * y * y) - conic[1] * x * y
     opacity = 0.0
     if power > -projected.limits[splat]:
-        opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MOST_OPACITY)
+        opacity = min(projected.opacities[splat] * exp_in_float(min(power, 0.0)), MAX_OPACITY)
     return opacity if opacity >= FAINTEST else 0.0
 
 
@@ -87,7 +87,7 @@ def blend_splats_kernel(
         most = 1.0
         place = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and most > LEAST_LEFT:
+        while place < last and most > MIN_LEFT:
             splat = lists.members[place]
             opacity = opacity_at(splat, float(column), float(row), projected)
             if opacity > 0.0:
@@ -121,7 +121,7 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
         left = 1.0
         place = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and left > LEAST_LEFT:
+        while place < last and left > MIN_LEFT:
             splat = lists.members[place]
             opacity = opacity_at(splat, column, row, projected)
             if opacity > 0.0:

@@ -4,7 +4,7 @@ vec4 of w [1 / pose unit], gx, gy [1 / (unit px)] and cost; a lens is fx, fy, cx
 
 from ..lang import array, dot, func, kernel, normalize, tid, vec2, vec3, vec4
 
-LEAST_COSINE = 0.2  # between normal and ray: surfaces beyond 78 degrees cannot be compared
+MIN_COSINE = 0.2  # between normal and ray: surfaces beyond 78 degrees cannot be compared
 LEANING = 0.25  # of the ray, added to normals beyond
 
 
@@ -35,7 +35,7 @@ def faced_away(direction: vec3, x: int, y: int, lens: vec4) -> vec3:
     if c < 0.0:
         n = n * -1.0
         c = -c
-    if c < LEAST_COSINE:
+    if c < MIN_COSINE:
         n = normalize(n + ray * LEANING)
     return n
 

@@ -15,13 +15,13 @@ from .inverse_planes import inverse_depth_at
 BAD = 2.0  # cost if a source does not see a patch, or of negatively correlated ones
 COLOR_SCALE = 0.06  # brightness difference that halves a sample's weight
 SPACE_SCALE = 18.0  # squared pixels that halve the weight
-LEAST_VARIANCE = 1.0e-6  # minimum brightness variance for a correlation
+MIN_VARIANCE = 1.0e-6  # minimum brightness variance for a correlation
 NEAR = 1.0e-6  # minimum depth in a source, in the units of A p + b w
-FARTHEST_BACK = 3.0  # [px] maximum round-trip error
+MAX_BACK = 3.0  # [px] maximum round-trip error
 LANES = 8  # samples processed together
-MOST_BLOCKS = 4  # groups per patch
+MAX_BLOCKS = 4  # groups per patch
 
-samples = vector(LANES * MOST_BLOCKS, float32)
+samples = vector(LANES * MAX_BLOCKS, float32)
 eight = vector(LANES, float32)
 eight_places = vector(LANES, int32)
 
@@ -195,7 +195,7 @@ def correlation_cost(
     mean = sum_of(means)
     spread = sum_of(squares) - mean * mean
     cost = float(BAD)
-    if spread > LEAST_VARIANCE:
+    if spread > MIN_VARIANCE:
         cost = min(max(1.0 - sum_of(products) / sqrt(variance * spread), 0.0), BAD)
     return cost
 
@@ -219,7 +219,7 @@ def patch_cost(
     middle = A @ vec3(float(x), float(y), 1.0) + b * plane[0]
     cost = float(BAD)
     inside = 0
-    if middle[2] > NEAR and variance > LEAST_VARIANCE:
+    if middle[2] > NEAR and variance > MIN_VARIANCE:
         u = middle[0] / middle[2]
         v = middle[1] / middle[2]
         if u >= 0.0 and v >= 0.0 and u <= float(there[0]) - 1.0 and v <= float(there[1]) - 1.0:
@@ -234,9 +234,9 @@ def patch_cost(
 
 @func
 def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
-    """Round-trip error [px] through a source's surface, at most FARTHEST_BACK, and the inverse depth, 0 if unknown."""
+    """Round-trip error [px] through a source's surface, at most MAX_BACK, and the inverse depth, 0 if unknown."""
     p = sources.map_there[s] @ vec3(float(x), float(y), 1.0) + sources.map_shift[s] * w
-    distance = float(FARTHEST_BACK)
+    distance = float(MAX_BACK)
     back = 0.0
     if p[2] > NEAR:
         u = p[0] / p[2]
@@ -251,6 +251,6 @@ def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
             if q[2] > NEAR and found > 0.0:
                 dx = q[0] / q[2] - float(x)
                 dy = q[1] / q[2] - float(y)
-                distance = min(sqrt(dx * dx + dy * dy), FARTHEST_BACK)
+                distance = min(sqrt(dx * dx + dy * dy), MAX_BACK)
                 back = found / q[2]  # q is the pixel times the decrease of the inverse depth
     return vec2(distance, back)

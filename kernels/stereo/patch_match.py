@@ -15,10 +15,10 @@ from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_dire
 from .patch_costs import Reference, Sources, patch_cost, samples, way_back, window_of
 
 NEIGHBORS = 8
-MOST_SOURCES = 8
+MAX_SOURCES = 8
 BAD_COST = 1.2  # counts against a source
-MOST_BAD = 2  # of the nine costs
-LEAST_GOOD = 2
+MAX_BAD = 2  # of the nine costs
+MIN_GOOD = 2
 FALLOFF = 0.09  # squared cost that halves the weight of a good one
 UNSURE = 0.02  # weight of a source without evidence
 
@@ -45,9 +45,9 @@ def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs:
             if c > BAD_COST:
                 bad += 1
     worth = 0.0
-    if bad <= MOST_BAD:
+    if bad <= MAX_BAD:
         worth = UNSURE
-        if fine >= LEAST_GOOD:
+        if fine >= MIN_GOOD:
             worth = total / float(fine)
     return worth
 

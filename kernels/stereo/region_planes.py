@@ -129,15 +129,15 @@ def take_priors(
 
 
 TRIALS = 100
-MOST_TRIED = 600  # reliable pixels counted per trial
-ROUNDS = 2  # planes per region: more cannot each have LEAST_SHARE
+MAX_TRIED = 600  # reliable pixels counted per trial
+ROUNDS = 2  # planes per region: more cannot each have MIN_SHARE
 REFITS = 2
 PARTS = 32  # threads per region that sum moments
 SEEDS = 256  # pixels per region tested for the nearest plane
-LEAST_SUPPORT = 20  # minimum inliers of a plane
-LEAST_SHARE = 0.35  # of all reliable pixels: with less, scattered errors form planes
-LEAST_SPREAD = 3.0  # [px] inlier extent across the longest direction: a line does not determine a plane
-LEAST_TRIANGLE = 50.0  # [px^2] twice the area of three sampled pixels
+MIN_SUPPORT = 20  # minimum inliers of a plane
+MIN_SHARE = 0.35  # of all reliable pixels: with less, scattered errors form planes
+MIN_SPREAD = 3.0  # [px] inlier extent across the longest direction: a line does not determine a plane
+MIN_TRIANGLE = 50.0  # [px^2] twice the area of three sampled pixels
 TOLERANCE = 0.5  # [px in the sources] inlier distance
 
 vec9d = vector(9, float64)
@@ -180,7 +180,7 @@ def height_at(plane: vec3d, pixel: int, width: int) -> float64:
 @func
 def least_of(place: int, places: Places) -> float64:
     """Minimum pixels of a plane."""
-    return max(float64(LEAST_SUPPORT), float64(LEAST_SHARE) * float64(places.lasts[place] - places.firsts[place]))
+    return max(float64(MIN_SUPPORT), float64(MIN_SHARE) * float64(places.lasts[place] - places.firsts[place]))
 
 
 @kernel
@@ -222,7 +222,7 @@ def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype
         cu = float64(c % places.width - a % places.width)
         cv = float64(c // places.width - a // places.width)
         area = bu * cv - cu * bv
-        if abs(area) > float64(LEAST_TRIANGLE):
+        if abs(area) > float64(MIN_TRIANGLE):
             w = float64(planes[a][0])
             wb = float64(planes[b][0]) - w
             wc = float64(planes[c][0]) - w
@@ -230,7 +230,7 @@ def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype
             dv = (wc * bu - wb * cu) / area
             plane = vec3d(w - du * float64(a % places.width) - dv * float64(a // places.width), du, dv)
             score = 0
-            step = (count + MOST_TRIED - 1) // MOST_TRIED
+            step = (count + MAX_TRIED - 1) // MAX_TRIED
             looks = (count + step - 1) // step
             for j in range(looks):
                 pixel = pixel_of(places.pairs[state.listed[first + j * step]])
@@ -301,7 +301,7 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
         xz = total[6] / n - mx * mz
         yz = total[7] / n - my * mz
         narrow = (xx + yy - sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)) * 0.5  # their squared extent across
-        if narrow >= float64(LEAST_SPREAD * LEAST_SPREAD):
+        if narrow >= float64(MIN_SPREAD * MIN_SPREAD):
             whole = xx * yy - xy * xy
             du = (xz * yy - yz * xy) / whole
             dv = (yz * xx - xz * xy) / whole

@@ -9,7 +9,7 @@ from ..lang import array, atomic_add, func, int32, int64, kernel, launch, struct
 from ..memory import empty, fill, zeros
 
 AROUND = 3  # [px] from an untextured pixel
-LEAST_AREA = 64  # [px] minimum area of a region
+MIN_AREA = 64  # [px] minimum area of a region
 PIXEL_BITS = 32  # of a pair's key: pixel, below the region
 
 
@@ -78,7 +78,7 @@ def count_areas_kernel(labels: array(dtype=int32), areas: array(dtype=int32)):
 def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
     i = tid()
     mark = 0
-    if areas[i] >= LEAST_AREA:
+    if areas[i] >= MIN_AREA:
         mark = 1
     large[i] = uint8(mark)
 

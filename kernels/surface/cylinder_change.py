@@ -43,7 +43,7 @@ MIN_NEIGHBORS = 3.0  # fewer points define no plane
 SLACK = 1.0e-5  # of a cylinder: box distances are float32
 OUTWARDS = 1.0e-6  # of coordinates: exceeds float32 rounding
 WHOLE = 68719476736.0  # 2^36 steps per length along the axis, so that 2^26 points fit
-MOST_HALVINGS = 900  # of a length: shorter ones do not occur
+MAX_HALVINGS = 900  # of a length: shorter ones do not occur
 HALF_BITS = 18
 HALF = 262143  # the lower 18 of 36 bits
 TWO_SIDED = 1.96  # standard deviations of a 95 % interval
@@ -274,7 +274,7 @@ def compare_sums_kernel(
 
 def scale_of(length: float) -> float:
     """The power of two that scales a length to at most 1."""
-    return 2.0 ** min(-math.ceil(math.log2(length)), MOST_HALVINGS)
+    return 2.0 ** min(-math.ceil(math.log2(length)), MAX_HALVINGS)
 
 
 def find_flattest(

@@ -6,7 +6,7 @@ radius squared. `moments_within` sums integers and is independent of the order.
 
 from typing import Any
 
-from ..algebra.moments import MOST_WHOLE, add_difference, add_whole, in_metres, moments, steps_for, whole_moments
+from ..algebra.moments import MAX_WHOLE, add_difference, add_whole, in_metres, moments, steps_for, whole_moments
 from ..array_types import Array1
 from ..arrays.packed_keys import key_index
 from ..lang import array, func, int32, int64, kernel, tid, vec3
@@ -24,7 +24,7 @@ def moments_within(start: int, p: vec3, reach: float, widest: float, tree: Point
     total = whole_moments(0)
     for j, sqdist in points_in_reach(start, p, reach, tree):
         total = add_whole(total, p, tree.points[j], steps)
-    if total[0] > int64(MOST_WHOLE):  # too many for these steps; testing in the loop would take 50 % longer
+    if total[0] > int64(MAX_WHOLE):  # too many for these steps; testing in the loop would take 50 % longer
         steps = steps_for(widest, int(total[0]))
         total = whole_moments(0)
         for j, sqdist in points_in_reach(start, p, reach, tree):

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 INFINITE = 0x7F80_0000  # bits of an infinite float32
-MOST_RANK = 0x7FFF_FFFF
+MAX_RANK = 0x7FFF_FFFF
 MIXED = -1  # owner of a node with points of several components
 EMPTY = -2  # owner of an empty node
 
@@ -113,8 +113,8 @@ def clear_ways_kernel(bridges: Bridges, going: array(dtype=int32)):
         going[0] = 0
     root = bridges.forest.roots[i]
     bridges.reaches[root] = INFINITE
-    bridges.lows[root] = MOST_RANK
-    bridges.highs[root] = MOST_RANK
+    bridges.lows[root] = MAX_RANK
+    bridges.highs[root] = MAX_RANK
 
 
 @kernel

@@ -32,9 +32,9 @@ from ..memory import copy, download, empty, fill, full, zeros
 
 ENTRY_BITS = 33  # of a key, for the list entry; the weight 0..1 has the 30 bits above
 ENTRY_MASK = 0x1_FFFF_FFFF
-MOST_VERTICES = 2**30  # a word has a root and a sign in 31 bits
+MAX_VERTICES = 2**30  # a word has a root and a sign in 31 bits
 HOPS = 64  # links followed per pass: nearly all chains are shorter
-MOST_PASSES = 6  # HOPS^5 exceeds the maximum number of vertices
+MAX_PASSES = 6  # HOPS^5 exceeds the maximum number of vertices
 
 
 @struct
@@ -46,7 +46,7 @@ class Forest:
     hooks: array(dtype=int32)
 
     def __init__(self, count: int, device: Device) -> None:
-        if count > MOST_VERTICES:
+        if count > MAX_VERTICES:
             raise ValueError(f"{count} vertices are more than 2^30; split the cloud")
         self.count, self.device = count, device
         self.links, self.roots = empty(count, int32, device), empty(count, int32, device)
@@ -61,7 +61,7 @@ class Forest:
 
     def merge(self) -> None:
         """Join components along their hooks (two syncs, rarely more). Raises RuntimeError if a cycle closes."""
-        for _ in range(MOST_PASSES):
+        for _ in range(MAX_PASSES):
             counter = zeros(1, int32, self.device)
             launch(shorten_hooks_kernel, self.roots.size, [self, self._shorter, counter])
             self.hooks, self._shorter = self._shorter, self.hooks
@@ -77,7 +77,7 @@ class Forest:
 
     def merge_in_loop(self, status: Integers) -> None:
         """`merge` in a device loop, without sync; `status`: loop flag, links in cycles, links longer than a pass."""
-        for left in range(MOST_PASSES - 1, -1, -1):  # an even number, so that hooks end in place
+        for left in range(MAX_PASSES - 1, -1, -1):  # an even number, so that hooks end in place
             launch(shorten_hooks_kernel, self.count, [self, self._shorter, status[2:3] if left else status[1:2]])
             self.hooks, self._shorter = self._shorter, self.hooks
         launch(relink_vertices_kernel, self.count, [self])

@@ -10,7 +10,7 @@ from ..arrays.sort import SortKeys, put_key
 from ..lang import NAN, array, float32, float64, floor, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
 from ..memory import empty
 
-MOST_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
+MAX_NUMBER = 2.0**48  # of a cell: its size is then still 32 float64 steps
 HIGHEST, LOWEST, COUNT, MEAN = 0, 1, 2, 3
 
 
@@ -38,7 +38,7 @@ class FixedCells:
 
 def check_cell_numbers(first: np.ndarray, shape: np.ndarray) -> None:
     """Raise ValueError if more than 2^48 cells are between the origin and the window."""
-    if not (np.abs(np.concatenate([first, first + shape])) < MOST_NUMBER).all():
+    if not (np.abs(np.concatenate([first, first + shape])) < MAX_NUMBER).all():
         raise ValueError("corner: is more than 2^48 cells away from the points; take one that is nearer")
 
 

@@ -44,7 +44,7 @@ from .seam_levels import Seams, picture_color
 
 RINGS = 2  # of texels around a chart, extrapolated from its triangles
 OUTSIDE = 1.5  # maximum extrapolation beyond the corners, in barycentric units
-MOST_SAMPLES = 4  # per texel side
+MAX_SAMPLES = 4  # per texel side
 NOWHERE = 1 << 20  # texels from any seam
 
 
@@ -178,7 +178,7 @@ def paint_texels_kernel(
         t = seams.triangles[owner]
         shares = shares_at(texels.atlas, owner, x + 0.5, y + 0.5)
         if view >= 0:
-            n = min(int(ceil(1.0 / scale - 1.0e-6)), int(MOST_SAMPLES))
+            n = min(int(ceil(1.0 / scale - 1.0e-6)), int(MAX_SAMPLES))
             color = shift_at(shares, owner, seams, shifts)
             for k in range(n * n):
                 at_x = x + (float64(k % n) + 0.5) / float64(n)

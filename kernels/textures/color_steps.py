@@ -33,7 +33,7 @@ pose_sums = vector(29, float64)
 # 1 if the pair counts, residual, derivatives by the pose's 6 unknowns, image gradient, column, row
 pair_row = vector(12, float64)
 FIRST_DAMPING = 1.0e-6  # of the diagonal: negligible unless a step fails
-LEAST_DAMPING, MOST_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
+MIN_DAMPING, MAX_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
 SHRINK, GROW = 0.1, 10.0  # factors of the damping after good and bad steps
 SETTLED = 1.0e-6  # minimum relative decrease of the mean square
 
@@ -151,11 +151,11 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
             if best - error <= float64(SETTLED) * best:
                 running = 0
             state.error[1] = error
-            damping = max(damping * float64(SHRINK), float64(LEAST_DAMPING))
+            damping = max(damping * float64(SHRINK), float64(MIN_DAMPING))
         else:
             outcome = 0
             damping = damping * float64(GROW)
-            if damping > float64(MOST_DAMPING):
+            if damping > float64(MAX_DAMPING):
                 running = 0
     if state.turns[0] >= state.turns[1] or count == 0.0:
         running = 0

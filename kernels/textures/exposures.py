@@ -41,7 +41,7 @@ DARKEST, BRIGHTEST = 0.05, 0.97  # usable color range
 DRAWN = 1.0e-3  # regularization to gain 1 and no bend, relative to the mean overlap
 ALIKE = 0.1  # regularization of bends to their mean, likewise
 STRONGEST = 0.7  # maximum bend: a factor of two in the corners
-MOST_VIEWS = 32  # of a triangle, its first images: sufficient
+MAX_VIEWS = 32  # of a triangle, its first images: sufficient
 
 
 @struct
@@ -116,7 +116,7 @@ def sum_differences_kernel(
     """Add nine integer statistics per channel of each image pair: count, r^2 moments, log difference d, and d r^2."""
     i = tid()
     first = views.starts[i]
-    last = min(views.starts[i + 1], first + MOST_VIEWS)
+    last = min(views.starts[i + 1], first + MAX_VIEWS)
     for k in range(first, last):
         for j in range(k + 1, last):
             p = int64(reaches[k])

@@ -43,7 +43,7 @@ from .vertex_views import Sightings, list_sightings, see_in_frame
 
 FLATTEST = 0.258819  # cosine of the view angle: 75 degrees, as in the paper
 MARGIN = 1.0  # [px] ignored image border, for bilinear neighbors
-MOST_SAMPLES = 4096.0  # pixels sampled per triangle, relative to its box
+MAX_SAMPLES = 4096.0  # pixels sampled per triangle, relative to its box
 DOUBTED = 0.1  # quality factor beside depth edges
 PLAIN = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform triangle
 
@@ -183,7 +183,7 @@ def measure_views_kernel(
     top = int(ceil(min(a[1], min(b[1], c[1]))))
     bottom = int(floor(max(a[1], max(b[1], c[1]))))
     room = float64(max(right - left + 1, 1)) * float64(max(bottom - top + 1, 1))
-    stride = max(int(ceil(sqrt(room / float64(MOST_SAMPLES)))), 1)
+    stride = max(int(ceil(sqrt(room / float64(MAX_SAMPLES)))), 1)
     count = float64(0.0)
     slope = float64(0.0)
     color = vec3d(0.0, 0.0, 0.0)

@@ -36,11 +36,11 @@ from .chart_texels import ChartTexels
 from .seam_levels import Seams, is_seam, name_nodes_kernel
 
 A_TEXEL = 2.0  # samples per texel along the longer side
-MOST_PLACES = 1024  # per edge
+MAX_PLACES = 1024  # per edge
 SIDES = 8  # texels of a sample: four per side
 HOLD = 0.01  # weight of no change: leaves 1 % of a step
 SOLVED = 1.0e-8
-MOST_TURNS = 300
+MAX_TURNS = 300
 MOST = 0.95  # quantile reported by `drawn_steps`
 
 step_sums = vector(2, float64)  # sample count, sum of steps
@@ -97,7 +97,7 @@ def count_places_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
         a, b = side_places(i, i, atlas, seams)
         c, d = side_places(seams.twins[i], i, atlas, seams)
         longest = max(length(b - a), length(d - c))
-        count = int(min(max(ceil(float64(A_TEXEL) * longest), 2.0), float64(MOST_PLACES)))
+        count = int(min(max(ceil(float64(A_TEXEL) * longest), 2.0), float64(MAX_PLACES)))
     counts[i] = count
 
 
@@ -189,7 +189,7 @@ def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
     if not count:
         return
     steps, diagonal = empty(places.place_count, vec3d, device), empty(count, float64, device)
-    state = Gradients(zeros(count, vec3d, device), SOLVED, MOST_TURNS, zeros(1, vec2d, device))
+    state = Gradients(zeros(count, vec3d, device), SOLVED, MAX_TURNS, zeros(1, vec2d, device))
 
     def apply() -> None:
         launch(turn_steps_kernel, places.place_count, [places, state, steps])

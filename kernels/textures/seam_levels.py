@@ -40,7 +40,7 @@ STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge withi
 PULL = 1.0e-5  # weight of zero shift,
 PULL_LEVEL = 0.1  # and for exposure-corrected images: remaining differences come from poses and stay within ten edges
 SOLVED = 1.0e-12  # of the initial squared residual
-MOST_TURNS = 3000
+MAX_TURNS = 3000
 
 step_sums = vector(3, float64)  # sample count, sums of steps and of their squares
 
@@ -230,7 +230,7 @@ class SeamLevels:
     def solve(self, *, level: bool = False) -> None:
         """Solve for the shifts; `level` if images were exposure-corrected. One sync."""
         count, device = self.seams.count, self.vertices.device
-        state = Gradients(self.shifts, SOLVED, MOST_TURNS, zeros(1, vec2d, device))
+        state = Gradients(self.shifts, SOLVED, MAX_TURNS, zeros(1, vec2d, device))
         weights = empty(count, float64, device)
 
         def apply() -> None:

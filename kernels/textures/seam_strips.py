@@ -20,7 +20,7 @@ ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
 REACH = 4.0  # [texels] the same for ring texels
 STRIP = 20  # texels over which a change fades, as in the paper
 SOLVED = 1.0e-8
-MOST_TURNS = 400
+MAX_TURNS = 400
 
 
 @func
@@ -280,7 +280,7 @@ def blend_strips(
     if rows.size:
         numbers, weights = empty(count, int32, device), empty(rows.size, float64, device)
         launch(number_rows_kernel, rows.size, [rows, numbers])
-        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MOST_TURNS, zeros(1, vec2d, device))
+        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MAX_TURNS, zeros(1, vec2d, device))
 
         def apply() -> None:
             launch(map_strips_kernel, rows.size, [texels, rows, numbers, weights, state])

@@ -32,7 +32,7 @@ from ..lang import (
 from ..memory import cast, download, empty, upload, zeros
 from .posed_pictures import PosedPictures, Warps, find_vertex, is_inside, nearest_pixel, project_vertex
 
-MOST_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
+MAX_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B each
 
 
 @struct
@@ -238,14 +238,14 @@ def list_shown_kernel(
 
 
 def list_sightings(masks: Iterable[Mask]) -> Sightings:
-    """Sightings of masks uint8 (m), one per image, as an iterable to limit memory. CUDA: a sync per MOST_MARKS."""
+    """Sightings of masks uint8 (m), one per image, as an iterable to limit memory. CUDA: a sync per MAX_MARKS."""
     rows: list[Indices] = []
     held: list[Mask] = []
     count = 0
     for mask in masks:
         count = mask.size
         held.append(mask)
-        if not mask.device.is_cuda or (len(held) + 1) * count > MOST_MARKS:
+        if not mask.device.is_cuda or (len(held) + 1) * count > MAX_MARKS:
             rows += _rows_of(held)  # sync
             held = []
     return Sightings(rows + _rows_of(held), count)

@@ -16,7 +16,7 @@ UNIT = 1 << 16  # cost of an invisible triangle
 BEST = 0.995  # quality quantile from which on the cost is zero
 FAR = 1 << 30
 TURNS = 120  # message iterations: the range of a message in triangles
-MOST_CHANGES = 4096
+MAX_CHANGES = 4096
 
 
 @struct
@@ -165,7 +165,7 @@ def end_changes_kernel(changes: array(dtype=int32), running: array(dtype=int32))
     i = tid()
     changes[1] = changes[1] + 1
     running[i] = 0
-    if changes[0] > 0 and changes[1] < MOST_CHANGES:
+    if changes[0] > 0 and changes[1] < MAX_CHANGES:
         running[i] = 1
     changes[0] = 0
 

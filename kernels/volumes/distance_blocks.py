@@ -20,7 +20,7 @@ from .distance_cells import NOWHERE
 from .distance_sweeps import FAR, FARTHEST, LONGEST, sweep_blocks
 from .tsdf_blocks import BLOCK_VOXELS, SIDE, voxel_cell, voxel_in_block
 
-MOST_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
+MAX_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
 BYTES = 32 * BLOCK_VOXELS + 64  # of memory per block while signed distances are computed
 
 
@@ -199,9 +199,9 @@ def gather_voxels_kernel(values: array(dtype=int32), blocks: array(dtype=int32),
 
 
 def _check_blocks(count: int, device: Device) -> None:
-    if count > MOST_BLOCKS:
+    if count > MAX_BLOCKS:
         raise ValueError(
-            f"the distance field would need {count:,} blocks of {SIDE}^3 voxels, more than {MOST_BLOCKS:,}; "
+            f"the distance field would need {count:,} blocks of {SIDE}^3 voxels, more than {MAX_BLOCKS:,}; "
             "take larger voxels or a smaller max_distance"
         )
     check_room(device, count * BYTES, f"a distance field of {count:,} blocks of {SIDE}^3 voxels")

@@ -12,7 +12,7 @@ from ...kernels.textures.charts import Cells
 
 CELL = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padding
 SPOT = 4  # texels per side of the cell shared by all unseen triangles
-MOST_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
+MAX_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
 STEP = 64  # texels: automatic sizes are multiples of it
 FINER, TRIES = 0.5**7, 40  # precision of the scale; maximum number of scales tried
 
@@ -92,6 +92,6 @@ def _cells(blind: int, has_colors: bool, padding: int, size: int) -> tuple[Cells
         return Cells(0, 1, 0), size
     columns = max(size // CELL, 1)
     rows = -(-blind // columns) * CELL
-    if has_colors and rows <= MOST_CELLS * size:
+    if has_colors and rows <= MAX_CELLS * size:
         return Cells(size - rows, columns, CELL), size - rows - padding
     return Cells(size - SPOT, 1, 0), size - SPOT - padding

@@ -32,10 +32,10 @@ from .pictured_mesh import PicturedMesh
 from .results import NothingSeenError
 
 PADDING = 4  # texels around each chart: two of its image, two of their colors
-MOST_SIZE = 16384  # texels per side
+MAX_SIZE = 16384  # texels per side
 LARGEST = 8192  # default limit
 TEXEL_BYTES = 120
-MOST_SMOOTHNESS = 1000.0
+MAX_SMOOTHNESS = 1000.0
 PLAIN = (0.5, 0.5, 0.5)
 
 
@@ -104,8 +104,8 @@ def texture_from_pictures(
         raise ValueError("mesh: it has no triangles, which a texture needs")
     if size is not None:
         because = "the texture and what it is made from would not fit; take fewer texels"
-        size = check_count("size", size, minimum=16, maximum=MOST_SIZE, because=because)
-    price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MOST_SMOOTHNESS)
+        size = check_count("size", size, minimum=16, maximum=MAX_SIZE, because=because)
+    price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     background, say = check_color("plain", plain), check_progress(progress)
     images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)

@@ -17,7 +17,7 @@ from ...io.frames.frames import depth_unit
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
 from ..mesh.mesh import TriangleMesh
-from ..mesh.mesh_texture import MOST_TEXELS
+from ..mesh.mesh_texture import MAX_TEXELS
 from .optimizers import run_non_rigid_optimizer, run_rigid_optimizer
 from .options import NonRigidOptimizerOption, RigidOptimizerOption
 from .results import ColorMapResult
@@ -95,7 +95,7 @@ def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if size is not None:
         because = "the texture and what it is made from would not fit; take fewer texels"
-        check_count("size", size, maximum=MOST_TEXELS, because=because)
+        check_count("size", size, maximum=MAX_TEXELS, because=because)
         if not len(mesh):
             raise ValueError("mesh: it has no triangles, which a texture needs")
 

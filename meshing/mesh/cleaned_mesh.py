@@ -15,9 +15,9 @@ from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
 from .mesh_repair import MeshRepairReport
 
-MOST_GONE = 0.02  # fraction of triangles without a partner: above, parts of the surface may be missing
-MOST_LOST = 0.01  # fraction of the area, without copies
-MOST_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
+MAX_GONE = 0.02  # fraction of triangles without a partner: above, parts of the surface may be missing
+MAX_LOST = 0.01  # fraction of the area, without copies
+MAX_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
 
 # Changes by the repair, in words; the other fields of its report are final states.
 _DONE = {
@@ -72,7 +72,7 @@ class CleanedMesh(ChangedMesh):
         if not len(self.mesh):
             return ("no triangle is left",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
-        if merge is not None and self.repair.merged_vertices > MOST_MERGED * self.vertices_in:
+        if merge is not None and self.repair.merged_vertices > MAX_MERGED * self.vertices_in:
             share = format_share(self.repair.merged_vertices / self.vertices_in)
             reasons.append(f"{share} of the vertices were merged: use a merge_distance below {merge:g} {m}")
         reasons += self._losses()
@@ -87,9 +87,9 @@ class CleanedMesh(ChangedMesh):
         gone = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(1, self.triangles_in)
         lost = done.lost_area / self.area_in if self.area_in > 0 else 0.0
         look = "compare it with the input (compare_meshes)"
-        if gone > MOST_GONE:
+        if gone > MAX_GONE:
             losses.append(f"{format_share(gone)} of the triangles are gone: {look}")
-        if lost > MOST_LOST:
+        if lost > MAX_LOST:
             losses.append(f"{format_share(lost)} of the area is gone: {look}")
         if self.was_watertight and not done.is_watertight:
             losses.append(f"it was closed and is no more: {look}")

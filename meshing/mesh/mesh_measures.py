@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 
 SAME_NORMAL = 1e-3  # rounding of float32 normals
 SAMPLE_BYTES = 64  # per sampled point, with triangle, weights, normal and color
-MOST_SAMPLES = 2**24  # initial points of Poisson disk sampling: about 4 GB with neighbors
+MAX_SAMPLES = 2**24  # initial points of Poisson disk sampling: about 4 GB with neighbors
 LONGEST = 1e30  # [m] limit of coordinates
-MOST_KEYS = 2**62
-MOST_CELLS = 2**30  # along an axis
+MAX_KEYS = 2**62
+MAX_CELLS = 2**30  # along an axis
 
 
 class MeshCurvature(NamedTuple):
@@ -347,17 +347,17 @@ class MeshMeasures(MeshSelection):
         surface = self._surface("sample_points_poisson_disk")
         if pcl is None:
             name, advice = "number_of_points, init_factor", "take fewer"
-            if count * factor > MOST_SAMPLES:
+            if count * factor > MAX_SAMPLES:
                 raise ValueError(
-                    f"{name}: expected up to {MOST_SAMPLES:,} points to begin with, got {count * factor:,}; {advice}"
+                    f"{name}: expected up to {MAX_SAMPLES:,} points to begin with, got {count * factor:,}; {advice}"
                 )
             start = self._draw(surface, count * factor, use_triangle_normal, seed)
         else:
             check_cloud("pcl", pcl)
             name, advice = "pcl", "thin it first, as by pcl.random_down_sample"
             start = pcl.to(self.device)
-            if len(start) > MOST_SAMPLES:
-                raise ValueError(f"{name}: expected up to {MOST_SAMPLES:,} points, got {len(start):,}; {advice}")
+            if len(start) > MAX_SAMPLES:
+                raise ValueError(f"{name}: expected up to {MAX_SAMPLES:,} points, got {len(start):,}; {advice}")
         return _spread(start, count, surface.area, name, advice)
 
     def _surface(self, operation: str) -> SurfaceSamples:
@@ -582,13 +582,13 @@ class MeshMeasures(MeshSelection):
         low, high = self._bounds_of_voxels(box_of(extremes), size, min_bound, max_bound)
         with np.errstate(over="ignore"):
             reach = np.floor((high - low) / size + 0.5)
-        if not (reach < MOST_CELLS).all():
+        if not (reach < MAX_CELLS).all():
             raise ValueError(
                 "voxel_size, min_bound, max_bound: expected less than 2^30 voxels along an axis, got "
                 f"{reach.max():g}; take larger voxels"
             )
         counts = (int(reach[0]), int(reach[1]), int(reach[2]))
-        if math.prod(counts) >= MOST_KEYS:
+        if math.prod(counts) >= MAX_KEYS:
             raise ValueError(
                 f"voxel_size: a grid of {' x '.join(map(str, counts))} has more than 2^62 voxels; take larger voxels"
             )

@@ -40,7 +40,7 @@ from .sweep_arrays import (
 )
 
 LONGEST = 1e30  # [m] limit of lengths: float32 with margin for sums
-MOST_VERTICES = 2**22  # more than an image can resolve
+MAX_VERTICES = 2**22  # more than an image can resolve
 
 
 class MeshPrimitives(MeshMeasures):
@@ -626,7 +626,7 @@ def whole_counts(**counts: tuple[int, int]) -> Any:
 
 def check_vertex_count(names: str, vertex_count: int) -> None:
     """Raise ValueError if a shape has too many vertices; `names` are the arguments to report."""
-    if vertex_count > MOST_VERTICES:
+    if vertex_count > MAX_VERTICES:
         raise ValueError(f"{names}: {vertex_count:,} vertices are more than 2^22; take fewer steps")
 
 

@@ -58,9 +58,9 @@ OPPOSED = 0.1  # fraction of disagreeing neighbors; seams of a good cloud are be
 MIN_SAMPLES = 0.001  # vertices are then five levels coarser than their points
 NO_NORMALS = "call cloud = cloud.estimate_normals()"  # remedy in errors
 FIRST_RADIUS = 1.5  # times the spacing: bridges grid cells (circumradius 0.7) and some gaps
-LEAST_RADII, MOST_RADII = 3, 6  # default number of radii, each twice the previous one
+MIN_RADII, MAX_RADII = 3, 6  # default number of radii, each twice the previous one
 WIDE_SHARE = 0.98  # of the points: ignores outliers in the largest default radius
-MOST_NEIGHBORS = 2**33  # of all points together, about ten minutes on two cores
+MAX_NEIGHBORS = 2**33  # of all points together, about ten minutes on two cores
 LARGEST_SHARE = 1e4  # times the box: beyond it the ball is flat in float64
 TRIANGLE_CORNERS = 3  # points of a triangle
 SHORT_RADIUS = 0.1  # of the usual radius: below it a ball rarely touches two points
@@ -70,7 +70,7 @@ TETRAHEDRON_CORNERS = 4  # points of a tetrahedron
 SHORT_ALPHA = 0.02  # of the usual alpha, a fifth of the nearest neighbor distance: no tetrahedron is so small
 FLAT = 2e-7  # of the largest standard deviation: float32 rounding of a plane's thickness
 FLAT_REMEDY = "ball pivoting makes a surface of a flat cloud with normals"
-MOST_ALPHAS = 1000  # each tetrahedron is tested for each alpha
+MAX_ALPHAS = 1000  # each tetrahedron is tested for each alpha
 _FLOAT_MAX = float(np.finfo(np.float32).max)
 _FLOAT_TINY = float(np.finfo(np.float32).tiny)
 
@@ -486,9 +486,9 @@ def _default_radii(tree: Any) -> list[float]:
         return []
     distances = nearest_distances(tree, tree.source, others=True)  # NaN at points outside the tree
     spacing, wide = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
-    radii = [FIRST_RADIUS * spacing * 2**i for i in range(MOST_RADII)]
+    radii = [FIRST_RADIUS * spacing * 2**i for i in range(MAX_RADII)]
     needed = sum(radius < wide for radius in radii) + 1
-    return radii[: max(LEAST_RADII, needed)]
+    return radii[: max(MIN_RADII, needed)]
 
 
 def _check_size(radii: list[float], extent: float) -> None:
@@ -502,13 +502,13 @@ def _check_size(radii: list[float], extent: float) -> None:
 
 def _check_work(tree: Any, radius: float, places: Any) -> None:
     """Raise ValueError if a radius has too many neighbors to search."""
-    if tree.count * places.size <= MOST_NEIGHBORS:
+    if tree.count * places.size <= MAX_NEIGHBORS:
         return
     mean = count_around(tree, places, 2 * radius)  # sync
-    if mean * places.size > MOST_NEIGHBORS:
+    if mean * places.size > MAX_NEIGHBORS:
         raise ValueError(
             f"radii: at {radius:.6g} m some {mean:,.0f} points lie within twice the radius of each of {places.size:,}, "
-            f"{mean * places.size:.1e} in all, where {MOST_NEIGHBORS:.1e} take minutes; take a smaller radius, or "
+            f"{mean * places.size:.1e} in all, where {MAX_NEIGHBORS:.1e} take minutes; take a smaller radius, or "
             "cloud.voxel_down_sample() with a voxel of half the radius first"
         )
 
@@ -551,8 +551,8 @@ def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
         raise ValueError(f'alpha: expected a length [m], "auto" or a list of lengths, got {shown(alpha)}')
     is_list = isinstance(alpha, list | tuple) or getattr(alpha, "ndim", 0) == 1
     alphas = check_list("alpha", alpha, "lengths") if is_list else [alpha]
-    if not 1 <= len(alphas) <= MOST_ALPHAS:
-        raise ValueError(f"alpha: expected a list of 1 to {MOST_ALPHAS:,} lengths, got {len(alphas)}")
+    if not 1 <= len(alphas) <= MAX_ALPHAS:
+        raise ValueError(f"alpha: expected a list of 1 to {MAX_ALPHAS:,} lengths, got {len(alphas)}")
     return [check_positive("alpha", value, allow_infinite=True) for value in alphas], is_list
 
 

@@ -49,18 +49,18 @@ from .surface_values import with_attributes_of, with_vectors_of
 from .vertex_numbers import check_finite_vertices, check_vertices
 
 CONTRACTIONS = ("average", "quadric")
-MOST_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
+MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
 LONG, SHORT = 4 / 3, 4 / 5  # of the target length: limits of splits and collapses (Botsch and Kobbelt 2004)
 RELAXED = 2  # relaxation steps per iteration
 ROUNDS = 3  # of collapses and flips per iteration; each uses independent edges
-LEAST_CREASE = 3.0  # of the target length: shorter creases are roughness
-MOST_ITERATIONS = 1000
+MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
+MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
 FEW = 0.002  # of all edges: a round that changes fewer is the last
-MOST_CORNERS = 2**31 - 1  # 32-bit half-edge indices
-MOST_PASSES = 10_000
+MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
+MAX_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
-MOST_TURNS = 10_000
+MAX_TURNS = 10_000
 ENERGIES = ("spokes", "smoothed")
 
 
@@ -193,9 +193,7 @@ class MeshRemeshing(MeshMeasures):
             (True, 1.0, 6.0)
         """
         target = check_positive("edge_length", edge_length, maximum=LARGEST_NUMBER)
-        count = check_count(
-            "iterations", iterations, minimum=0, maximum=MOST_ITERATIONS, because="ten bring most of it"
-        )
+        count = check_count("iterations", iterations, minimum=0, maximum=MAX_ITERATIONS, because="ten bring most of it")
         angle = check_number("feature_angle", feature_angle)
         if not 0 <= angle <= 180:
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
@@ -205,7 +203,7 @@ class MeshRemeshing(MeshMeasures):
         vertices, triangles = source._arrays["vertices"], source._arrays["triangles"]
         low, high, _ = bound_points(vertices)  # sync
         span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
-        if target < 2.0**-20 * span or area > MOST_TRIANGLES * 0.25 * target**2:
+        if target < 2.0**-20 * span or area > MAX_TRIANGLES * 0.25 * target**2:
             raise ValueError(
                 f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 that reaches {span:g} m"
             )
@@ -280,10 +278,10 @@ class MeshRemeshing(MeshMeasures):
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
             return self._with_arrays()
-        if count > 16 or 3 * len(self) * 4**count > MOST_CORNERS:
+        if count > 16 or 3 * len(self) * 4**count > MAX_CORNERS:
             raise ValueError(
                 f"number_of_iterations: {count} rounds make {len(self)} * 4^{count} triangles, more than the "
-                f"{MOST_CORNERS // 3:,} that 32 bits can count; take fewer"
+                f"{MAX_CORNERS // 3:,} that 32 bits can count; take fewer"
             )
         arrays: dict[str, Any] = self._arrays | {kind: dict(held) for kind, held in self._attributes.items()}
         names = list(self._per_vertex())
@@ -417,7 +415,7 @@ class MeshRemeshing(MeshMeasures):
 
     def _filtered(self, passes: list[tuple[Any, float]], iterations: int, scope: Any) -> Self:
         reason = "by then hardly anything is left but the mean of all vertices; take fewer"
-        count = check_count("number_of_iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
+        count = check_count("number_of_iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
         names = [name for name in _names_of(scope) if name in self._arrays]
         if not names:
             raise ValueError(f"filter_scope: the mesh has no {_names_of(scope)[0]} to filter")
@@ -489,7 +487,7 @@ class MeshRemeshing(MeshMeasures):
                 f"constraint_vertex_indices: vertex {numbers[repeats > 1][0]} is given twice; give it once"
             )
         reason = "by then nothing moves any more; take fewer"
-        turns = check_count("max_iter", max_iter, minimum=0, maximum=MOST_TURNS, because=reason)
+        turns = check_count("max_iter", max_iter, minimum=0, maximum=MAX_TURNS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
         if turns == 0:
@@ -518,7 +516,7 @@ def _check_contraction(contraction: Any) -> str:
 
 def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float) -> CreasedMesh:
     vertices, triangles = surface.vertices, surface.triangles
-    creases, fixed = find_features(vertices, triangles, angle, LEAST_CREASE * target)
+    creases, fixed = find_features(vertices, triangles, angle, MIN_CREASE * target)
     mesh = CreasedMesh(vertices, triangles, creases, fixed)
     segments = crease_segments(mesh)  # sync
     lines = TriangleTree(vertices, segments, all_finite=True) if segments.size else surface

@@ -20,12 +20,12 @@ from ...kernels.textures.surface_texels import SurfaceTexels
 from .mesh_arrays import MeshArrays
 from .posed_images import Names, check_images
 
-MOST_SIZE = 2**14  # per side; file formats allow 2^28 texels
+MAX_SIZE = 2**14  # per side; file formats allow 2^28 texels
 TEXEL_BYTES = 40
 TRIES = 3
-MOST_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image
+MAX_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image
 _WIDER = 1.5  # xatlas exceeds the requested size by 20% or more, which shrinks the gutter
-MOST_TEXELS = 16384  # per side: 2.7e8 texels, about 30 GB temporarily
+MAX_TEXELS = 16384  # per side: 2.7e8 texels, about 30 GB temporarily
 NAMES = Names("images", "intrinsic_matrices", "extrinsic_matrices")
 GUTTER = 8  # texels of padding: three mipmap levels
 
@@ -57,7 +57,7 @@ class MeshTexture(MeshArrays):
             >>> mesh.triangle_uvs.shape, bool((mesh.triangle_uvs >= 0).all() and (mesh.triangle_uvs <= 1).all())
             ((36, 2), True)
         """
-        size = check_count("size", size, maximum=MOST_SIZE, because="pictures have up to 2^28 texels")
+        size = check_count("size", size, maximum=MAX_SIZE, because="pictures have up to 2^28 texels")
         gutter = check_positive("gutter", gutter, allow_zero=True, maximum=size / 4)
         low, high, finite = bound_points(self._arrays["vertices"])
         if not len(self):
@@ -94,7 +94,7 @@ class MeshTexture(MeshArrays):
             >>> baked.textures[0][:, 0].tolist()
             [[32, 0, 223], [96, 0, 159], [159, 0, 96], [223, 0, 32]]
         """
-        size = check_count("size", size, maximum=MOST_SIZE, because="pictures have up to 2^28 texels")
+        size = check_count("size", size, maximum=MAX_SIZE, because="pictures have up to 2^28 texels")
         gutter = check_count("gutter", gutter, minimum=0, maximum=size)
         for name, advice in (("vertex_colors", "there is nothing to draw"), ("triangle_uvs", "compute_uvatlas()")):
             if name not in self._arrays:
@@ -148,7 +148,7 @@ class MeshTexture(MeshArrays):
     def _with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
         """(mesh with its texture, fraction of texels seen in an image)."""
         because = "the texture and what it is made from would not fit; take fewer texels"
-        size = check_count("tex_size", tex_size, minimum=1, maximum=MOST_TEXELS, because=because)
+        size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)
         if not len(self):
             raise ValueError("mesh: it has no triangles, so there is no surface to paint")
         if "triangle_uvs" not in self._arrays:
@@ -190,7 +190,7 @@ def _lay_out(
             placed = uvs[corners.reshape(-1)] * (np.array([atlas.width, atlas.height]) / max(edge, 1))
             return np.clip(placed, 0, 1).astype(np.float32)
         reason = f"its {atlas.chart_count} charts and gutters of {gutter:g} take {edge} x {edge} texels"
-        if edge > MOST_EXCESS * size:
+        if edge > MAX_EXCESS * size:
             break
         padding = math.ceil(_WIDER * gutter * edge / size)
     raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {reason}")

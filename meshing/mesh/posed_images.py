@@ -19,7 +19,7 @@ from ...kernels.lang import uint8
 from ...kernels.linear_algebra import matmul
 from ...kernels.textures.posed_pictures import PosedPictures, smooth_brightness
 
-MOST_PIXELS = 2**31 - 1  # in total: 32-bit indices on the device
+MAX_PIXELS = 2**31 - 1  # in total: 32-bit indices on the device
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any
         colors.append(color)
         depths.append(depth)
     pixel_count = sum(color.shape[0] for color in colors)
-    if pixel_count > MOST_PIXELS:
+    if pixel_count > MAX_PIXELS:
         have = f"{pixel_count:,} pixels in all"
         raise ValueError(f"{names.images}: {have} are more than 2^31 - 1; give fewer or smaller ones")
     T = np.array([check_rigid(f"{names.poses}[{i}]", pose) for i, pose in enumerate(poses)])

@@ -15,7 +15,7 @@ from ...core.wording import format_share, plain
 from .changed_mesh import ChangedMesh, sizes_before
 from .mesh import TriangleMesh
 from .mesh_arrays import check_mesh
-from .mesh_remeshing import MOST_PASSES
+from .mesh_remeshing import MAX_PASSES
 
 METHODS = ("taubin", "laplacian", "simple", "sharpen")
 SHRUNK = 0.1  # of the area: a larger loss is reported
@@ -115,7 +115,7 @@ def smooth_mesh(
     check_mesh("mesh", mesh)
     factors = _factors_of(method, {"lambda_filter": lambda_filter, "mu": mu, "strength": strength})
     reason = "by then hardly anything is left but the mean of all vertices; take fewer"
-    count = check_count("iterations", iterations, minimum=0, maximum=MOST_PASSES, because=reason)
+    count = check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
     filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
     smooth = filters[method](count, *factors)
     colors = smooth.vertex_colors

@@ -17,7 +17,7 @@ from ...kernels.rays.facing_sides import face_distances
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.surface.cylinder_change import TWO_SIDED
 from ...kernels.surface.value_spreads import spread_values
-from ...pcd.change import LEAST_POINTS
+from ...pcd.change import MIN_POINTS
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..mesh.finite_corners import check_finite_corners
@@ -47,7 +47,7 @@ class CloudToMeshResult:
     @property
     def is_significant(self) -> NDArray[np.bool_]:
         """True where the distance exceeds the level of detection, not beside a border, with 4 points if averaged."""
-        enough = np.isnan(self.spreads).all() | (self.counts >= LEAST_POINTS)
+        enough = np.isnan(self.spreads).all() | (self.counts >= MIN_POINTS)
         with np.errstate(invalid="ignore"):
             return (np.abs(self.distances) > self.level_of_detection) & ~self.beside & enough
 

@@ -12,7 +12,7 @@ from ...core.checks import check_count, check_finite, check_number, check_shape,
 from ...core.coordinates import NEAR_ZERO
 from ...kernels.linear_algebra import inv, matmul, norm
 
-MOST_PIXELS = 2**28  # of an image, as for cameras of clouds
+MAX_PIXELS = 2**28  # of an image, as for cameras of clouds
 MATRICES = ("intrinsic_matrix", "extrinsic_matrix", "width_px", "height_px")
 VIEW = ("fov_deg", "center", "eye", "up", "width_px", "height_px")
 
@@ -20,8 +20,8 @@ VIEW = ("fov_deg", "center", "eye", "up", "width_px", "height_px")
 def pinhole_rays(*args: Any, **kwargs: Any) -> NDArray[Any]:
     given = _named(args, kwargs)
     width, height = check_count("width_px", given["width_px"]), check_count("height_px", given["height_px"])
-    if width * height > MOST_PIXELS:
-        raise ValueError(f"width_px, height_px: expected up to {MOST_PIXELS} pixels, got {width} x {height}")
+    if width * height > MAX_PIXELS:
+        raise ValueError(f"width_px, height_px: expected up to {MAX_PIXELS} pixels, got {width} x {height}")
     if "fov_deg" in given:
         K, T = _camera_of_view(given, width, height)
     else:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kernels.terrain.cells import check_cell_numbers
-from ...pcd.raster_cells import MOST_CELLS, cells_over, cells_within
+from ...pcd.raster_cells import MAX_CELLS, cells_over, cells_within
 
-MOST_ALONG = 2**24  # cells per side: rows are processed completely
+MAX_ALONG = 2**24  # cells per side: rows are processed completely
 BYTES = 9  # per cell: color, height, fill flag
 DIGITS = 2  # significant digits of a proposed length
 LONGEST = 1e12  # largest number printed with all digits
@@ -55,14 +55,14 @@ def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> 
 
 
 def _fits(counts: Array) -> bool:
-    return bool(counts[0] * counts[1] <= MOST_CELLS and counts.max() <= MOST_ALONG)
+    return bool(counts[0] * counts[1] <= MAX_CELLS and counts.max() <= MAX_ALONG)
 
 
 def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -> str:
     """Rounded cell size that gives few enough cells, as text."""
     larger = cell
     for _ in range(8):  # the first fits, except for a cell at the border
-        share = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MOST_CELLS), counts.max() / MOST_ALONG)
+        share = max(math.sqrt(float(counts[0])) * math.sqrt(float(counts[1]) / MAX_CELLS), counts.max() / MAX_ALONG)
         if not math.isfinite(larger * share):
             break
         larger = _rounded_up(larger * max(share, 1.001))

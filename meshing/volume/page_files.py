@@ -26,7 +26,7 @@ from .tsdf_files import find_fault_of_sizes
 
 LIST = "volume.npz"
 FORMAT, PAGE_FORMAT = b"pointloom paged TSDF volume 1", b"pointloom TSDF page 1"
-MOST_SIDE = 1024  # blocks along a cube
+MAX_SIDE = 1024  # blocks along a cube
 
 Keys = NDArray[np.int64]
 
@@ -178,7 +178,7 @@ def _fault_of_list(arrays: Arrays) -> str:
         return fault
     if not np.isfinite(arrays["origin"]).all() or int(arrays["frame_count"]) < 0:
         return "origin, frame_count: not finite, or negative"
-    if not 1 <= side <= MOST_SIDE or (counts < 1).any() or counts.sum() != len(keys):
+    if not 1 <= side <= MAX_SIDE or (counts < 1).any() or counts.sum() != len(keys):
         return "side, counts: out of range"
     if len(np.unique(arrays["numbers"])) != len(counts) or (arrays["numbers"] < 1).any():
         return "numbers: repeated, or below 1"

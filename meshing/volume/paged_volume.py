@@ -25,7 +25,7 @@ from ...kernels.memory import upload
 from ...kernels.volumes.tsdf_blocks import MAX_BLOCKS, SIDE, frame_box
 from ...pcd.cloud import PointCloud
 from ..mesh.mesh import TriangleMesh
-from .page_files import LIST, MOST_SIDE, PageFolder
+from .page_files import LIST, MAX_SIDE, PageFolder
 from .paged_blocks import PagedBlocks, blocks_of
 from .paged_surface import CubeReader, CubeSurface, joined
 from .tsdf import TSDFVolume
@@ -308,6 +308,6 @@ def _check_counts(max_blocks: Any, page_blocks: Any) -> tuple[int, int]:
     most, side = check_count("max_blocks", max_blocks), check_count("page_blocks", page_blocks)
     if most > MAX_BLOCKS:
         raise ValueError(f"max_blocks: {most:,} are more than 32 bits index, {MAX_BLOCKS:,}")
-    if side > MOST_SIDE:
-        raise ValueError(f"page_blocks: {side:,} are more than {MOST_SIDE:,}")
+    if side > MAX_SIDE:
+        raise ValueError(f"page_blocks: {side:,} are more than {MAX_SIDE:,}")
     return most, side

@@ -20,9 +20,9 @@ from .tsdf import TSDFVolume
 
 AROUND = 60  # default views of an object
 TRUNCATION = 3.0  # voxels
-MOST_VOXELS = 1 << 20  # along an axis
+MAX_VOXELS = 1 << 20  # along an axis
 PIXELS = 3.0  # image pixels per voxel
-LEAST_SIDE, MOST_SIDE = 64, 1200  # [px] of the rendered images
+MIN_SIDE, MAX_SIDE = 64, 1200  # [px] of the rendered images
 REACH = 2.5  # camera distance in radii
 BEYOND = 0.02  # fraction of splats outside the radius: floating fog
 
@@ -78,10 +78,10 @@ def fuse_splats(
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     edge = check_positive("voxel_size", voxel_size)
     extent = float(np.ptp(splats.centers, axis=0).max())
-    if extent > MOST_VOXELS * edge:
+    if extent > MAX_VOXELS * edge:
         raise ValueError(f"voxel_size: {voxel_size} m for splats {extent:g} m across; {extent / 1000:g} m gives detail")
     limit = TRUNCATION * edge if truncation is None else check_positive("truncation", truncation)
-    if limit > MOST_VOXELS * edge:
+    if limit > MAX_VOXELS * edge:
         raise ValueError(f"truncation: {truncation} m is too much for voxels of {voxel_size} m; 3 voxels are usual")
     if intrinsic is None or extrinsics is None:
         intrinsic, poses = views_around(splats.centers, edge)
@@ -114,7 +114,7 @@ def views_around(
     middle = np.median(centers, axis=0)
     radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))
     away = REACH * max(radius, 1e-9)
-    side = int(min(max(PIXELS * 2 * radius / voxel_size, LEAST_SIDE), MOST_SIDE))
+    side = int(min(max(PIXELS * 2 * radius / voxel_size, MIN_SIDE), MAX_SIDE))
     focal = 0.5 * side * math.sqrt(REACH**2 - 1)
     camera = PinholeCameraIntrinsic(side, side, focal, focal, 0.5 * (side - 1), 0.5 * (side - 1))
     poses = []

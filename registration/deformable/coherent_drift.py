@@ -34,12 +34,12 @@ from ..rigid import fit_moments, make_pose
 Array = NDArray[np.float64]
 Kind = Literal["rigid", "affine", "deformable"]
 KINDS = ("rigid", "affine", "deformable")
-FEWEST_POINTS = 4
+MIN_POINTS = 4
 NEAR = 0.7  # relative to the source's radius: below it, trees are faster than all pairs
 LEFT = 1e-9  # relative diagonal residual of the factorization
-MOST_ROWS = 1000  # maximum rank
+MAX_ROWS = 1000  # maximum rank
 FLOOR = 1e-10  # minimum variance relative to the squared radius
-LEAST_SHARE, MOST_SPREAD = 0.5, 2.5
+MIN_SHARE, MAX_SPREAD = 0.5, 2.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,8 +71,8 @@ class DriftResult(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
         return failed(
-            f"only {format_share(self.matched)} of the target is no outlier" if self.matched < LEAST_SHARE else None,
-            f"targets lie {apart:.1f} of their spacings from sources" if apart > MOST_SPREAD else None,
+            f"only {format_share(self.matched)} of the target is no outlier" if self.matched < MIN_SHARE else None,
+            f"targets lie {apart:.1f} of their spacings from sources" if apart > MAX_SPREAD else None,
             None if self.converged else f"not settled after {self.iterations} steps",
         )
 
@@ -163,9 +163,9 @@ def coherent_point_drift(
     reach, stiff = check_positive("width", width, maximum=1e3), check_positive("stiffness", stiffness, maximum=1e9)
     still = check_positive("tolerance", tolerance)
     for name, cloud in (("source", source), ("target", target)):
-        if cloud.search_tree().count < FEWEST_POINTS:
+        if cloud.search_tree().count < MIN_POINTS:
             count = cloud.search_tree().count
-            raise ValueError(f"{name}: expected at least {FEWEST_POINTS} finite points, got {count}")
+            raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {count}")
     job = _Drifting(source, target, begin, share)
     if kind == "deformable":
         job.begin_field(reach, stiff)
@@ -211,7 +211,7 @@ class _Drifting:
 
     def begin_field(self, width: float, stiffness: float) -> None:
         try:
-            self.field = CoherentField(self.places, width, LEFT, MOST_ROWS)
+            self.field = CoherentField(self.places, width, LEFT, MAX_ROWS)
         except ValueError as error:
             raise ValueError(
                 f"width: a field of Gaussians of {width:g} of the source's radius needs {error}; give a larger one"

@@ -63,11 +63,11 @@ from ..rigid import fit_pose, to_local
 Array = NDArray[np.float64]
 STIFFNESS = (100.0, 10.0, 1.0, 0.1)
 NODES_ACROSS = 16  # per bounding box diagonal
-MOST_ACROSS = 1000
-LEAST_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
+MAX_ACROSS = 1000
+MIN_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
 POINT_WEIGHT = 0.1  # relative weight of point-to-point terms, against sliding on flat areas
 NORMAL_NEIGHBORS = 20
-FEWEST_POINTS = 10
+MIN_POINTS = 10
 TRIM = 4.0  # times the median pair distance: outliers in the final stages
 DOUBTED_STRAIN = 0.12  # strain above which rotated starts are tried
 BETTER = 0.75  # strain ratio of a better start
@@ -141,10 +141,8 @@ def register_nonrigid(
     share = check_positive("tolerance", tolerance)
     weight = check_positive("landmark_weight", landmark_weight, maximum=1e6)
     for name, cloud in (("source", source), ("target", target)):
-        if cloud.search_tree().count < FEWEST_POINTS:
-            raise ValueError(
-                f"{name}: expected at least {FEWEST_POINTS} finite points, got {cloud.search_tree().count}"
-            )
+        if cloud.search_tree().count < MIN_POINTS:
+            raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {cloud.search_tree().count}")
     low, high = (np.asarray(bound) for bound in source._device_bounds())
     spacing = _check_spacing(node_spacing, float(norm(high - low)))
     limit = None if max_distance is None else check_positive("max_distance", max_distance, maximum=LARGEST_NUMBER)
@@ -185,9 +183,9 @@ def _check_spacing(value: float | None, diagonal: float) -> float:
     if value is None:
         return diagonal / NODES_ACROSS
     spacing = check_positive("node_spacing", value)
-    if not diagonal / MOST_ACROSS <= spacing <= MOST_ACROSS * diagonal:
+    if not diagonal / MAX_ACROSS <= spacing <= MAX_ACROSS * diagonal:
         raise ValueError(
-            f"node_spacing: expected {diagonal / MOST_ACROSS:g} to {MOST_ACROSS * diagonal:g} m, a thousandth to a "
+            f"node_spacing: expected {diagonal / MAX_ACROSS:g} to {MAX_ACROSS * diagonal:g} m, a thousandth to a "
             f"thousandfold of the diagonal of the source's box, got {spacing:g}"
         )
     return spacing
@@ -278,7 +276,7 @@ class _Bending:
             places = upload(there - self.target.origin, vec3d, device)
             launch(pin_rows_kernel, len(here), [self.count, places, weight, self.steps.rows])
         each = self.graph.count / max(source.search_tree().count, 1)
-        self.rule = PairRule(LEAST_COSINE, self.sided, each, POINT_WEIGHT * each)
+        self.rule = PairRule(MIN_COSINE, self.sided, each, POINT_WEIGHT * each)
 
     def _pair(self, reach: float) -> Any:
         moved = bend_points(self.graph, self.influence)
@@ -360,7 +358,7 @@ def _share_within(nearest: Any, distance: float, count: int) -> float:
 
 
 SAME = 1e-3  # of the node spacing: smaller differences are ignored
-LEAST_SHARE, MOST_FOLDED, MOST_STRAIN = 0.75, 0.01, 0.22
+MIN_SHARE, MAX_FOLDED, MAX_STRAIN = 0.75, 0.01, 0.22
 
 
 @dataclass(frozen=True, eq=False)
@@ -414,12 +412,12 @@ class NonRigidResult(Report, Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks, each with its remedy; empty if the result is reliable."""
-        share, fold = max(self.matched, self.covered), self.folded > MOST_FOLDED
+        share, fold = max(self.matched, self.covered), self.folded > MAX_FOLDED
         turned = self.better_start is not None
         return failed(
-            f"only {format_share(share)} of either cloud lies on the other" if share < LEAST_SHARE else None,
+            f"only {format_share(share)} of either cloud lies on the other" if share < MIN_SHARE else None,
             f"the bend folds over at {format_share(self.folded)} of the points" if fold else None,
-            f"the body would be stretched by {self.strain:.0%}" if self.strain > MOST_STRAIN else None,
+            f"the body would be stretched by {self.strain:.0%}" if self.strain > MAX_STRAIN else None,
             "from a start half a turn away (better_start) it fits with less strain" if turned else None,
         )
 

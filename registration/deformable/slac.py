@@ -37,10 +37,10 @@ from ..rigid import invert_pose, rotations_of, to_local
 from .control_grid import GRID_SIZE, ControlGrid
 
 Array = NDArray[np.float64]
-MOST_ITERATIONS = 1000
+MAX_ITERATIONS = 1000
 NEIGHBORS, DEVIATIONS = 20, 2.0  # outlier removal, as intended in Open3D
 NORMAL_NEIGHBORS = 30
-LEAST_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
+MIN_COSINE = 0.5  # 60 degrees: larger angles are different surfaces
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -73,7 +73,7 @@ class SLACOptimizerParams:
 
     def __post_init__(self):
         reason = "what has not settled by then does not"
-        steps = check_count("max_iterations", self.max_iterations, minimum=0, maximum=MOST_ITERATIONS, because=reason)
+        steps = check_count("max_iterations", self.max_iterations, minimum=0, maximum=MAX_ITERATIONS, because=reason)
         object.__setattr__(self, "max_iterations", steps)
         for name in ("voxel_size", "distance_threshold", "regularizer_weight", "grid_size"):
             value = check_positive(name, getattr(self, name), allow_zero=name == "voxel_size", maximum=LARGEST_NUMBER)
@@ -190,7 +190,7 @@ class _Alignment:
         ends = np.stack([graph.source[used], graph.target[used]], axis=1)
         parts, held = _parts(ends, len(self.poses))
         first = self.poses.copy()
-        pairs = Pairs(ends, self.fragments, params.distance_threshold, LEAST_COSINE, sided=self.sided)
+        pairs = Pairs(ends, self.fragments, params.distance_threshold, MIN_COSINE, sided=self.sided)
         tie = params.regularizer_weight * len(self.poses)
         system = StepSystem(self.fragments.lattice, held, ends, tie)
         errors, turns = [], []

@@ -32,8 +32,8 @@ RATED_WITHIN = 3.0  # half a voxel is given here, rating uses one and a half
 TRIALS = 100  # tested triples per correspondence
 EVERY = 2  # steps per scale division (the paper: four Gauss-Newton steps)
 STILL = 1e-3  # [rad, and of the half diagonal] convergence of the last step
-MOST_STEPS = 10_000
-MOST_TUPLES = 10_000_000
+MAX_STEPS = 10_000
+MAX_TUPLES = 10_000_000
 
 
 class FastGlobalRegistrationOption:
@@ -84,14 +84,14 @@ class FastGlobalRegistrationOption:
         self.iteration_number = check_count(
             "iteration_number",
             iteration_number,
-            maximum=MOST_STEPS,
+            maximum=MAX_STEPS,
             because="64 do for most clouds, and each costs the same",
         )
         self.tuple_scale = check_positive("tuple_scale", tuple_scale)
         if self.tuple_scale > 1:
             raise ValueError(f"tuple_scale: expected a number in 0..1, got {tuple_scale!r}")
         self.maximum_tuple_count = check_count(
-            "maximum_tuple_count", maximum_tuple_count, maximum=MOST_TUPLES, because="each makes three correspondences"
+            "maximum_tuple_count", maximum_tuple_count, maximum=MAX_TUPLES, because="each makes three correspondences"
         )
         self.tuple_test = bool(tuple_test)
 

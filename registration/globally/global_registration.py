@@ -28,7 +28,7 @@ from ..correspondence_input import check_clouds, check_pairs, match_clouds, pair
 from ..icp.evaluation import evaluate_registration
 from ..result import RegistrationResult
 from ..rigid import make_pose, to_world
-from .level_poses import MOST_TILT, check_level, level_poses
+from .level_poses import MAX_TILT, check_level, level_poses
 from .ransac import no_pose
 from .rating import (
     Evidence,
@@ -44,7 +44,7 @@ from .rating import (
 
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
-FEWEST_POINTS = 10  # minimum surface points
+MIN_POINTS = 10  # minimum surface points
 CONTENDERS = 8  # maximum number of refined poses
 RIVAL = 0.3  # minimum relative support of a rival
 ALIKE = 0.85  # relative share above which evidence is equal
@@ -145,8 +145,8 @@ def register_described(
 ) -> RegistrationResult:
     source, target, size = left.cloud, right.cloud, left.voxel_size
     for name, surface in (("source", left.surface), ("target", right.surface)):
-        if len(surface) < FEWEST_POINTS:
-            return _unknown(f"{name}: {len(surface)} voxels of {size:g} show a surface, {FEWEST_POINTS} needed", source)
+        if len(surface) < MIN_POINTS:
+            return _unknown(f"{name}: {len(surface)} voxels of {size:g} show a surface, {MIN_POINTS} needed", source)
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
     found = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
     if not len(found.poses):
@@ -156,7 +156,7 @@ def register_described(
         poses, kept = level_poses(poses, moved_samples(left.surface, np.eye(4)[None])[0].mean(axis=0))
         support = support[kept]
         if not len(poses):
-            tilt = np.degrees(MOST_TILT)
+            tilt = np.degrees(MAX_TILT)
             return _unknown(f"all {len(found.poses)} poses that were found tilt by {tilt:.0f} degrees or more", source)
     rivals = poses[support >= RIVAL * support[0]][:CONTENDERS]
     result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
@@ -232,7 +232,7 @@ def _unknown(reason: str, source: PointCloud) -> RegistrationResult:
     return result
 
 
-MOST_PAIRS = 2**14  # all pairs are compared: 33 MB of bits
+MAX_PAIRS = 2**14  # all pairs are compared: 33 MB of bits
 FEWEST = 3  # minimum correspondences for a pose
 CHANCE = 3.0  # correspondences that agree with any pose by chance
 SURE, STEEP = 2.2, 4.0  # support ratio with score 0.5, and its steepness
@@ -391,8 +391,8 @@ def find_poses(source: Any, target: Any, pairs: Any, bound: float, seed: int) ->
     """The poses with most agreeing correspondences (int32 [m, 2] on the device) within `bound` [m]."""
     middles, spreads = zip(*(_middle_of(*box) for box in bound_each([source, target])), strict=True)  # sync
     coordinates = PairCoordinates(source, target, pairs, *middles)
-    if coordinates.count > MOST_PAIRS:
-        coordinates = coordinates.select(draw_rows(coordinates.count, MOST_PAIRS, seed, source.device))
+    if coordinates.count > MAX_PAIRS:
+        coordinates = coordinates.select(draw_rows(coordinates.count, MAX_PAIRS, seed, source.device))
     poses, support = find_consensus(coordinates, bound, bound, np.vstack([spreads[0], -spreads[0]]))
     a, b = (middle.astype(np.float64) for middle in middles)
     for pose in poses:

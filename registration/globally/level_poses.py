@@ -13,7 +13,7 @@ from ..icp.constraint import MOTIONS, check_free
 from ..rigid import about_up, make_pose
 
 LEVEL = ("x", "y", "z", "yaw")
-MOST_TILT = np.radians(15.0)  # tilt of poses from features: normals of downsampled clouds are off by a few degrees
+MAX_TILT = np.radians(15.0)  # tilt of poses from features: normals of downsampled clouds are off by a few degrees
 
 
 def check_level(free: Any) -> tuple[str, ...] | None:
@@ -35,7 +35,7 @@ def level_poses(
 ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
     """The nearest level poses [k, 4, 4] that keep the image of `middle`, and their indices, without tilted ones."""
     R = poses[:, :3, :3]
-    kept = np.flatnonzero(np.arccos(np.clip(R[:, 2, 2], -1, 1)) <= MOST_TILT)
+    kept = np.flatnonzero(np.arccos(np.clip(R[:, 2, 2], -1, 1)) <= MAX_TILT)
     level = []
     for T in poses[kept]:
         yaw = math.atan2(T[1, 0] - T[0, 1], T[0, 0] + T[1, 1])  # maximizes the trace of R^T Rz

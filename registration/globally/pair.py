@@ -46,7 +46,7 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "colored": TransformationEstimationForColoredICP,
 }
 
-LEAST_SCORE, LEAST_FITNESS = 0.5, 0.1  # results at or below are unreliable
+MIN_SCORE, MIN_FITNESS = 0.5, 0.1  # results at or below are unreliable
 
 # Correspondence distance: neighbors on a downsampled surface are about one voxel apart. A given start may be less
 # exact, so coarser clouds come first.
@@ -54,7 +54,7 @@ DISTANCE = 2.0  # [voxels]
 COARSE_TO_FINE, AT_ONCE = (4.0, 2.0, 1.0), (1.0,)
 
 RATED_WITHIN = 1.5  # [voxels] as in the global registration
-FEWEST_VOXELS = 10  # minimum occupied voxels
+MIN_VOXELS = 10  # minimum occupied voxels
 
 
 class UnfitCloudError(ValueError):
@@ -110,13 +110,13 @@ class PairRegistration(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         if self.result.fitness == 0:
             return ("no point of the source has a correspondence",)
-        if self.result.fitness < LEAST_FITNESS:
-            share = f"{format_share(self.result.fitness)} of the source, less than {LEAST_FITNESS:.0%}"
+        if self.result.fitness < MIN_FITNESS:
+            share = f"{format_share(self.result.fitness)} of the source, less than {MIN_FITNESS:.0%}"
             return (f"only {share}, has a correspondence",)
-        if self.score > LEAST_SCORE:
+        if self.score > MIN_SCORE:
             return ()
         problem = self.search_problem or "the surfaces hardly overlap"
-        return (f"the score is {self.score:.2f}, not above {LEAST_SCORE}: {problem}",)
+        return (f"the score is {self.score:.2f}, not above {MIN_SCORE}: {problem}",)
 
     def to_dict(self) -> dict[str, Any]:
         result = self.result
@@ -279,10 +279,10 @@ def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]
     counts = {}
     for role, cloud in clouds.items():
         counts[role] = count = len(cloud.voxel_down_sample(size))
-        if count < FEWEST_VOXELS:
+        if count < MIN_VOXELS:
             plural = "" if count == 1 else "s"
             edge = f"{size:g} {symbol_of(cloud.unit)}"
-            reason = f"has points in {count} voxel{plural} of {edge}, and {FEWEST_VOXELS} are needed"
+            reason = f"has points in {count} voxel{plural} of {edge}, and {MIN_VOXELS} are needed"
             raise UnfitCloudError(role, "voxels", reason, "Take a smaller voxel_size, or a cloud with more points")
     return counts["source"], counts["target"]
 

@@ -34,21 +34,21 @@ RIDGE = 1e-3  # relative to the mean eigenvalue: poorly determined overlap is no
 # Log odds = a ln(share) + b ln(firmness) + c, fitted to 580 converged ICP poses of objects, rooms and streets with
 # overlap >= 15%, correct ones and the best wrong ones. c was then lowered to require 25% more than even evidence.
 SHARE_WEIGHT, FIRMNESS_WEIGHT, OFFSET = 5.15, 0.48, 10.2
-LEAST_SHARE, LEAST_FIRMNESS = 0.01, 3e-4
+MIN_SHARE, MIN_FIRMNESS = 0.01, 3e-4
 FIRM = 0.002  # minimum firmness: planes, spheres and tubes have at most a quarter of it
 FITS = 0.5  # share above which surfaces match although a motion is undetermined
 STILL = 1e-5  # of the match distance: error change that ends ICP
 # Minimum ratio of `rest` to `share`, from benchmarks/beliefs.py: 33 wrong poses have up to 0.2; of 235 correct ones all
 # but two exceed 0.259.
-LEAST_REST, STEEP = 0.25, 4.0
+MIN_REST, STEEP = 0.25, 4.0
 # If the rest is parallel to the main planes, it may be furniture that matches by chance: then it must reach this value
 # itself. benchmarks/box_rooms.py, rooms 0 to 15: wrong poses up to 0.168 (but one), correct ones from 0.184.
-LEAST_ALIGNED = 0.18
+MIN_ALIGNED = 0.18
 SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # range of `aligned` in which this check sets in; a kitchen has 0.3
 MARGIN = 4.0  # [voxels] minimum distance of an occluding surface
 # Occluding points relative to the matches: up to 0.013 for correct poses (LiDAR, moving cameras), above 0.02 for half
 # of the wrong ones.
-MOST_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
+MAX_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
 # Minimum of share times the root of the number of matches, against chance matches. 29 wrong poses have up to 4.3; of 76
 # correct ones all but one have 4.5 and more (rooms, a street and a figure in 60 to 500 voxels).
 CHANCE = 4.4
@@ -81,8 +81,8 @@ class Evidence(NamedTuple):
         """Log odds of all matches, without the correction for few matches; minus infinity without a match."""
         if not self.matches:
             return -np.inf
-        weighed = SHARE_WEIGHT * math.log(self.share + LEAST_SHARE)
-        return float(weighed + FIRMNESS_WEIGHT * math.log(self.firmness + LEAST_FIRMNESS) + OFFSET)
+        weighed = SHARE_WEIGHT * math.log(self.share + MIN_SHARE)
+        return float(weighed + FIRMNESS_WEIGHT * math.log(self.firmness + MIN_FIRMNESS) + OFFSET)
 
     @property
     def score_with_planes(self) -> float:
@@ -105,17 +105,17 @@ class Evidence(NamedTuple):
         """Score of the matches outside the three main planes, 0..1."""
         square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
         least = self._least_rest
-        least += square * max(LEAST_ALIGNED - least, 0.0)
+        least += square * max(MIN_ALIGNED - least, 0.0)
         return 1 / (1 + (least / max(self.rest, 1e-9)) ** STEEP)
 
     @property
     def _least_rest(self) -> float:
-        return LEAST_REST * max(self.share, 1e-9)
+        return MIN_REST * max(self.share, 1e-9)
 
     @property
     def score_of_view(self) -> float:
         """Limit 0..1 for occluding points."""
-        return 1 / (1 + (self.blocked / MOST_BLOCKED) ** STEEP)
+        return 1 / (1 + (self.blocked / MAX_BLOCKED) ** STEEP)
 
     @property
     def problem(self) -> str:

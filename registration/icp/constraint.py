@@ -23,8 +23,8 @@ MOTIONS = ("roll", "pitch", "yaw", "x", "y", "z")  # in the order of the unknown
 ORTHONORMAL = 1e-6  # tolerance of F^T F - I
 SYMMETRIC = 1e-9  # relative to the largest entry
 INDEFINITE = 1e-9  # relative to the largest eigenvalue
-LEAST_SIGMA, MOST_SIGMA = 1e-12, 1e12  # [m], [rad] valid range of sigmas
-MOST_SIGMAS = 5.0  # maximum distance of a prior from reachable poses, in sigmas
+MIN_SIGMA, MAX_SIGMA = 1e-12, 1e12  # [m], [rad] valid range of sigmas
+MAX_SIGMAS = 5.0  # maximum distance of a prior from reachable poses, in sigmas
 ROUNDS = 20  # Gauss-Newton iterations of that check
 Matrix = NDArray[np.float64]
 
@@ -99,8 +99,8 @@ def _weights_of(name: str, sigma: Any) -> NDArray[np.float64]:
         values = np.array(check_positive(name, sigma))
     if values.shape not in ((), (3,)):
         raise ValueError(f"{name}: expected one standard deviation or [3], got shape {list(values.shape)}")
-    if not ((values >= LEAST_SIGMA) & (values <= MOST_SIGMA)).all():
-        limits = f"from {LEAST_SIGMA:g} to {MOST_SIGMA:g}"
+    if not ((values >= MIN_SIGMA) & (values <= MAX_SIGMA)).all():
+        limits = f"from {MIN_SIGMA:g} to {MAX_SIGMA:g}"
         raise ValueError(f"{name}: expected standard deviations {limits}, got {shown(values.tolist())}")
     return np.broadcast_to(1 / values.astype(np.float64) ** 2, (3,))
 
@@ -270,7 +270,7 @@ def _check_reach(
         x[free] -= np.linalg.lstsq(matmul(root, J), matmul(root, away(x)), rcond=1e-9)[0]
     xi = away(x)
     sigmas = float(norm(matmul(root, xi)))
-    if sigmas > MOST_SIGMAS:
+    if sigmas > MAX_SIGMAS:
         fixed = ", ".join(name for name in MOTIONS if name not in constraint.free)
         raise ValueError(
             f"prior: {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses that init and "

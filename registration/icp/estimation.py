@@ -29,7 +29,7 @@ from ..robust_kernels import Geometry, L2Loss, RobustKernel
 from .preparation import colored_source, colored_target, doppler_measurements, generalized_covariances, normals_of
 
 Columns = dict[str, list[wp.array]]  # per attribute, a device array for each cloud
-LEAST_SQUARES = L2Loss()
+MIN_SQUARES = L2Loss()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -66,8 +66,8 @@ class TransformationEstimation:
     def geometry(self) -> Self | None:
         """The estimator that determines degenerate motions, with equal weights; None: this one."""
         kernels = [f.name for f in dataclasses.fields(self) if f.name.endswith("kernel")]
-        robust = [name for name in kernels if getattr(self, name) != LEAST_SQUARES]
-        return dataclasses.replace(self, **dict.fromkeys(robust, LEAST_SQUARES)) if robust else None
+        robust = [name for name in kernels if getattr(self, name) != MIN_SQUARES]
+        return dataclasses.replace(self, **dict.fromkeys(robust, MIN_SQUARES)) if robust else None
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
         return {}
@@ -93,7 +93,7 @@ class TransformationEstimationPointToPoint(TransformationEstimation):
     """
 
     with_scaling: bool = False
-    kernel: RobustKernel = LEAST_SQUARES
+    kernel: RobustKernel = MIN_SQUARES
     rows = sum_point_rows
     method = PAIRS
     residual_count = 3
@@ -120,7 +120,7 @@ class TransformationEstimationPointToPlane(TransformationEstimation):
         kernel: Weighs pairs by that distance [m].
     """
 
-    kernel: RobustKernel = LEAST_SQUARES
+    kernel: RobustKernel = MIN_SQUARES
     rows = sum_plane_rows
     needs_normals = ("target",)
 
@@ -140,7 +140,7 @@ class TransformationEstimationSymmetric(TransformationEstimation):
         kernel: Weighs pairs by (p - q) . (n_p + n_q), about twice a distance [m].
     """
 
-    kernel: RobustKernel = LEAST_SQUARES
+    kernel: RobustKernel = MIN_SQUARES
     rows = sum_symmetric_rows
     method = SYMMETRIC
     constrainable = False  # half of each rotation applies to the target
@@ -171,7 +171,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
     """
 
     epsilon: float = 1e-3
-    kernel: RobustKernel = LEAST_SQUARES
+    kernel: RobustKernel = MIN_SQUARES
     voxel_size: float | None = None
     rows = sum_generalized_rows
     residual_count = 3
@@ -215,7 +215,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
     """
 
     lambda_geometric: float = 0.968
-    kernel: RobustKernel = LEAST_SQUARES
+    kernel: RobustKernel = MIN_SQUARES
     rows = sum_colored_rows
     residual_count = 2
     needs_normals = ("target",)
@@ -268,8 +268,8 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
     outlier_rejection_min_iteration: int = 2
     geometric_robust_loss_min_iteration: int = 0
     doppler_robust_loss_min_iteration: int = 2
-    geometric_kernel: RobustKernel = LEAST_SQUARES
-    doppler_kernel: RobustKernel = LEAST_SQUARES
+    geometric_kernel: RobustKernel = MIN_SQUARES
+    doppler_kernel: RobustKernel = MIN_SQUARES
     transform_vehicle_to_sensor: ArrayLike | None = None
     rows = sum_doppler_rows
     constrainable = False  # speeds depend on the complete pose
@@ -303,8 +303,8 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             period=1.0,
             lambda_doppler=0.5,
             reject_dynamic_outliers=False,
-            geometric_kernel=LEAST_SQUARES,
-            doppler_kernel=LEAST_SQUARES,
+            geometric_kernel=MIN_SQUARES,
+            doppler_kernel=MIN_SQUARES,
         )
 
     def prepare(self, loop: RegistrationLoop) -> None:

@@ -33,7 +33,7 @@ from .constraint import Constraint, Prior, make_constraint
 from .estimation import TransformationEstimation, TransformationEstimationPointToPoint
 from .iterative import DEGENERACY, IterativeRegistration
 
-MOST_STEPS = 100_000
+MAX_STEPS = 100_000
 Watcher = Callable[[dict[str, Any]], None]
 
 
@@ -57,7 +57,7 @@ class ICPConvergenceCriteria:
         if self.relative_rmse is not None:
             check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
         reason = "what has not converged by then goes round in circles"
-        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
+        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MAX_STEPS, because=reason)
 
 
 @told_arguments

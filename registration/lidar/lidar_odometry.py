@@ -41,7 +41,7 @@ from .scan_matching import (
 
 Matrix = NDArray[np.float64]
 
-MOST_IN_VOXEL = 1024  # points
+MAX_IN_VOXEL = 1024  # points
 MAP_VOXELS = 0.5  # alpha of section III-B: map downsampling
 SCAN_VOXELS = 1.5  # beta of section III-B: scan downsampling
 START_VOXELS = 3.0  # for the second scan, to select among many starts
@@ -123,10 +123,7 @@ class LidarOdometry:
         size = self.max_range / 100 if voxel_size is None else voxel_size
         self.voxel_size = check_positive("voxel_size", size)
         self.max_points_per_voxel = check_count(
-            "max_points_per_voxel",
-            max_points_per_voxel,
-            maximum=MOST_IN_VOXEL,
-            because="each takes 12 B in every voxel",
+            "max_points_per_voxel", max_points_per_voxel, maximum=MAX_IN_VOXEL, because="each takes 12 B in every voxel"
         )
         self.deskew = bool(deskew)
         self.interval = None if interval is None else check_positive("interval", interval)
@@ -412,7 +409,7 @@ class Next:
 
 SAMPLE = 4096  # points for the estimate of a sweep
 BINS = 32  # time bins of a scan
-LEAST_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
+MIN_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
 WHOLE_TURN = np.radians(345)
 
 
@@ -461,7 +458,7 @@ def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float
     turns = (turns + np.pi) % (2 * np.pi) - np.pi
     sweep = abs(float(turns.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
     is_steady = known.all() and ((turns > 0).all() or (turns < 0).all())
-    return sweep / (2 * np.pi) if is_steady and LEAST_SWEEP < sweep < WHOLE_TURN else 1.0
+    return sweep / (2 * np.pi) if is_steady and MIN_SWEEP < sweep < WHOLE_TURN else 1.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,14 +27,14 @@ NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step reasons
 STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT = 0.3, 0.1
 
 # Single scans that oscillate between two poses are common and harmless; above this fraction there is no fit.
-MOST_UNSETTLED = 0.2
+MAX_UNSETTLED = 0.2
 
 # Maximum fraction of scans or path at constant velocity, and number of consecutive scans, over which a car that brakes
 # at 1 m/s^2 (ten scans a second) deviates by half a meter.
-MOST_UNDETERMINED, MOST_UNDETERMINED_ON_END = 0.1, 10
+MAX_UNDETERMINED, MAX_UNDETERMINED_ON_END = 0.1, 10
 # Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00; 0.97 to 0.99 with passing
 # trucks; 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
-REST, RESTING_FITNESS, MOST_CONTRADICTED, LEAST_RESTING = (0.1, 0.02), 0.97, 0.5, 5
+REST, RESTING_FITNESS, MAX_CONTRADICTED, MIN_RESTING = (0.1, 0.02), 0.97, 0.5, 5
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
@@ -139,14 +139,14 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def is_contradicted(self) -> bool:
-        return len(self.contradicted) >= LEAST_RESTING and len(self.contradicted) > MOST_CONTRADICTED * self.resting
+        return len(self.contradicted) >= MIN_RESTING and len(self.contradicted) > MAX_CONTRADICTED * self.resting
 
     @property
     def is_undetermined(self) -> bool:
-        numbers, last = self.undetermined, MOST_UNDETERMINED_ON_END - 1
+        numbers, last = self.undetermined, MAX_UNDETERMINED_ON_END - 1
         return (
-            len(numbers) > MOST_UNDETERMINED * (self.scan_count - 1)
-            or self.undetermined_distance > MOST_UNDETERMINED * self.distance
+            len(numbers) > MAX_UNDETERMINED * (self.scan_count - 1)
+            or self.undetermined_distance > MAX_UNDETERMINED * self.distance
             or any(b - a == last for a, b in zip(numbers, numbers[last:], strict=False))
         )
 
@@ -188,7 +188,7 @@ class OdometrySummary(Report, Assessed):
                 f"{len(self.undetermined)} of {count} scans do not determine the motion {self.open_motions} "
                 f"({_scans(self.undetermined)}), where constant velocity was assumed"
             )
-        if not strayed and len(self.unsettled) > MOST_UNSETTLED * (count - 1):
+        if not strayed and len(self.unsettled) > MAX_UNSETTLED * (count - 1):
             reasons.append(
                 f"{len(self.unsettled)} of {count} scans did not come to rest on the map ({_scans(self.unsettled)})"
             )

@@ -236,14 +236,14 @@ class AdaptiveThreshold:
 
 
 SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where planes are rough
-LEAST_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
-MOST_PLACES = 64  # along a line
-MOST_RIVALS = 4  # examined in detail
+MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
+MAX_PLACES = 64  # along a line
+MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
 # 0.1 to 0.2, since moving scan rings fit better without motion.
 RIVAL_RISE = 0.25
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
-LEAST_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
+MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
 HELD_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
@@ -282,7 +282,7 @@ def open_directions(
 ) -> OpenDirections | None:
     """The motions that `count` points with plane information `told` [6, 6] do not determine, or None."""
     planes, size = float(np.trace(told[3:, 3:])), voxel_map.voxel_size
-    if planes < LEAST_PLANES * count:
+    if planes < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
     lever = max(math.sqrt(np.trace(told[:3, :3]) / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
@@ -299,7 +299,7 @@ def open_directions(
 def weak_ways(told: Matrix, count: int) -> Matrix:
     """Translation directions [k, 3] that the planes determine poorly, with rotations eliminated."""
     planes = float(np.trace(told[3:, 3:]))
-    if planes < LEAST_PLANES * count:
+    if planes < MIN_PLANES * count:
         return np.empty((0, 3))
     alone = told[3:, 3:] - matmul(told[3:, :3], pinvh(told[:3, :3], 3 * EPSILON), told[:3, 3:])
     values, vectors = eigh(alone / planes)
@@ -310,13 +310,13 @@ def places_along(
     points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, reach: float
 ) -> tuple[list[Matrix], float]:
     """Locally best poses within `reach` [m] of the guess along `way`, and the largest mean cost between them."""
-    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MOST_PLACES)
+    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MAX_PLACES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
     shifts = np.arange(math.floor((middle - reach) / step), math.ceil((middle + reach) / step) + 1) * step
     poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
     total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
-    costs = np.where(pairs >= LEAST_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
+    costs = np.where(pairs >= MIN_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
     beside = np.concatenate([[np.inf], costs, [np.inf]])
     is_least = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
     best = [i for i in np.argsort(costs, kind="stable") if is_least[i]]
-    return [poses[1 + i] for i in best[:MOST_RIVALS]], float(max(costs[np.isfinite(costs)], default=0.0))
+    return [poses[1 + i] for i in best[:MAX_RIVALS]], float(max(costs[np.isfinite(costs)], default=0.0))

@@ -31,8 +31,8 @@ from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquati
 from .reports import GlobalOptimizationReport
 
 Array = NDArray[np.float64]
-MOST_STEPS = 100_000
-MOST_NAMED = 10  # nodes listed in an error
+MAX_STEPS = 100_000
+MAX_NAMED = 10  # nodes listed in an error
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class GlobalOptimizationConvergenceCriteria:
     def __post_init__(self):
         for name in ("max_iteration", "max_iteration_lm"):
             reason = "what has not converged by then does not"
-            steps = check_count(name, getattr(self, name), maximum=MOST_STEPS, because=reason)
+            steps = check_count(name, getattr(self, name), maximum=MAX_STEPS, because=reason)
             object.__setattr__(self, name, steps)
         for name in ("min_relative_increment", "min_relative_residual_increment", "min_right_term", "min_residual"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name), allow_zero=True))
@@ -267,8 +267,8 @@ def _check_optimisable(graph: GraphArrays, option: GlobalOptimizationOption) -> 
 
 
 def _listed(nodes: Sequence[Any] | NDArray[Any]) -> str:
-    named = ", ".join(str(node) for node in nodes[:MOST_NAMED])
-    more = f" and {len(nodes) - MOST_NAMED} more" if len(nodes) > MOST_NAMED else ""
+    named = ", ".join(str(node) for node in nodes[:MAX_NAMED])
+    more = f" and {len(nodes) - MAX_NAMED} more" if len(nodes) > MAX_NAMED else ""
     return f"{'node' if len(nodes) == 1 else 'nodes'} {named}{more}"
 
 
@@ -322,7 +322,7 @@ def _with_report(
 
 INITIAL_DAMPING = 1e-5  # relative to the stiffness: nearly full first steps (Nielsen, for good initial values)
 # Lower bound of the damping: keeps undetermined motions at rest without slowing others.
-LEAST_DAMPING = 1e-12
+MIN_DAMPING = 1e-12
 GROWTH = 2.0  # factor of the damping after a failed step, doubled each time
 # Relative change of the residual due to rounding in sums of some thousand float64 products.
 ROUNDING = 1e-12
@@ -389,7 +389,7 @@ class _Descent:
         self.system = NormalEquations(self.edges, anchored, motions)
         self.poses = poses
         self.misfit, self.confidences, self.residual = self._evaluate(poses)
-        self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else LEAST_DAMPING, GROWTH, 0
+        self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else MIN_DAMPING, GROWTH, 0
 
     def run(self) -> str:
         if not len(self.system.free):
@@ -447,7 +447,7 @@ class _Descent:
         if self.damped:
             factor = 1 - (2 * ratio - 1) ** 3
             factor = min(max(factor, self.criteria.lower_scale_factor), self.criteria.upper_scale_factor)
-            self.damping, self.growth = max(self.damping * factor, LEAST_DAMPING), GROWTH
+            self.damping, self.growth = max(self.damping * factor, MIN_DAMPING), GROWTH
 
 
 def _length(values: Array) -> float:

@@ -28,7 +28,7 @@ LEVEL_ROWS = [2, 3, 4, 5]  # yaw, x, y, z of the six motions
 NOTHING = 1e-12  # relative to the largest eigenvalue: undetermined below
 NO_MOTION = 1e-12  # squared length of a zero vector of motions
 UNTESTABLE = 1e-6  # minimum redundancy of a tested row
-MOST_STEPS, MOST_HALVINGS = 60, 12
+MAX_STEPS, MAX_HALVINGS = 60, 12
 SETTLED = 1e-7  # total step in standard deviations at convergence
 ROUNDING = 1e-12  # relative to the sum of squares
 
@@ -222,7 +222,7 @@ def _descend(
 ) -> tuple[NodePoses, dict[str, Array], bool]:
     """Iterate until steps are a small fraction of the standard deviations."""
     rows = network.rows(poses, places)
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
         held = _held(A, network, reference)
         N = (A.T @ A).tocsc()
@@ -230,7 +230,7 @@ def _descend(
         if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < SETTLED:
             return poses, places, True
         squares = float((right * right).sum())
-        for _ in range(MOST_HALVINGS):
+        for _ in range(MAX_HALVINGS):
             moved = network.moved(poses, places, step)
             rows = network.rows(*moved)
             if float(sum((part * part).sum() for part in rows.right)) <= squares * (1 + ROUNDING):

@@ -15,7 +15,7 @@ from ...core.wording import few_of
 Array = NDArray[np.float64]
 TARGET_SIGMA = 0.002  # [m] default for scanned targets
 CONTROL_SIGMA = 0.002  # [m] default for control points
-LEAST_SIGMA, MOST_SIGMA = 1e-9, 1e9  # [m], [rad] valid range
+MIN_SIGMA, MAX_SIGMA = 1e-9, 1e9  # [m], [rad] valid range
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,8 +81,8 @@ class ControlPoint:
 
 def check_sigma(name: str, sigma: Any) -> float:
     value = check_positive(name, sigma)
-    if not LEAST_SIGMA <= value <= MOST_SIGMA:
-        raise ValueError(f"{name}: expected a standard deviation from {LEAST_SIGMA:g} to {MOST_SIGMA:g}, got {value:g}")
+    if not MIN_SIGMA <= value <= MAX_SIGMA:
+        raise ValueError(f"{name}: expected a standard deviation from {MIN_SIGMA:g} to {MAX_SIGMA:g}, got {value:g}")
     return value
 
 

@@ -14,7 +14,7 @@ from .observations import TargetObservation
 
 FALSE_ALARM = 0.01  # probability of any false outlier in a survey
 TESTED = ("pair", "target", "control")
-FEWEST_PAIRS = 5  # minimum number of tested pairs to judge their sigmas
+MIN_PAIRS = 5  # minimum number of tested pairs to judge their sigmas
 MEDIAN = 0.5
 RIVALS = 3  # suspects tried: gross errors distort the tests
 TIED = 1e-6  # relative difference of statistics that cannot be separated
@@ -76,7 +76,7 @@ def _suspects(found: Adjusted) -> list[Group]:
 def _pair_factor(found: Adjusted) -> float:
     """Factor of the pairs' standard deviations by the median of their tests, at least 1."""
     tested = [g for g in found.groups if g.kind == "pair" and g.freedom]
-    if len(tested) < FEWEST_PAIRS:
+    if len(tested) < MIN_PAIRS:
         return 1.0
     return max(1.0, float(np.sqrt(np.median([g.statistic / chdtri(g.freedom, MEDIAN) for g in tested]))))
 

@@ -58,7 +58,7 @@ AGREES = 4.0  # [voxels] maximum closure error over three stations
 BAND = 0.01  # fraction of surveys with sigma0 outside its limits
 ENOUGH = 10  # minimum redundancy for scaling by sigma0
 ROUGH = 2.0  # [m]
-MOST_VOXELS = 1e6  # maximum per axis of a cloud
+MAX_VOXELS = 1e6  # maximum per axis of a cloud
 # Ratio of true to estimated pair errors: pairs of a station share its noise, which closes their loops. Measured on 16
 # synthetic courtyards of five stations, tests/registration/test_stations.py.
 SHARED = 1.25
@@ -273,10 +273,8 @@ class _Survey:
         if given is not None:
             size = check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
             extent = max(float((c.get_max_bound() - c.get_min_bound()).max()) for c in self.clouds)
-            if extent / MOST_VOXELS > size:
-                raise ValueError(
-                    f"voxel_size: {size:g} makes more than {MOST_VOXELS:g} voxels of {extent:g} m in a row"
-                )
+            if extent / MAX_VOXELS > size:
+                raise ValueError(f"voxel_size: {size:g} makes more than {MAX_VOXELS:g} voxels of {extent:g} m in a row")
             return size
         return choose_voxel_size(*self.clouds) / 2
 
@@ -477,14 +475,14 @@ COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] ICP distances from an approximate p
 REACH = 2.0  # [voxels] of a correspondence
 TUKEY = 4.685  # standard deviations: 95% efficiency for normal errors
 TO_DEVIATION = 1.4826  # MAD to standard deviation
-LEAST_LIMIT = 0.01  # [voxels]
+MIN_LIMIT = 0.01  # [voxels]
 GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
-MOST_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
+MAX_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
 SURE = 0.5  # minimum score of an accepted pair
 NEAR = 4.0  # [voxels] overlap distance for approximate poses
 BLOCK = 8.0  # [voxels] edge of blocks with correlated errors
-FEWEST_BLOCKS = 12  # minimum occupied blocks for an error estimate
+MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
 OPEN = 1e-3  # relative to the largest eigenvalue, rotations in units of the radius: undetermined
 ALL_PAIRS = 40  # maximum stations for all pairs without approximate positions
 PLANE = TransformationEstimationPointToPlane()
@@ -513,7 +511,7 @@ class PairFinder:
         self.scans, self.size, self.least, self.seed = scans, size, least, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}
-        self.limit = LEAST_LIMIT * size  # cutoff of the residuals
+        self.limit = MIN_LIMIT * size  # cutoff of the residuals
 
     def candidates(self, poses: Array | None, positions: Array | None, rough: float) -> list[tuple[int, int]]:
         count = len(self.scans)
@@ -582,7 +580,7 @@ class PairFinder:
         if not pairs:
             return []
         sources, targets = ([self.scans[ends[k]].cloud for ends in pairs] for k in (0, 1))
-        options: dict[str, Any] = {"free": self.free, "max_normal_angle": MOST_BENT}
+        options: dict[str, Any] = {"free": self.free, "max_normal_angle": MAX_BENT}
         rules, poses, results = ICPConvergenceCriteria(max_iteration=60), np.array(starts), []
         if limit is None:
             for reach in (2 * REACH, REACH):
@@ -608,7 +606,7 @@ class PairFinder:
     def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
         sizes = [float(np.median(np.abs(self._rows(*each)[1]))) for each in zip(pairs, results, strict=True)
                  if len(each[1].correspondence_set)]  # fmt: skip
-        return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, LEAST_LIMIT * self.size)
+        return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
 
     def _judged(self, pair: tuple[int, int], result: RegistrationResult, believed: float, limit: float) -> StationPair:
         a, b = pair
@@ -659,7 +657,7 @@ def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: flo
     _, block = np.unique(keys, axis=0, return_inverse=True)
     block = block.reshape(-1)
     count = int(block.max(initial=-1)) + 1
-    if count < FEWEST_BLOCKS:
+    if count < MIN_BLOCKS:
         return np.zeros((size, size))
     turns = size - 3
     radius = max(float(np.sqrt((places * places).sum(axis=1).mean())), 1e-9)

@@ -358,8 +358,8 @@ def _statistics(errors: NDArray[np.float64]) -> ErrorStatistics:
 MIN_MOTIONS = 10  # fewer may determine the six parameters by chance
 MAX_MOTIONS = 200
 ITERATIONS = 10
-LEAST_ERROR = 0.01  # relative to the motion length: below it the motions agree
-MOST_LEFT = 0.25  # maximum remaining error ratio with the offset
+MIN_ERROR = 0.01  # relative to the motion length: below it the motions agree
+MAX_LEFT = 0.25  # maximum remaining error ratio with the offset
 DETERMINED = 0.05  # relative to the largest singular value: undetermined lever arm directions
 MAX_ARM = 50.0  # [m] maximum sensor distance
 MIN_ROTATION = 0.05  # [rad] smaller rotations have less weight than the translations
@@ -381,11 +381,11 @@ def find_sensor_offset(P: Matrix, Q: Matrix) -> SensorOffset | None:
         return None
     length = float(np.median(np.linalg.norm(B[:, :3, 3], axis=1)))
     before = _translation_error(A, B, np.eye(4))
-    if not before > LEAST_ERROR * length:
+    if not before > MIN_ERROR * length:
         return None
     X = _solve(A, B)
     after = _translation_error(A, B, X)
-    explains = after < MOST_LEFT * before and norm(X[:3, 3]) < MAX_ARM
+    explains = after < MAX_LEFT * before and norm(X[:3, 3]) < MAX_ARM
     return SensorOffset(X, before, after) if explains else None
 
 

@@ -19,12 +19,12 @@ from ...kernels.linear_algebra import eigh, matmul, norm
 Array = NDArray[np.float64]
 
 FEWEST = 3  # minimum cameras
-LEAST_SPREAD = 0.02  # minimum spread of the x axes: 8 degrees
-MOST_TILT = math.sin(math.radians(15.0))  # maximum median tilt of level cameras
-MOST_SIGMA = 4.0  # [degrees] maximum standard deviation
-LEAST_SIGN = 0.2  # minimum mean cosine that separates up from down
+MIN_SPREAD = 0.02  # minimum spread of the x axes: 8 degrees
+MAX_TILT = math.sin(math.radians(15.0))  # maximum median tilt of level cameras
+MAX_SIGMA = 4.0  # [degrees] maximum standard deviation
+MIN_SIGN = 0.2  # minimum mean cosine that separates up from down
 ATTITUDE_SIGMA = 1.0  # [degrees] gimbal accuracy
-MOST_APART = 10.0  # [degrees] maximum median difference between attitudes and the model
+MAX_APART = 10.0  # [degrees] maximum median difference between attitudes and the model
 TURNS = 10
 _CUT = 2.5 * 1.4826  # in median deviations, for outliers
 
@@ -70,7 +70,7 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
     ups = np.array([matmul(model.T_camera_world[k, :3, :3].T, up_in_camera(*angles[1:3])) for k, angles in known])
     way, kept = _median_way(ups)
     apart = np.degrees(np.arccos(np.clip(matmul(ups, way), -1, 1)))
-    if float(np.median(apart)) > MOST_APART:
+    if float(np.median(apart)) > MAX_APART:
         reason = f"the attitudes that pictures tell lie {np.median(apart):.0f} degrees (median) apart in the model"
         return UpDirection(None, math.inf, "", reason)
     error = math.sqrt(float((apart[kept] ** 2).mean()) / kept.sum())
@@ -103,18 +103,18 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
         kept = tilts <= max(_CUT * float(np.median(tilts)), math.radians(2.0))
         if kept.sum() < FEWEST or (kept == before).all():
             break
-    if kept.sum() < max(FEWEST, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MOST_TILT:
+    if kept.sum() < max(FEWEST, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MAX_TILT:
         return _unknown("cameras were not held level")
-    if not values[1] > LEAST_SPREAD:
+    if not values[1] > MIN_SPREAD:
         return _unknown("all pictures lie the same way, or turned by half: their sides do not tell what is up")
     sigma = math.degrees(math.sqrt(max(float(values[0]), 0.0) / (float(values[1]) * kept.sum())))
     sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # limit of hand-held accuracy
-    if sigma > MOST_SIGMA:
+    if sigma > MAX_SIGMA:
         return _unknown(f"cameras were held so that up is known to {sigma:.0f} degrees alone")
     sign = -float(matmul(down[kept], way).mean())
-    if abs(sign) < LEAST_SIGN:  # cameras that look down or up: nearly all look down
+    if abs(sign) < MIN_SIGN:  # cameras that look down or up: nearly all look down
         sign = -float(matmul(ahead[kept], way).mean())
-        if abs(sign) < LEAST_SIGN:
+        if abs(sign) < MIN_SIGN:
             return _unknown("pictures lie both ways up")
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
 

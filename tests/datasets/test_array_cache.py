@@ -11,7 +11,7 @@ from pointloom.datasets.array_cache import kept
 def cache(tmp_path, monkeypatch):
     """A cache folder in which all is kept, however fast it was made."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(module, "LEAST_SECONDS", -1.0)
+    monkeypatch.setattr(module, "MIN_SECONDS", -1.0)
     return tmp_path / "pointloom" / "datasets"
 
 
@@ -68,7 +68,7 @@ def test_what_is_made_fast_is_not_kept_and_a_folder_that_cannot_be_made_keeps_no
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     kept("room", {}, make)
     assert list(tmp_path.iterdir()) == []
-    monkeypatch.setattr(module, "LEAST_SECONDS", -1.0)
+    monkeypatch.setattr(module, "MIN_SECONDS", -1.0)
     (tmp_path / "pointloom").write_text("a file where the folder would be")
     assert np.array_equal(kept("room", {}, make)["few"], [1, 2])
 
@@ -77,7 +77,7 @@ def test_the_least_used_goes_where_it_becomes_too_much(cache, monkeypatch):
     make = Maker()
     kept("room", {"count": 0}, make)
     size = next(cache.iterdir()).stat().st_size
-    monkeypatch.setattr(module, "MOST_BYTES", 2.5 * size)
+    monkeypatch.setattr(module, "MAX_BYTES", 2.5 * size)
     for count in range(1, 6):
         kept("room", {"count": count}, make)
     assert len(list(cache.iterdir())) == 2

@@ -11,7 +11,7 @@ from pointloom.datasets.scenes.room import surface_errors
 @pytest.fixture
 def nothing_kept(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "never"))
-    monkeypatch.setattr(module, "LEAST_SECONDS", np.inf)
+    monkeypatch.setattr(module, "MIN_SECONDS", np.inf)
 
 
 def test_exact_frames_lie_on_the_room_and_noisy_ones_near_it(nothing_kept):

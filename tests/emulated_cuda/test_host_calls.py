@@ -14,8 +14,8 @@ from .host_calls import ON_CLOUDS, TABLE, DeviceScenes, device_clouds, measured,
 from .settings import Order
 
 ROWS = json.loads(TABLE.read_text())
-SIZES, MOST_PER_POINT = (1_009, 2_503), 0.5  # points; bytes for each further one: a mask has one
-MOST_BYTES = 8_192  # beyond the result: numbers of rounds, of levels, of samples
+SIZES, MAX_PER_POINT = (1_009, 2_503), 0.5  # points; bytes for each further one: a mask has one
+MAX_BYTES = 8_192  # beyond the result: numbers of rounds, of levels, of samples
 # Operations, by how their names begin, that take more; docs/gpu.md says what of it grows with the input.
 MORE = {
     "Qhull's convex hull": ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box"),
@@ -86,11 +86,11 @@ def test_every_operation_is_listed(scenes):
 @pytest.mark.parametrize("name", ROWS)
 def test_what_goes_to_the_host_beside_the_result_is_small_or_has_a_reason(name):
     has_reason = any(name.startswith(names) for names in MORE.values())
-    assert ROWS[name]["beyond"] <= MOST_BYTES or has_reason, f"{ROWS[name]['beyond']} bytes"
+    assert ROWS[name]["beyond"] <= MAX_BYTES or has_reason, f"{ROWS[name]['beyond']} bytes"
 
 
 def test_no_reason_is_out_of_date():
-    large = [name for name, row in ROWS.items() if row["beyond"] > MOST_BYTES]
+    large = [name for name, row in ROWS.items() if row["beyond"] > MAX_BYTES]
     stale = [
         begins for names in MORE.values() for begins in names if not any(name.startswith(begins) for name in large)
     ]
@@ -111,4 +111,4 @@ def test_what_goes_to_the_host_beside_the_result_does_not_grow_with_the_cloud(sc
             "splats",
         )
     )
-    assert (many - few) / (SIZES[1] - SIZES[0]) < MOST_PER_POINT or reason
+    assert (many - few) / (SIZES[1] - SIZES[0]) < MAX_PER_POINT or reason

@@ -12,7 +12,7 @@ import pointloom as loom
 SIZES = (1003, 3011)
 SPARE = 400  # bytes: a number or two a radius, a level or a batch of planes
 Mesh = loom.TriangleMesh
-MOST_WAITS = {
+MAX_WAITS = {
     "poisson, five full levels": (lambda ball, room: Mesh.create_from_point_cloud_poisson(ball, 5), 5),
     "ball pivoting": (lambda ball, room: Mesh.create_from_point_cloud_ball_pivoting(ball), 11),
     "ball pivoting, a radius": (lambda ball, room: Mesh.create_from_point_cloud_ball_pivoting(ball, 0.15), 4),
@@ -45,9 +45,9 @@ def asked_for(emulated, run) -> dict[str, int]:
     return emulated.asked(run)
 
 
-@pytest.mark.parametrize("name", MOST_WAITS)
+@pytest.mark.parametrize("name", MAX_WAITS)
 def test_waits_are_few_and_nothing_a_point_goes_to_the_host(emulated, name):
-    operation, most = MOST_WAITS[name]
+    operation, most = MAX_WAITS[name]
     asked = [asked_for(emulated, partial(operation, *clouds(size))) for size in SIZES]
     assert max(found["copies to host"] for found in asked) <= most
     assert asked[1]["bytes to host"] - asked[0]["bytes to host"] <= SPARE

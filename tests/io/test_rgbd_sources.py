@@ -14,7 +14,7 @@ from pointloom.datasets.scenes.room import room_loop_sequence
 from pointloom.io.frames import recordings
 from pointloom.io.frames.dataset_layouts import FRAME_TIMES
 from pointloom.io.frames.datasets import Frame
-from pointloom.io.frames.frame_times import MOST_REMARKS, TimeWatch
+from pointloom.io.frames.frame_times import MAX_REMARKS, TimeWatch
 from pointloom.io.frames.recordings import FrameRecorder
 from pointloom.io.frames.rgbd_sources import RGBDSource
 
@@ -104,9 +104,9 @@ def test_a_steady_stream_and_one_without_times_cause_no_remarks_and_an_endless_o
         list(source)
         assert source.notes == []
     watch = TimeWatch()
-    for i in range(3 * MOST_REMARKS):
+    for i in range(3 * MAX_REMARKS):
         watch.see(str(i), 1.0)
-    assert (len(watch.notes), watch.count) == (MOST_REMARKS, 3 * MOST_REMARKS - 1)
+    assert (len(watch.notes), watch.count) == (MAX_REMARKS, 3 * MAX_REMARKS - 1)
 
 
 def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):

@@ -211,7 +211,7 @@ def test_radii_that_are_none_are_refused_by_name(rng, radii, error):
 
 
 def test_a_search_that_would_take_hours_is_refused_with_its_size(rng, monkeypatch):
-    monkeypatch.setattr(mesh_reconstruction, "MOST_NEIGHBORS", 50_000)
+    monkeypatch.setattr(mesh_reconstruction, "MAX_NEIGHBORS", 50_000)
     cloud = sphere(1000, rng)
     assert len(pivot(cloud, 0.1)) > 0
     with pytest.raises(ValueError, match="radii:"):

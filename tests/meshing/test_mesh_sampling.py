@@ -197,13 +197,13 @@ def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
         mesh.sample_points_poisson_disk(10, init_factor=2**30)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(4, pcl=loom.PointCloud([*SQUARE[0][:3], [0, np.nan, 0]]))
-    monkeypatch.setattr(mesh_measures, "MOST_SAMPLES", 3)
+    monkeypatch.setattr(mesh_measures, "MAX_SAMPLES", 3)
     with pytest.raises(ValueError, match="pcl:"):
         mesh.sample_points_poisson_disk(2, pcl=loom.PointCloud(SQUARE[0]))
 
 
 def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monkeypatch):
-    for name, most in (("MOST_PAIRS", 100), ("MOST_ROOM", 0)):
+    for name, most in (("MAX_PAIRS", 100), ("MAX_ROOM", 0)):
         monkeypatch.setattr(f"pointloom.kernels.meshes.poisson_disk.{name}", most)
     mesh = TriangleMesh(*SQUARE, device=device)
     with pytest.raises(ValueError, match="number_of_points, init_factor:"):

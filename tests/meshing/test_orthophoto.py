@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 from pointloom.meshing.scene import orthophoto as source
-from pointloom.meshing.scene.plan_grid import MOST_CELLS
+from pointloom.meshing.scene.plan_grid import MAX_CELLS
 
 PLACE = np.array([500_000.0, 5_400_000.0, 431.0])
 FRAME = loom.video.WorldFrame(48.75, 9.0, 431.0)  # on the meridian of its zone
@@ -230,7 +230,7 @@ def test_too_many_cells_are_refused_with_the_cell_that_fits(cell):
     with pytest.raises(ValueError, match="cell:") as caught:
         loom.orthophoto(town(), cell)
     fits = float(str(caught.value).split("a cell of ")[1].split(" fits")[0])
-    assert 0.8 < 20 * 16 / fits**2 / MOST_CELLS <= 1  # and none that is much smaller does
+    assert 0.8 < 20 * 16 / fits**2 / MAX_CELLS <= 1  # and none that is much smaller does
 
 
 @pytest.mark.parametrize(

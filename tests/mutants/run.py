@@ -31,7 +31,7 @@ COPIED = (
     *("kernels", "core", "cameras", "pcd", "files", "registration", "meshing", "rgbd", "drawing", "photos"),
     *("data", "app", "bridge", "docs", "src", "tests", "benchmarks", "pyproject.toml"),
 )
-LEAST_NOTICED = 0.95
+MIN_NOTICED = 0.95
 TIME_LIMIT = 600  # [s] of the tests of one mutant; an endless loop is noticed
 PASSED, FAILED, BROKEN = 0, 1, 2  # pytest's exit codes; 2 where a test file cannot even be imported
 NONE_LEFT = 5  # pytest's exit code where a choice of tests leaves out all that are named
@@ -240,9 +240,9 @@ def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path 
         return 2
     noticed = sum(bool(outcome.noticed_by) for outcome in outcomes)
     share = noticed / len(outcomes)
-    print(f"{noticed} of {len(outcomes)} noticed: {share:.1%}, at least {LEAST_NOTICED:.0%} wanted")
+    print(f"{noticed} of {len(outcomes)} noticed: {share:.1%}, at least {MIN_NOTICED:.0%} wanted")
     print("\n".join(f"not noticed: {o.mutant.name} ({o.mutant.file})" for o in outcomes if not o.noticed_by), end="")
-    return 0 if share >= LEAST_NOTICED else 1
+    return 0 if share >= MIN_NOTICED else 1
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import pytest
 import pointloom as loom
 from pointloom.registration import LidarOdometry
 from pointloom.registration.lidar.scan_matching import OpenDirections, wide_guesses
-from pointloom.registration.unobservable_motions import LEAST_RISE, rises_clearly
+from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
 
 
 def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
@@ -113,7 +113,7 @@ def test_standing_still_while_much_moves_by_is_told():
 
 def test_a_rise_counts_where_it_is_large_and_sure():
     rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.1, 0.9, 100.0, 0.0], [15.0, 1.0, 1000.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
-    assert LEAST_RISE == 0.02
+    assert MIN_RISE == 0.02
     assert rises_clearly(rows).tolist() == [False, True, False, False]
 
 

@@ -13,7 +13,7 @@ from pointloom.kernels.poses.overlap_evidence import (
     AGREEING_AT,
     ALIGNED_AT,
     MATCHED_AT,
-    MOST_DIRECTIONS,
+    MAX_DIRECTIONS,
     NEAR_AT,
     find_directions,
     weigh_overlaps,
@@ -258,7 +258,7 @@ def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
 def directions_of(normals, where):
     """The directions of planes with these normals."""
     planes = MainPlanes.of(np.zeros((len(normals), 3)), normals, where)
-    found, count = empty(MOST_DIRECTIONS, vec3, where), empty(1, int32, where)
+    found, count = empty(MAX_DIRECTIONS, vec3, where), empty(1, int32, where)
     find_directions(planes, found, count)
     return found.numpy()[: int(count.numpy()[0])]
 

@@ -100,7 +100,7 @@ def test_three_correspondences_give_a_pose_that_is_rejected(device):
 
 
 def test_the_seed_chooses_where_correspondences_are_too_many(device, rng, tolerances, monkeypatch):
-    monkeypatch.setattr(global_registration, "MOST_PAIRS", 300)
+    monkeypatch.setattr(global_registration, "MAX_PAIRS", 300)
     p, q, pairs, T = rough_pair(rng, 1000, 400)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
     found = [

@@ -185,7 +185,7 @@ def test_what_a_tile_left_is_held_against_the_manifest(files, tmp_path, monkeypa
 
 @pytest.mark.parametrize(("step", "most"), [(DBSCAN, 2), pytest.param(EUCLIDEAN, 7, marks=pytest.mark.slow)])
 def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files, tmp_path, monkeypatch, step, most):
-    monkeypatch.setattr(label_join, "MOST_RANKED", most)
+    monkeypatch.setattr(label_join, "MAX_RANKED", most)
     ranked = []
     rank = label_join._rank_stretch
 
@@ -202,7 +202,7 @@ def test_however_few_clusters_are_sorted_at_a_time_their_order_is_the_same(files
 
 def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, monkeypatch):
     for module in (label_join, parse):
-        monkeypatch.setattr(module, "MOST_INT32", 5)
+        monkeypatch.setattr(module, "MAX_INT32", 5)
     found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
     assert np.asarray(found["cluster"]).dtype == np.int64
     cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)

@@ -20,7 +20,7 @@ SAME = [
     "normals in a radius",
     *(pytest.param(chain, marks=pytest.mark.slow) for chain in ("normals of both", "a box", "a chain")),
 ]
-MOST_MOVED = 2e-6  # [m] by which smoothed points of CPU and GPU differ, whose products and sums are fused on the GPU
+MAX_MOVED = 2e-6  # [m] by which smoothed points of CPU and GPU differ, whose products and sums are fused on the GPU
 
 
 def on_device(files, folder, steps, device):
@@ -51,7 +51,7 @@ def test_smoothed_tiles_of_a_device_are_those_of_the_cpu_within_two_micrometres(
     expected = rows_of(in_memory(cloud, CHAINS[chain], plan["voxel_corner"]))
     by_time = [rows[np.lexsort(rows[:, 3:].T)] for rows in (found, expected)]
     np.testing.assert_array_equal(by_time[0][:, 3:], by_time[1][:, 3:])
-    assert np.abs(by_time[0] - by_time[1])[:, :3].max() * STEP <= MOST_MOVED
+    assert np.abs(by_time[0] - by_time[1])[:, :3].max() * STEP <= MAX_MOVED
 
 
 def test_a_device_that_is_not_there_is_named(files, tmp_path):

@@ -238,7 +238,7 @@ def test_empty_tiles_and_a_halo_larger_than_tiles(tmp_path):
 
 
 def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
-    monkeypatch.setattr(plan_module, "LEAST_POINTS", 500)
+    monkeypatch.setattr(plan_module, "MIN_POINTS", 500)
     rng = np.random.default_rng(3)
     points = np.concatenate([rng.random((1500, 3)) * 2, rng.random((200, 3)) * SIDE]) + CORNER
     write_las(tmp_path / "dense.laz", PointTable(points), scale=0.01, offset=CORNER)

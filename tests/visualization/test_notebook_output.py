@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from pointloom.visualization.notebook_output import (
-    MOST_BYTES,
+    MAX_BYTES,
     live_output,
     media_output,
     page_output,
@@ -63,7 +63,7 @@ def test_what_is_seen_through_lies_over_white():
 def test_stills_of_any_size_and_content_are_bounded(shape):
     noise = np.random.default_rng(0).integers(0, 256, (*shape, 3), np.uint8)
     data = still_jpeg(noise)
-    assert len(data) <= MOST_BYTES == 200_000
+    assert len(data) <= MAX_BYTES == 200_000
     still = Image.open(io.BytesIO(data))
     assert still.format == "JPEG" and still.width <= 960
     assert still.width / still.height == pytest.approx(shape[1] / shape[0], rel=0.01) or min(shape) < 10

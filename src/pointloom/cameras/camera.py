@@ -33,12 +33,12 @@ _HARMLESS_KEYS = frozenset(
     )
 )
 
-MOST_PIXELS = 2**16  # maximum side: wider than any camera or panorama
-MOST_IN_ALL = 2**28  # maximum pixels: 2 GB at 8 B per pixel
+MAX_PIXELS = 2**16  # maximum side: wider than any camera or panorama
+MAX_IN_ALL = 2**28  # maximum pixels: 2 GB at 8 B per pixel
 
 
 def check_pixels(name: str, value: Any) -> int:
-    return check_count(name, value, maximum=MOST_PIXELS, because="no camera or panorama is larger; scale it")
+    return check_count(name, value, maximum=MAX_PIXELS, because="no camera or panorama is larger; scale it")
 
 
 class PinholeCameraIntrinsicParameters(enum.Enum):
@@ -119,7 +119,7 @@ class PinholeCameraIntrinsic(ToldNames):
     def _check(self) -> None:
         for name in ("width", "height"):
             object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
-        if self.width * self.height > MOST_IN_ALL:
+        if self.width * self.height > MAX_IN_ALL:
             raise ValueError(f"width, height: {self.width} x {self.height} pixels are more than 2^28; scale the camera")
         for name in ("fx", "fy"):
             object.__setattr__(self, name, check_positive(name, getattr(self, name)))
@@ -170,7 +170,7 @@ class PinholeCameraIntrinsic(ToldNames):
             ValueError: The factor is not positive, or leaves no pixel.
         """
         factor = check_positive("factor", factor)
-        largest = MOST_PIXELS / max(self.width, self.height)
+        largest = MAX_PIXELS / max(self.width, self.height)
         if factor > largest:
             raise ValueError(f"factor: {factor} makes a side of more than 2^16 pixels; expected at most {largest:.4g}")
         width, height = round(self.width * factor), round(self.height * factor)

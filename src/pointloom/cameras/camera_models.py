@@ -25,7 +25,7 @@ from ..core.checks import (
     check_share,
     shown,
 )
-from .camera import MOST_IN_ALL, MOST_PIXELS, PinholeCameraIntrinsic, check_pixels
+from .camera import MAX_IN_ALL, MAX_PIXELS, PinholeCameraIntrinsic, check_pixels
 from .lens_projection import DIVISION, EQUIDISTANT, FIELD_OF_VIEW, PERSPECTIVE, UNIFIED, Lens
 
 HALF = 0.5  # COLMAP's principal point minus pointloom's [px]
@@ -132,7 +132,7 @@ class CameraModel:
             raise ValueError(f"model: unknown {shown(self.model)}{nearest_name(self.model, MODELS)}; {_known_models()}")
         for name in ("width", "height"):
             object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
-        if self.width * self.height > MOST_IN_ALL:
+        if self.width * self.height > MAX_IN_ALL:
             raise ValueError(f"width, height: {self.width} x {self.height} pixels are more than 2^28; scale the camera")
         numbers = tuple(check_number("params", value) for value in check_list("params", self.params, "numbers"))
         names = MODELS[self.model].params
@@ -270,7 +270,7 @@ class CameraModel:
         share = check_share("blank_share", blank_share)
         if max_size is not None and size is not None:
             raise ValueError("max_size, size: give one of them")
-        longest = None if max_size is None else check_count("max_size", max_size, maximum=MOST_PIXELS, because=_SIDES)
+        longest = None if max_size is None else check_count("max_size", max_size, maximum=MAX_PIXELS, because=_SIDES)
         sides = None if size is None else _check_size(size)
         width, height = (self.width, self.height) if self.is_pinhole else _straight_size(self, share)
         (fx, fy), center = self._lens.focal, self._lens.center

@@ -17,12 +17,12 @@ from ..core.checks import check_count, check_number, check_numeric, check_positi
 from ..core.gpu_arrays import device_for, take_numbers
 from ..kernels.images.depth import PixelGrid, pixel_normals
 from ..kernels.images.depth_filters import erode_edges, filter_bilateral, halve_color, halve_depth
-from .camera import MOST_PIXELS, PinholeCameraIntrinsic
+from .camera import MAX_PIXELS, PinholeCameraIntrinsic
 from .images import RGBDImage, check_intrinsic, upload_color, upload_depth
 
 Depth = TypeVar("Depth", RGBDImage, NDArray[Any])
 
-MOST_KERNEL = 255  # [px] 51,000 products per pixel: minutes per image on a few cores
+MAX_KERNEL = 255  # [px] 51,000 products per pixel: minutes per image on a few cores
 DEPTH_DIFF = 0.14  # [m] Open3D's threshold of another surface when it halves depth
 
 
@@ -64,7 +64,7 @@ def filter_depth_bilateral(
         array([[1.002, 1.008, 2.004, 2.016, 0.   ]], dtype=float32)
     """
     reason = "the time grows with its square; halve the image with pyrdown_depth, or filter twice"
-    radius = check_count("kernel_size", kernel_size, maximum=MOST_KERNEL, because=reason) // 2
+    radius = check_count("kernel_size", kernel_size, maximum=MAX_KERNEL, because=reason) // 2
     value, distance = check_positive("value_sigma", value_sigma), check_positive("dist_sigma", dist_sigma)
     metric, height, width = _metric(depth, depth_scale, device)
     return _like(depth, filter_bilateral(metric, width, height, radius, value, distance), height, width)
@@ -94,7 +94,7 @@ def erode_depth_edges(
         [[1.0, 1.0, 0.0, 0.0, 2.0, 2.0]]
     """
     reason = "no image is larger"
-    size = check_count("radius", radius, minimum=0, maximum=MOST_PIXELS, because=reason)
+    size = check_count("radius", radius, minimum=0, maximum=MAX_PIXELS, because=reason)
     jump = check_positive("depth_threshold", depth_threshold)
     metric, height, width = _metric(depth, depth_scale, device)
     return _like(depth, erode_edges(metric, width, height, size, jump), height, width)

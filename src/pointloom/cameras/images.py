@@ -23,7 +23,7 @@ from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 from .depth_doubts import warn_of_scale
 
-MOST_RAW = 65535  # maximum integer depth
+MAX_RAW = 65535  # maximum integer depth
 MILLIMETRES = 1000.0  # default units per meter of integer depth
 FLOATS = (wp.float16, float32, float64)
 BYTES = (int8, uint8)  # 8-bit types: images, no depth
@@ -297,7 +297,7 @@ def _flat_integers(image: wp.array) -> wp.array:
     if image.dtype == uint16:
         return flat
     low, high = limits_of(cast(flat, int64))
-    if low < 0 or high > MOST_RAW:
+    if low < 0 or high > MAX_RAW:
         raise ValueError(TOO_DEEP)
     return cast(flat, uint16)
 
@@ -315,7 +315,7 @@ def _upload_raw(depth: Any, device: Any) -> tuple[wp.array, int, int]:
         raise TypeError(f"depth: expected {expected}, got {image.dtype}")
     if image.dtype.itemsize == 1:
         raise TypeError(TOO_SHALLOW.format(image.dtype))
-    if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MOST_RAW):
+    if image.dtype != np.uint16 and (image.min() < 0 or image.max() > MAX_RAW):
         raise ValueError(TOO_DEEP)
     return upload(image.reshape(-1), uint16, device), image.shape[0], image.shape[1]
 

@@ -20,7 +20,7 @@ from .camera import PinholeCameraIntrinsic
 from .camera_models import CameraModel
 from .lens_projection import FIELD_OF_VIEW, THIN
 
-MOST_SIDE = 1024  # maximum side of averaged squares [px]: their sums stay within 32 bits
+MAX_SIDE = 1024  # maximum side of averaged squares [px]: their sums stay within 32 bits
 
 
 class Undistortion:
@@ -74,7 +74,7 @@ class Undistortion:
         optics = LensOptics(lens, width, height, lens.reach, wide, int(thin))
         self._places = find_places(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
-        self._side = min(max(1, math.floor(min(steps) + 1e-9)), MOST_SIDE)  # lens pixels per pinhole pixel
+        self._side = min(max(1, math.floor(min(steps) + 1e-9)), MAX_SIDE)  # lens pixels per pinhole pixel
 
     @property
     def seen(self) -> NDArray[np.bool_]:

@@ -16,8 +16,8 @@ from .pose_checks import is_plainly_rigid
 from .progress import ReportProgress
 from .verbosity import LoggedProgress
 
-MOST_SEED = 2**31 - 1
-MOST_COUNT = 2**31 - 1  # device code counts in 32 bits
+MAX_SEED = 2**31 - 1
+MAX_COUNT = 2**31 - 1  # device code counts in 32 bits
 LARGEST_NUMBER = 1e100  # larger than any length in pixels or meters; products of three larger numbers overflow
 RIGID_TOLERANCE = 0.02  # tolerance of R R^T - I: rotations of real data sets are rounded to a few digits
 SHOWN = 80  # maximum characters of a quoted value
@@ -188,7 +188,7 @@ def check_share(name: str, value: Any) -> float:
 
 
 def check_count(
-    name: str, value: Any, *, minimum: int = 1, maximum: int = MOST_COUNT, because: str = "counts have 32 bits"
+    name: str, value: Any, *, minimum: int = 1, maximum: int = MAX_COUNT, because: str = "counts have 32 bits"
 ) -> int:
     """An integer from `minimum` to `maximum` (for the reason `because`); booleans and 3.0 raise `TypeError`."""
     try:
@@ -285,9 +285,9 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
 
 def check_seed(seed: Any) -> int:
     """An integer from 0 to 2^31 - 1, for counter-based random numbers."""
-    if isinstance(seed, int) and seed > MOST_SEED:
+    if isinstance(seed, int) and seed > MAX_SEED:
         raise ValueError(f"seed: expected a whole number below 2^31, got {shown(seed)}")
-    return check_count("seed", seed, minimum=0, maximum=MOST_SEED)
+    return check_count("seed", seed, minimum=0, maximum=MAX_SEED)
 
 
 def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -> NDArray[np.float64]:

@@ -19,7 +19,7 @@ ORIGIN_LIMIT = 1.0e4  # larger coordinates always move the origin: below it floa
 MEDIAN_SAMPLE = 4096  # sample size of the median for the origin
 SPREAD_SAMPLE = 128  # of these, for the decision whether zero is far
 FAR_FROM_ZERO = 32.0  # times the spread: about 8 times the extent of a uniform cloud, which costs 3 of 24 bits
-_MOST_DECIMALS = 12  # maximum decimals of an origin: more would be float64 rounding
+_MAX_DECIMALS = 12  # maximum decimals of an origin: more would be float64 rounding
 NEAR_ZERO = 128.0  # [m] sensor positions within this keep the origin at zero: float32 resolves 8 um there
 FLOAT32_MAX = float(np.finfo(np.float32).max)
 
@@ -136,10 +136,10 @@ def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
 
 
 def _decimals(values: NDArray[np.float64]) -> int:
-    for decimals in range(_MOST_DECIMALS):
+    for decimals in range(_MAX_DECIMALS):
         if (np.round(values, decimals) == values).all():
             return decimals
-    return _MOST_DECIMALS
+    return _MAX_DECIMALS
 
 
 def _refine(
@@ -147,7 +147,7 @@ def _refine(
 ) -> NDArray[np.float64]:
     refined, middle = origin.copy(), np.median(sample, axis=0)
     for axis, step in enumerate(steps):
-        decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MOST_DECIMALS)
+        decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MAX_DECIMALS)
         nearer = np.round(middle[axis], decimals)
         before, after = (float(np.median(np.abs(sample[:, axis] - place))) for place in (origin[axis], nearer))
         if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points are farther out

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .escaped_text import escaped
 
-MOST_NAMES = 10_000  # maximum names of a folder searched for similar ones
+MAX_NAMES = 10_000  # maximum names of a folder searched for similar ones
 _ABSENT = ("does not exist", "cannot be read: ")
 
 FilePath = str | os.PathLike[str]
@@ -76,7 +76,7 @@ def _near_paths(path: str) -> str:
         absent = absent.parent
     try:
         with os.scandir(absent.parent) as entries:
-            names = [entry.name for _, entry in zip(range(MOST_NAMES), entries, strict=False)]
+            names = [entry.name for _, entry in zip(range(MAX_NAMES), entries, strict=False)]
     except OSError:
         return ""
     folder = "" if absent == Path(path) else f"There is no folder {absent}"

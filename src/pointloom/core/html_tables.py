@@ -8,8 +8,8 @@ from typing import Any
 
 from .escaped_text import escaped
 
-MOST_ROWS = 40  # rows of a table
-MOST_CHARACTERS = 300  # characters of a value
+MAX_ROWS = 40  # rows of a table
+MAX_CHARACTERS = 300  # characters of a value
 
 
 def html_table(caption: str, rows: Iterable[tuple[str, Any]]) -> str:
@@ -20,14 +20,14 @@ def html_table(caption: str, rows: Iterable[tuple[str, Any]]) -> str:
         '<table><caption>a &lt; b</caption><tr><td>points</td><td>float32 [2, 3]</td></tr></table>'
     """
     pairs = [(str(name), str(value)) for name, value in rows]
-    if len(pairs) > MOST_ROWS:
-        pairs = [*pairs[:MOST_ROWS], ("...", f"{len(pairs) - MOST_ROWS} more")]
+    if len(pairs) > MAX_ROWS:
+        pairs = [*pairs[:MAX_ROWS], ("...", f"{len(pairs) - MAX_ROWS} more")]
     body = "".join(f"<tr><td>{_cell(name)}</td><td>{_cell(value)}</td></tr>" for name, value in pairs)
     return f"<table><caption>{_cell(caption)}</caption>{body}</table>"
 
 
 def _cell(text: str) -> str:
-    short = text if len(text) <= MOST_CHARACTERS else f"{text[: MOST_CHARACTERS - 3]}..."
+    short = text if len(text) <= MAX_CHARACTERS else f"{text[: MAX_CHARACTERS - 3]}..."
     return escape(escaped(short, lines=True)).replace("\n", "<br>")
 
 

@@ -11,7 +11,7 @@ from .checks import LARGEST_NUMBER as LARGEST_NUMBER
 from .errors import FileError
 from .paths import path_of
 
-MOST_DIGITS = 300  # digits of an integer that float64 represents
+MAX_DIGITS = 300  # digits of an integer that float64 represents
 
 
 def read_json_object(path: str | os.PathLike[str]) -> dict[str, Any]:
@@ -67,7 +67,7 @@ def _refuse(constant: str) -> Any:
 
 
 def _bounded(text: str) -> int:
-    if len(text) > MOST_DIGITS:
+    if len(text) > MAX_DIGITS:
         raise ValueError(f"{text[:40]}... is too large")
     return int(text)
 

@@ -29,7 +29,7 @@ def set_num_threads(count: int | None) -> None:
     from ..kernels.language.device_lock import lock
 
     if count is not None:
-        count = check_count("count", count, maximum=cpu_pool.MOST_THREADS, because="each is started")
+        count = check_count("count", count, maximum=cpu_pool.MAX_THREADS, because="each is started")
     with lock:
         cpu_pool.set_thread_count(count)
 

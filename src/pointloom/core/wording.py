@@ -10,7 +10,7 @@ from typing import Any
 
 from .escaped_text import escaped, escaped_json
 
-MOST_DECIMALS = 15  # decimals that `rounded` leaves; Python has no more near 1
+MAX_DECIMALS = 15  # decimals that `rounded` leaves; Python has no more near 1
 
 
 def few_of(names: Sequence[str], most: int) -> str:
@@ -81,4 +81,4 @@ def rounded(values: Any, size: float) -> Any:
     if hasattr(values, "tolist"):
         return rounded(values.tolist(), size)
     decimals = 6 - math.floor(math.log10(size)) if 0 < size < math.inf else 6
-    return values if decimals > MOST_DECIMALS else round(values, decimals) + 0.0  # no -0.0
+    return values if decimals > MAX_DECIMALS else round(values, decimals) + 0.0  # no -0.0

@@ -24,10 +24,10 @@ from ..core.atomic import atomic_write
 from ..core.errors import PointloomError
 from ..kernels.language.cache_folders import cache_folder
 
-LEAST_SECONDS = 0.5  # [s] faster results are not cached
+MIN_SECONDS = 0.5  # [s] faster results are not cached
 SOURCES = ("kernels", "cameras", "pcd", "meshing", "datasets")  # packages whose code affects the data
 FORM = 1  # of the files
-MOST_BYTES = 1 << 30  # of all that is kept
+MAX_BYTES = 1 << 30  # of all that is kept
 
 Arrays = dict[str, Any]  # NumPy arrays by name
 
@@ -46,7 +46,7 @@ def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[s
         return found
     started = time.perf_counter()
     arrays = {name: np.asarray(values) for name, values in make().items()}
-    if time.perf_counter() - started > LEAST_SECONDS:
+    if time.perf_counter() - started > MIN_SECONDS:
         _write(path, key, arrays)
     return arrays
 
@@ -88,5 +88,5 @@ def _make_room(newest: Path) -> None:
     total = 0
     for _, file in found:
         total += file.stat().st_size
-        if total > MOST_BYTES and file != newest:
+        if total > MAX_BYTES and file != newest:
             file.unlink(missing_ok=True)

@@ -18,10 +18,10 @@ from ..core.errors import FileError
 from ..core.escaped_text import escaped
 
 # Maximum corners of a polygon: the cost is quadratic, and 10,000 take about 5 s.
-MOST_CORNERS = 10_000
+MAX_CORNERS = 10_000
 
 # Polygons with more corners skip the pairwise edge test; their triangles reveal most intersections.
-_MOST_CROSSED = 2_048
+_MAX_CROSSED = 2_048
 
 _PAIRS_AT_A_TIME = 1 << 21
 _NUMBERS_AT_A_TIME = 1 << 18
@@ -33,8 +33,8 @@ _STRAIGHT = 1e-12
 _OPEN, _FLAT, _ANY = 1, 2, 3
 
 # Steps per corner until a polygon is abandoned, so that self-intersecting ones terminate; most take two.
-_MOST_STEPS = 12
-_MOST_STEPS_OF_LARGE = 4
+_MAX_STEPS = 12
+_MAX_STEPS_OF_LARGE = 4
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -45,7 +45,7 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
     Returns corner indices (p, n - 2, 3) and a mask; triangles of self-intersecting polygons are invalid."""
     count, n = x.shape
     triangles, good = np.zeros((count, n - 2, 3), np.int64), np.zeros(count, bool)
-    if n > MOST_CORNERS:
+    if n > MAX_CORNERS:
         return triangles, good
     at_a_time = max(1, _NUMBERS_AT_A_TIME // n)
     for begin in range(0, count, at_a_time):
@@ -53,7 +53,7 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
         todo = np.arange(begin, min(begin + at_a_time, count))
         todo = todo[~_cross_themselves(x[part], y[part]) & ~_wind_twice(x[part], y[part])]
         for start in (
-            (0,) if n > _MOST_CROSSED else {0: 0, n // 3: 0, 2 * n // 3: 0}
+            (0,) if n > _MAX_CROSSED else {0: 0, n // 3: 0, 2 * n // 3: 0}
         ):  # another clipping order may succeed
             if not len(todo):
                 break
@@ -75,7 +75,7 @@ def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
     """Mask (p,) of polygons with two edges that cross in their interiors."""
     count, n = x.shape
     crossed = np.zeros(count, bool)
-    if n > _MOST_CROSSED:
+    if n > _MAX_CROSSED:
         return crossed
     ends_x, ends_y = np.roll(x, -1, 1), np.roll(y, -1, 1)
     at_a_time = max(1, _PAIRS_AT_A_TIME // (n * n))
@@ -104,7 +104,7 @@ def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
     """Mask (p,) of polygons with a triangle whose centroid is inside another one."""
     count, n = x.shape
     found = np.zeros(count, bool)
-    if n > _MOST_CROSSED:
+    if n > _MAX_CROSSED:
         return found
     at_a_time = max(1, _PAIRS_AT_A_TIME // (n * n))
     for begin in range(0, count, at_a_time):
@@ -140,7 +140,7 @@ class _Clipping:
         rows, steps = np.arange(len(self.x)), 0
         while len(rows):
             steps += 1
-            if steps > n * (_MOST_STEPS if n <= _MOST_CROSSED else _MOST_STEPS_OF_LARGE):
+            if steps > n * (_MAX_STEPS if n <= _MAX_CROSSED else _MAX_STEPS_OF_LARGE):
                 self.good[rows] = False
                 break
             rows = self._step(rows)
@@ -361,6 +361,6 @@ def _tell(path: Any, crossed: Places, lengths: Places) -> None:
     if not len(crossed):
         return
     many = f"{len(crossed)} faces cross themselves, the first" if len(crossed) > 1 else "a face crosses itself:"
-    large = f" (or have more than {MOST_CORNERS} corners)" if lengths[crossed].max() > MOST_CORNERS else ""
+    large = f" (or have more than {MAX_CORNERS} corners)" if lengths[crossed].max() > MAX_CORNERS else ""
     message = f"{path}: {many} face {crossed[0]}{large}; such are fans, whose triangles overlap"
     warnings.warn(escaped(message), UserWarning, stacklevel=5)

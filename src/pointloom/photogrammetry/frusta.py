@@ -15,8 +15,8 @@ from ..cameras.camera import PinholeCameraIntrinsic
 GRID = 5  # rays per side
 DEPTHS = 20  # sample points per ray
 NEAREST = 0.5  # relative to the distance of the nearest other camera
-LEAST_ANGLE = 1.5  # [degrees] minimum parallax
-MOST_ANGLE = 60.0  # [degrees] above it, images hardly show the same side
+MIN_ANGLE = 1.5  # [degrees] minimum parallax
+MAX_ANGLE = 60.0  # [degrees] above it, images hardly show the same side
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ def places_before(
     elsewhere = apart[apart > 1e-9 * max(float(apart.max(initial=0.0)), np.finfo(float).tiny)]
     if not len(elsewhere):
         return np.zeros((0, 3)), np.zeros((0, len(poses)), bool), np.zeros((0, len(poses)))
-    nearest, farthest = float(elsewhere.min()) * NEAREST, float(elsewhere.max()) / np.radians(LEAST_ANGLE)
+    nearest, farthest = float(elsewhere.min()) * NEAREST, float(elsewhere.max()) / np.radians(MIN_ANGLE)
     z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS)
     at = (_rays(cameras[index])[:, None] * z[:, None]).reshape(-1, 3)
     places = (at - t[index]) @ R[index]
@@ -45,7 +45,7 @@ def places_before(
         other = centers[j] - places
         cross = np.linalg.norm(np.cross(own, other), axis=1)
         angles[:, j] = np.degrees(np.arctan2(cross, (own * other).sum(axis=1)))
-        seen[:, j] = inside & (angles[:, j] >= LEAST_ANGLE) & (angles[:, j] <= MOST_ANGLE)
+        seen[:, j] = inside & (angles[:, j] >= MIN_ANGLE) & (angles[:, j] <= MAX_ANGLE)
     seen[:, index] = False
     return places, seen, angles
 

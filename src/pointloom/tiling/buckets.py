@@ -24,11 +24,11 @@ from ..io.points.las import COLORS, LasFile, open_las
 from .manifest import DAMAGE, is_dead
 
 FOLDER, INDEX = "buckets", "index.json"
-MOST_ROWS = 1 << 22  # rows in memory before a flush
-MOST_BYTES = 1 << 28
+MAX_ROWS = 1 << 22  # rows in memory before a flush
+MAX_BYTES = 1 << 28
 _READ = 1 << 18  # rows unpacked at a time
 _CELL_ROWS = 16384  # rows from which a block is divided into cells
-_MOST_CELLS = 4  # along a side
+_MAX_CELLS = 4  # along a side
 _BLOCK = struct.Struct("<4sIIII4dI")  # magic, rows, bytes of rows, bytes of numbers, packing, box, checksum
 _MARK = b"LOOM"
 _ZLIB, _LASZIP = 0, 1
@@ -101,7 +101,7 @@ def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
     sizes: dict[int, int] = {}
     tiles: dict[int, int] = {}
     writer = _Writer(plan, file, part)
-    most = min(MOST_ROWS, MOST_BYTES // (file.header.record_length + 8))
+    most = min(MAX_ROWS, MAX_BYTES // (file.header.record_length + 8))
     begin = brightest = 0
     for rows in file.rows(_READ):
         places = _checked_places(plan, file, rows, begin)
@@ -152,7 +152,7 @@ class _Writer:
         rows = np.concatenate([rows for rows, _ in pieces])
         numbers = np.concatenate([numbers for _, numbers in pieces])
         places = positions_of(self._file, rows)
-        cells = min(_MOST_CELLS, int((len(rows) / _CELL_ROWS) ** 0.5)) or 1
+        cells = min(_MAX_CELLS, int((len(rows) / _CELL_ROWS) ** 0.5)) or 1
         low, extent = places.min(axis=0), np.ptp(places, axis=0)
         cell = np.floor((places - low) / np.where(extent > 0, extent, 1.0) * cells).clip(0, cells - 1)
         which = (cell[:, 0] * cells + cell[:, 1]).astype(np.int64)

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from ..core.errors import FileError
 from .border_merging import Leavings
 
-MOST_RANKED = 1 << 22  # approximate number of clusters sorted at a time
-MOST_INT32 = 2**31 - 1  # maximum clusters of 32-bit labels
+MAX_RANKED = 1 << 22  # approximate number of clusters sorted at a time
+MAX_INT32 = 2**31 - 1  # maximum clusters of 32-bit labels
 NEVER = np.iinfo(np.int64).max  # first point of a cluster without points in the tile
 _Keys = tuple[NDArray[np.int64], NDArray[np.int64]]  # (major, minor), sorted
 
@@ -74,7 +74,7 @@ def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: 
     order = np.lexsort((firsts[kept], majors))
     kept, groups = kept[order], (majors[order], firsts[kept][order])
     total = len(kept) + sum(len(arrays["closed"]) for _, arrays in left)
-    kind = np.int32 if total <= MOST_INT32 else np.int64
+    kind = np.int32 if total <= MAX_INT32 else np.int64
     names = np.full(group_count, -1, kind)
     for tile, arrays in left:
         if arrays["count"][0]:
@@ -127,14 +127,14 @@ def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
 
 def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any]]:
     """Parts of the key order of limited size, as (low, high), None at the ends."""
-    if total <= MOST_RANKED:
+    if total <= MAX_RANKED:
         return [(None, None)]
-    step = max(1, MOST_RANKED // (len(left.tiles) + 1))
+    step = max(1, MAX_RANKED // (len(left.tiles) + 1))
     samples = [np.stack(groups)[:, ::step]]
     samples += [np.stack([arrays["majors"][::step], arrays["minors"][::step]]) for _, arrays in left]
     joined = np.concatenate(samples, axis=1)
     joined = joined[:, np.lexsort((joined[1], joined[0]))]
-    cuts = [*map(tuple, joined.T[MOST_RANKED // step :: max(1, MOST_RANKED // step)].tolist())]
+    cuts = [*map(tuple, joined.T[MAX_RANKED // step :: max(1, MAX_RANKED // step)].tolist())]
     return [*zip([None, *cuts], [*cuts, None], strict=True)]
 
 

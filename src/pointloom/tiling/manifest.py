@@ -31,8 +31,8 @@ except ImportError:  # Windows
 NAME, LOCKS = "plan.sqlite", "locks"
 SCHEMA = 3
 TABLES = ("sources", "tiles", "joins")  # of tasks
-MOST_ATTEMPTS = 3  # worker deaths per task
-DIED = f"the worker died {MOST_ATTEMPTS} times at it, of memory or a fault of a step"
+MAX_ATTEMPTS = 3  # worker deaths per task
+DIED = f"the worker died {MAX_ATTEMPTS} times at it, of memory or a fault of a step"
 PATIENCE = 60.0  # [s] for another transaction
 _REMEDIES = {  # for a missing or different manifest, by whether a job other than tiles is expected
     False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
@@ -164,7 +164,7 @@ class Manifest:
                         f" state = CASE WHEN attempts + {counted} >= ? THEN 'aside' ELSE 'waiting' END"
                         " WHERE owner = ? AND state = 'running'"
                     )
-                    given += base.execute(query, (MOST_ATTEMPTS, DIED, MOST_ATTEMPTS, owner)).rowcount
+                    given += base.execute(query, (MAX_ATTEMPTS, DIED, MAX_ATTEMPTS, owner)).rowcount
             lock.unlink(missing_ok=True)
         return given
 

@@ -22,7 +22,7 @@ from .epochs import describe_epochs
 from .halos import far_files
 from .job_folder import check_folder, make_folder, nothing_left
 from .manifest import NAME, Manifest, canonical, damage_as_file_errors, files_of, hash_of, read_plan, write_manifest
-from .plan_check import MOST_TILES, OUTPUTS
+from .plan_check import MAX_TILES, OUTPUTS
 from .polygons import boxes_that_meet, in_survey, parse_area, to_json
 from .sources import check_alike, check_same, describe_all, given_as, list_files, warn_of_lost_records
 from .status import TileStatus, status_of
@@ -31,9 +31,9 @@ from .steps.parse import naming_file, parse_steps
 from .steps.step import Step
 
 POINTS = 2_000_000  # default per tile
-MOST_POINTS = 8  # times the usual tile size: maximum points with halo, and its minimum
-LEAST_POINTS = 4_000_000
-LEAST_LEVELS = 12  # of the search curve, which defines the order of ties: 2^26 points per tile
+MAX_POINTS = 8  # times the usual tile size: maximum points with halo, and its minimum
+MIN_POINTS = 4_000_000
+MIN_LEVELS = 12  # of the search curve, which defines the order of ties: 2^26 points per tile
 _passed: dict[str, list[UserFunction]] = {}  # functions passed to `plan_tiles` in this process, by plan hash
 _ROUNDING = 2.0**-21  # relative float32 rounding of two points and their distance
 
@@ -276,8 +276,8 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         size = float(f"{size:.3g}") or float(np.max(sources[0]["scales"]))
     size = check_positive("size", size)
     shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]
-    if math.prod(shape) > MOST_TILES:
-        raise ValueError(f"size: {size} makes {shape[0]:,} x {shape[1]:,} tiles, more than {MOST_TILES:,}; take larger")
+    if math.prod(shape) > MAX_TILES:
+        raise ValueError(f"size: {size} makes {shape[0]:,} x {shape[1]:,} tiles, more than {MAX_TILES:,}; take larger")
     reach = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
     spacing = math.sqrt(area / total)
     guesses = [step.reach if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
@@ -289,12 +289,12 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "voxel_corner": np.floor(low).tolist(),
         "low": low.tolist(),
         "high": high.tolist(),
-        "levels": max(levels_for(total), LEAST_LEVELS),
+        "levels": max(levels_for(total), MIN_LEVELS),
         "corner": low[:2].tolist(),
         "size": size,
         "shape": shape,
         "slack": max(reach, 1.0) * _ROUNDING,
-        "most": max(LEAST_POINTS, int(MOST_POINTS * total * min(1.0, size * size / area))),
+        "most": max(MIN_POINTS, int(MAX_POINTS * total * min(1.0, size * size / area))),
         "only": only,
         "output": output,
     }

@@ -8,7 +8,7 @@ from typing import Any
 
 from ..core.checks import shown
 
-MOST_TILES = 1 << 22
+MAX_TILES = 1 << 22
 OUTPUTS = ("laz", "copc")
 LARGEST = 1e300  # sums of numbers stay finite
 
@@ -41,10 +41,7 @@ def _numbers(count: int) -> Check:
 
 def _is_shape(value: Any) -> bool:
     return (
-        isinstance(value, list)
-        and len(value) == 2
-        and all(map(_is_count, value))
-        and 0 < math.prod(value) <= MOST_TILES
+        isinstance(value, list) and len(value) == 2 and all(map(_is_count, value)) and 0 < math.prod(value) <= MAX_TILES
     )
 
 

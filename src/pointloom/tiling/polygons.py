@@ -29,8 +29,8 @@ from ..pcd.polygon_volume import MIN_CORNERS
 Ring = NDArray[np.float64]
 Area = list[list[Ring]]
 SUFFIXES = (".geojson", ".json", ".wkt")
-MOST_CORNERS = 1_000_000
-MOST_NESTED = 100  # nesting depth of collections
+MAX_CORNERS = 1_000_000
+MAX_NESTED = 100  # nesting depth of collections
 # Possessive quantifiers: linear time for blank text.
 _WKT = re.compile(r"(?:SRID=\d++;\s*+)?(MULTI)?POLYGON\s*+(?:(?:ZM|Z|M)\s*+)?(?=\()", re.IGNORECASE)
 
@@ -54,8 +54,8 @@ def parse_area(name: str, value: Any) -> Area:
     checked = [_check_polygon(name, polygon, is_told) for polygon in polygons]
     if not any(checked):
         raise ValueError(f"{name}: expected at least one polygon, got none")
-    if sum(len(ring) for polygon in checked for ring in polygon) > MOST_CORNERS:
-        raise ValueError(f"{name}: more than {MOST_CORNERS:,} corners; simplify the polygons first")
+    if sum(len(ring) for polygon in checked for ring in polygon) > MAX_CORNERS:
+        raise ValueError(f"{name}: more than {MAX_CORNERS:,} corners; simplify the polygons first")
     return checked
 
 
@@ -99,8 +99,8 @@ def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
         kind = each.get("type") if isinstance(each, dict) else None
         if not isinstance(kind, str) or kind not in _PARTS:
             raise ValueError(f"{name}: expected polygons, got a {shown(each if kind is None else kind)}")
-        if depth > MOST_NESTED:
-            raise ValueError(f"{name}: more than {MOST_NESTED} collections of GeoJSON in each other")
+        if depth > MAX_NESTED:
+            raise ValueError(f"{name}: more than {MAX_NESTED} collections of GeoJSON in each other")
         key, is_list = _PARTS[kind]
         if key not in each:
             raise ValueError(f"{name}: no GeoJSON: a {kind} without {key!r}")

@@ -25,7 +25,7 @@ from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.devices import resolve_device
 from ..core.errors import DeviceError, FileError
 from ..core.verbosity import LOGGER
-from .manifest import DIED, MOST_ATTEMPTS, NAME, Manifest, a_worker
+from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, a_worker
 
 LOOK = 0.2  # [s] between queries for tasks that other runs may release
 PATIENCE = 10.0  # [s] for a connection to a scheduler
@@ -193,7 +193,7 @@ def _local_client(path: Any, count: int) -> Iterator[Any]:
     distributed, config = _imported(path, "distributed"), _imported(path, "dask.config")
     threads = os.environ.get("POINTLOOM_CPU_THREADS") or str(max(1, (os.cpu_count() or 1) // count))
     options: dict[str, Any] = {"n_workers": count, "threads_per_worker": 1, "memory_limit": 0, "host": "127.0.0.1"}
-    options |= {"dashboard_address": "127.0.0.1:0", "scheduler_kwargs": {"allowed_failures": MOST_ATTEMPTS - 1}}
+    options |= {"dashboard_address": "127.0.0.1:0", "scheduler_kwargs": {"allowed_failures": MAX_ATTEMPTS - 1}}
     options |= {"env": {"POINTLOOM_CPU_THREADS": threads, "RAYON_NUM_THREADS": threads}, "preload": _PRELOAD}
     # By default distributed sets variables in the environment of this process.
     environment = {"distributed.nanny.pre-spawn-environ": {"PYTHONHASHSEED": "random"}}

@@ -31,7 +31,7 @@ from .steps.raster import Rasterize
 
 FOLDER = "rasters"
 STRIP = 1024  # cells per side of the mosaic windows: 12 MB
-MOST_OPEN = 64  # open rasters of tiles
+MAX_OPEN = 64  # open rasters of tiles
 _PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
 
 
@@ -153,7 +153,7 @@ class _Tiles:
 
     def __init__(self, folder: Path, step: Rasterize, held: dict[Any, Any]):
         self.folder, self.step, self.held = folder, step, held
-        self.files: LruCache[Any] = LruCache(MOST_OPEN, on_evict=lambda file: file.close())
+        self.files: LruCache[Any] = LruCache(MAX_OPEN, on_evict=lambda file: file.close())
 
     def __enter__(self) -> _Tiles:
         return self

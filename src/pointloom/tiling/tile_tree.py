@@ -30,7 +30,7 @@ from .processes import Processes
 # merged into the parent (pcd/detail_nodes.py): no node ends above the cells.
 MOST = 2_800_000
 GRID_DEPTH = 14  # halvings to the counted cells, fewer if too many have points
-MOST_CELLS = 1 << 20
+MAX_CELLS = 1 << 20
 LEAST = 8192  # deeper points merged into the parent, as in write_copc
 _BATCH = 1 << 20  # points read at a time
 _KEPT_BYTES = 1 << 28
@@ -287,14 +287,14 @@ class _Grid:
     def add(self, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> None:
         """Add counts of ascending cells after GRID_DEPTH halvings."""
         self._parts.append(_counted(codes >> 3 * (GRID_DEPTH - self.depth), counts))
-        if sum(len(codes) for codes, _ in self._parts[1:]) > MOST_CELLS:
+        if sum(len(codes) for codes, _ in self._parts[1:]) > MAX_CELLS:
             self._join()
 
     def _join(self) -> None:
         codes, counts = (np.concatenate(column) for column in zip(*self._parts, strict=True))
         order = np.argsort(codes, kind="stable")
         joined = _counted(codes[order], counts[order])
-        while len(joined[0]) > MOST_CELLS:
+        while len(joined[0]) > MAX_CELLS:
             self.depth -= 1
             joined = _counted(joined[0] >> 3, joined[1])
         self._parts = [joined]

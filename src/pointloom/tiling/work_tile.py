@@ -38,7 +38,7 @@ from .steps.reprojection import Reproject
 from .steps.step import Part, Sight, Step
 
 FOLDER = "tiles"
-MOST_DOUBLINGS = 40
+MAX_DOUBLINGS = 40
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ def work_tile(
     steps = plan.steps if target is None else plan.steps[: target + 1]
     chain = plan.steps if any(step.joins for step in steps) else steps  # steps whose halos must be equal in each pass
     reaches = [step.reach for step in chain]
-    for _ in range(MOST_DOUBLINGS):
+    for _ in range(MAX_DOUBLINGS):
         halos = halos_of(chain, reaches, plan.slack)
         # Borders are rounded: read slightly more; the tile number decides.
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
@@ -89,7 +89,7 @@ def work_tile(
         out = len(part.cloud) if target is None else 0
         checksum = write_tile(plan, folder, tile, part) if out else None
         return Outcome(own, out, sums, checksum)
-    raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MOST_DOUBLINGS} times and was still too small")
+    raise FileError(folder, f"tile {ix}_{iy}: the halo doubled {MAX_DOUBLINGS} times and was still too small")
 
 
 def _keeps_homes(steps: list[Step]) -> bool:

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-QUALITY, MOST_WIDTH, MOST_BYTES = 85, 960, 200_000  # of an image: JPEG quality, [px], bytes
-MOST_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video in a notebook
+QUALITY, MAX_WIDTH, MAX_BYTES = 85, 960, 200_000  # of an image: JPEG quality, [px], bytes
+MAX_PAGE_BYTES = 4 * 2**20  # of a page, an animation or a video in a notebook
 SMALLER = 0.8  # factor of the image size per attempt
 READY = "pointloom"  # message of a live page to the surrounding page
 
@@ -52,7 +52,7 @@ def in_notebook() -> bool:
 
 def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
     """JPEG of an image, at most 200 kB and 960 pixels wide; RGBA is composited over white."""
-    image, most = Image.fromarray(np.ascontiguousarray(picture)), MOST_WIDTH
+    image, most = Image.fromarray(np.ascontiguousarray(picture)), MAX_WIDTH
     if image.mode == "RGBA":
         image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")
     while True:
@@ -60,7 +60,7 @@ def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
             image = image.resize((most, max(1, round(image.height * most / image.width))), Image.Resampling.LANCZOS)
         file = io.BytesIO()
         image.save(file, "JPEG", quality=QUALITY, optimize=True)
-        if file.tell() <= MOST_BYTES or image.width < 2:
+        if file.tell() <= MAX_BYTES or image.width < 2:
             return file.getvalue()
         most = max(1, int(image.width * SMALLER))
 

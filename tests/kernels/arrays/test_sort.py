@@ -11,7 +11,7 @@ from hypothesis.extra.numpy import arrays
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.prefix_sum import exclusive_scan
 from pointloom.kernels.arrays.select import positions_of
-from pointloom.kernels.arrays.sort import LEAST_RUN, argsort_keys
+from pointloom.kernels.arrays.sort import MIN_RUN, argsort_keys
 from pointloom.kernels.lang import int32, int64, uint8
 from pointloom.kernels.memory import upload
 
@@ -32,7 +32,7 @@ def test_keys_are_sorted_stably(device, size, bits, rng):
     assert_sorted_stably(device, rng.integers(0, 2**bits, size, dtype=np.int64), bits)
 
 
-@pytest.mark.parametrize("mean", [LEAST_RUN // 4, LEAST_RUN, 2000])
+@pytest.mark.parametrize("mean", [MIN_RUN // 4, MIN_RUN, 2000])
 def test_runs_of_keys_that_lie_apart_are_sorted_stably(device, mean, rng):
     sizes = rng.integers(0, 2 * mean + 1, 20)  # some may be empty
     sizes[[3, 19]] = 0

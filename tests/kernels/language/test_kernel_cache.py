@@ -92,12 +92,12 @@ def test_other_sources_keep_apart(monkeypatch, tmp_path):
         kernel_cache._read.cache_clear()
 
     try:
-        for number in range(kernel_cache.MOST_FOLDERS + 3):
+        for number in range(kernel_cache.MAX_FOLDERS + 3):
             folder_of(f"sources {number}")
             assert kernel_cache.find(module, "k") is None
             kernel_cache.keep(module, "k", kept)
             assert kernel_cache.find(module, "k") == kept
-        assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MOST_FOLDERS
+        assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MAX_FOLDERS
         kernel_cache.keep("elsewhere.kernels", "k", kept)
         assert kernel_cache.find("elsewhere.kernels", "k") is None
     finally:

@@ -86,8 +86,8 @@ def test_more_samples_within_reach_than_a_group_gathers_are_weighed_too(device, 
 
 
 def test_more_pairs_than_fit_are_counted_and_refused(device, rng, monkeypatch):
-    monkeypatch.setattr(poisson_disk, "MOST_PAIRS", 1000)
-    monkeypatch.setattr(poisson_disk, "MOST_ROOM", 0)
+    monkeypatch.setattr(poisson_disk, "MAX_PAIRS", 1000)
+    monkeypatch.setattr(poisson_disk, "MAX_ROOM", 0)
     with pytest.raises(poisson_disk.CrowdedError) as caught:
         by_rounds(rng.random((100, 3)), 10, 3.0, device)
     assert caught.value.pair_count == 9900

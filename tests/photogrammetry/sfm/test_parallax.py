@@ -23,7 +23,7 @@ def model_of(centers, seen, pixels=None):
 
 
 def test_a_picture_is_compared_with_one_that_is_far_and_sees_much_of_the_same(monkeypatch):
-    monkeypatch.setattr(module, "_MOST_PAIRS", 1)  # for the first picture alone
+    monkeypatch.setattr(module, "_MAX_PAIRS", 1)  # for the first picture alone
     # distance times the root of what is shared: 45, 54 and 42
     assert module._far_pairs(model_of([0.0, 10.0, 7.0, 3.0], [200, 20, 60, 200])) == [(0, 2)]
 

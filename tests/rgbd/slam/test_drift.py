@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.frame_checks import MOST_DEVIATION, judge_drift
+from pointloom.rgbd.slam.frame_checks import MAX_DEVIATION, judge_drift
 from pointloom.rgbd.slam.keyframes import Keyframes
 from pointloom.rgbd.slam.results import TrackingResult
 from pointloom.rgbd.slam.tracker import Drift
@@ -28,13 +28,13 @@ def test_the_deviation_of_a_position_is_that_of_its_most_open_direction():
 
 @pytest.mark.parametrize(("share", "verdict"), [(0.9, "tracked"), (1.1, "uncertain")])
 def test_a_pose_that_is_too_open_is_uncertain_and_its_frame_fits_all_the_same(share, verdict):
-    judged = judge_drift(deviated(share * MOST_DEVIATION), 0.04)
+    judged = judge_drift(deviated(share * MAX_DEVIATION), 0.04)
     assert (judged.verdict, judged.has_drifted) == (verdict, verdict == "uncertain")
     assert bool(judged.reason) == (verdict == "uncertain")
 
 
 def test_a_coarser_model_holds_less():
-    assert judge_drift(deviated(1.5 * MOST_DEVIATION), 0.16).verdict == "tracked"
+    assert judge_drift(deviated(1.5 * MAX_DEVIATION), 0.16).verdict == "tracked"
 
 
 def test_a_lost_frame_stays_lost():
@@ -69,7 +69,7 @@ def test_a_path_that_is_open_is_unreliable_and_says_by_how_much():
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
     path = loom.track(loom.frames_from([(None, depth)] * 3, camera))
-    assert path.reliable and path.to_dict()["position_deviation_m"] == max(path.deviations) < MOST_DEVIATION
+    assert path.reliable and path.to_dict()["position_deviation_m"] == max(path.deviations) < MAX_DEVIATION
     drifted = dataclasses.replace(path, deviations=(0.0, 0.02, 0.12), drifted=(2,), uncertain=(2,))
     assert not drifted.reliable and "0.12 m" in str(drifted.warnings) and drifted.to_dict()["drifted"] == [2]
     assert "120 mm" in str(drifted)

@@ -174,7 +174,7 @@ def test_covered_frames_begin_no_map(device):
 
 @pytest.mark.slow
 def test_models_that_are_kept_are_few(device, monkeypatch):
-    monkeypatch.setattr(maps, "MOST_MAPS", 2)
+    monkeypatch.setattr(maps, "MAX_MAPS", 2)
     slam = away(device)
     slam.run(frames(*range(75, 85)))
     assert slam._maps.begun == 3 and len(slam._maps.kept) == 2

@@ -9,9 +9,9 @@ import pytest
 from pointloom.visualization.page import sources
 from pointloom.visualization.viewer.link.page import ServedPage
 
-MOST_BYTES = 45_000  # of the engine, compressed: a page of it is open before one has noticed
-MOST_LIVE_BYTES = 100_000  # of the whole page, compressed, and of what it has beside the engine
-MOST_PANEL_BYTES = 40_000
+MAX_BYTES = 45_000  # of the engine, compressed: a page of it is open before one has noticed
+MAX_LIVE_BYTES = 100_000  # of the whole page, compressed, and of what it has beside the engine
+MAX_PANEL_BYTES = 40_000
 DECLARED = r"^(?:const|let|class|function|async function) (\w+)"
 
 
@@ -22,15 +22,15 @@ def test_the_sources_come_with_the_package():
 
 def test_the_engine_is_small():
     script = sources.join_scripts(sources.ENGINE) + sources.read_source("engine.css")
-    assert len(gzip.compress(script.encode(), mtime=0)) < MOST_BYTES
+    assert len(gzip.compress(script.encode(), mtime=0)) < MAX_BYTES
 
 
 def test_the_live_page_is_small_and_asks_nobody():
     page = sources.live_page("a title")
     engine = sources.join_scripts(sources.ENGINE) + sources.read_source("engine.css")
     size = len(gzip.compress(page, mtime=0))
-    assert size < MOST_LIVE_BYTES
-    assert size - len(gzip.compress(engine.encode(), mtime=0)) < MOST_PANEL_BYTES
+    assert size < MAX_LIVE_BYTES
+    assert size - len(gzip.compress(engine.encode(), mtime=0)) < MAX_PANEL_BYTES
     text = page.decode().replace("http://www.w3.org/", "")  # names of the elements of pictures, which nobody asks for
     assert not re.search(r"https?://|@import|\bimport\(|\beval\(|new Function|\son[a-z]+=|style=\"", text)
 

@@ -280,7 +280,7 @@ def test_many_frames_are_thinned_evenly_and_the_last_one_stays(path):
 
 
 def test_memory_is_bounded_by_dropping_frames(path, monkeypatch):
-    monkeypatch.setattr(recorder_module, "MOST_BYTES", 50_000)
+    monkeypatch.setattr(recorder_module, "MAX_BYTES", 50_000)
     with loom.record(path) as r:
         for k in range(40):
             r.add("cloud", bumps(100) + k)  # 1,200 B and more each

@@ -10,7 +10,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.visualization.viewer import draw as cells
-from pointloom.visualization.viewer.draw import MOST_OPEN, keep, make_room
+from pointloom.visualization.viewer.draw import MAX_OPEN, keep, make_room
 
 from .events import wait_until
 from .pages import hear_until, visitor_of
@@ -79,10 +79,10 @@ def test_a_cell_that_runs_again_closes_what_it_opened(kernel, metadata):
 
 def test_of_too_many_the_oldest_goes_and_says_so(kernel):
     viewers = []
-    for number in range(MOST_OPEN + 4):
+    for number in range(MAX_OPEN + 4):
         kernel.run(f"draw({number})")
         viewers.append(opened())
-    assert [viewer.closed for viewer in viewers] == [True] * 4 + [False] * MOST_OPEN
+    assert [viewer.closed for viewer in viewers] == [True] * 4 + [False] * MAX_OPEN
     assert all("oldest" in viewer.words[0] for viewer in viewers[:4])
     kernel.run("draw(15)")
     opened()  # of a cell that is there: nothing else goes
@@ -92,8 +92,8 @@ def test_of_too_many_the_oldest_goes_and_says_so(kernel):
 @pytest.mark.parametrize("request_", [None, {}, {"metadata": None}, {"metadata": {}, "content": {}, "header": {}}])
 def test_a_kernel_that_tells_no_cell_closes_none_before_there_are_too_many(kernel, request_):
     kernel.get_parent = lambda: request_
-    viewers = [opened() for _ in range(MOST_OPEN + 1)]
-    assert [viewer.closed for viewer in viewers] == [True] + [False] * MOST_OPEN
+    viewers = [opened() for _ in range(MAX_OPEN + 1)]
+    assert [viewer.closed for viewer in viewers] == [True] + [False] * MAX_OPEN
 
 
 def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel, quick_collection):
@@ -124,7 +124,7 @@ def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd, quic
 
 
 def test_the_visitor_of_the_oldest_is_told(kernel, monkeypatch):
-    monkeypatch.setattr(cells, "MOST_OPEN", 1)
+    monkeypatch.setattr(cells, "MAX_OPEN", 1)
     kernel.run("loom.draw(first)")
     first = loom.draw(np.eye(3), port=0, inline=False, width=64, height=48)
     with visitor_of(first.server) as page:

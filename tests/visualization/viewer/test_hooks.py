@@ -127,7 +127,7 @@ def test_what_a_function_raises_is_shown_in_the_page_and_logged_and_the_next_is_
 def test_more_than_can_wait_is_told_to_the_page(viewer, page):
     go = threading.Event()
     viewer.add_button("slow", lambda number: go.wait(10))
-    for _ in range(callback_queue.MOST_WAITING + 2):
+    for _ in range(callback_queue.MAX_WAITING + 2):
         page.press("slow")
     go.set()
     assert {told.text for told in page.others("notify")} == {"The program is busy: this was passed over."}

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pointloom.visualization.viewer.link.camera import FIRST
-from pointloom.visualization.viewer.link.client import MOST_WAITING, PageClient, Worker
+from pointloom.visualization.viewer.link.client import MAX_WAITING, PageClient, Worker
 from pointloom.visualization.viewer.link.delivery import Channel, Delivery
 from pointloom.visualization.viewer.link.gui import Gui
 from pointloom.visualization.viewer.link.packing import SLICE, pack
@@ -234,13 +234,13 @@ def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():
     worker, begun, gate, seen = Worker("test-worker"), threading.Event(), threading.Event(), []
     worker.run(lambda: (begun.set(), gate.wait(60)))
     assert begun.wait(60)  # what is at work waits no more
-    taken = [worker.run(seen.append, number) for number in range(MOST_WAITING + 10)]
+    taken = [worker.run(seen.append, number) for number in range(MAX_WAITING + 10)]
     assert worker.run(seen.append, "end", always=True)
     worker.end()
     assert not worker.run(seen.append, "late")
     gate.set()
     worker._thread.join(60)
-    assert sum(taken) in (MOST_WAITING - 1, MOST_WAITING)
+    assert sum(taken) in (MAX_WAITING - 1, MAX_WAITING)
     assert seen == [*range(sum(taken)), "end"]
 
 

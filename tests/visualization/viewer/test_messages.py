@@ -13,7 +13,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from pointloom.visualization.viewer.link import hub
-from pointloom.visualization.viewer.link.client import MOST_WAITING
+from pointloom.visualization.viewer.link.client import MAX_WAITING
 
 from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
@@ -271,7 +271,7 @@ def test_a_page_that_talks_without_end_waits_and_others_do_not(server):
         wait_until(lambda: presses != [])
         assert is_well(server)
         slow.set()
-        wait_until(lambda: len(presses) > MOST_WAITING)
+        wait_until(lambda: len(presses) > MAX_WAITING)
         server.close()
         thread.join(60)
         assert not thread.is_alive()
@@ -287,7 +287,7 @@ def test_two_hundred_at_once_are_too_many_for_nobody_but_themselves(server):
             except InvalidStatus as error:
                 assert error.response.status_code == 503
                 refused += 1
-        assert refused == 200 - (hub.MOST_CLIENTS - 1)
+        assert refused == 200 - (hub.MAX_CLIENTS - 1)
         server.pages.scene.add_group()
         assert hear_until(first, "node")["kind"] == "group"
     wait_until(lambda: count(server) == 0)
@@ -338,7 +338,7 @@ def test_a_page_that_answers_no_ping_is_dropped(server, impatient):
 
 
 def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
-    monkeypatch.setattr(hub, "MOST_OWN_BYTES", 20_000_000)
+    monkeypatch.setattr(hub, "MAX_OWN_BYTES", 20_000_000)
     monkeypatch.setattr(hub, "WATCH_SECONDS", 0.1)
     with page_of(server, max_queue=1):  # it stops reading with the first message that nobody takes
         client = client_of(server)

@@ -13,7 +13,7 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.visualization.viewer import draw as drawing
-from pointloom.visualization.viewer.draw import MOST_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
+from pointloom.visualization.viewer.draw import MAX_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
 from pointloom.visualization.viewer.server import ViewerError, ViewerExtraError
 
 
@@ -107,15 +107,15 @@ def test_colab_and_a_wish_put_it_inside_too(notebook, monkeypatch):
 
 
 def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, rng):
-    monkeypatch.setattr(drawing, "MOST_BYTES", 250_000)
+    monkeypatch.setattr(drawing, "MAX_BYTES", 250_000)
     many = loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3)))
     page = loom.draw({"many": many, "few": cloud}, inline=True, width=160, height=120)
     assert page.html is not None and 100_000 < len(page.html) <= 250_000
     assert "of 60,000 points" in repr(page) and "MB of this notebook" in repr(page)
-    monkeypatch.setattr(drawing, "MOST_BYTES", 10_000)  # less than the player
+    monkeypatch.setattr(drawing, "MAX_BYTES", 10_000)  # less than the player
     page = loom.draw(many, inline=True, width=160, height=120)
     assert page.html is None and "<iframe" not in page._repr_mimebundle_()["text/html"]
-    assert MOST_BYTES == 4 * 2**20
+    assert MAX_BYTES == 4 * 2**20
 
 
 def test_a_script_is_told_what_to_install(without_extra, cloud):

@@ -22,7 +22,7 @@ from websockets.sync.client import connect
 
 from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer.link import hub
-from pointloom.visualization.viewer.server import MOST_PORTS, ViewerError, ViewerServer
+from pointloom.visualization.viewer.server import MAX_PORTS, ViewerError, ViewerServer
 
 from .events import join_threads, wait_until
 from .pages import (
@@ -65,12 +65,12 @@ def test_the_line_for_ssh_names_both_ports(server, monkeypatch):
 
 def test_a_port_that_is_taken_gives_the_next_and_says_so(server):
     with ViewerServer(port=server.port) as second:
-        assert server.port < second.port < server.port + MOST_PORTS
+        assert server.port < second.port < server.port + MAX_PORTS
         assert second.moved_from == server.port
 
 
 def test_no_free_port_is_an_error_with_a_remedy(monkeypatch):
-    monkeypatch.setattr("pointloom.visualization.viewer.server.MOST_PORTS", 1)
+    monkeypatch.setattr("pointloom.visualization.viewer.server.MAX_PORTS", 1)
     with ViewerServer(port=0) as server, pytest.raises(ViewerError, match=f"{server.port}:"):
         ViewerServer(port=server.port)
 

@@ -38,8 +38,8 @@ NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
 REACH = 6.0  # maximum distance over the cylinder radius
 LAS = (".las", ".laz")
 UPWARDS = (0.0, 0.0, 1.0)
-_LEAST_KNOWN = 0.5  # fraction of core points with a distance
-_MOST_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
+_MIN_KNOWN = 0.5  # fraction of core points with a distance
+_MAX_ONE_WAY = 0.8  # fraction of core points moved to one side: a shift is more likely than change
 
 
 @dataclass(frozen=True)
@@ -261,7 +261,7 @@ def _warning(
 ) -> str | None:
     """Warn if the epochs do not overlap, or are shifted as a whole."""
     share = float(known.mean()) if len(known) else 0.0
-    if share < _LEAST_KNOWN:
+    if share < _MIN_KNOWN:
         what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"
         return (
             f"only {format_share(share)} of the points have {what}: the epochs hardly overlap, lie in other "
@@ -269,7 +269,7 @@ def _warning(
         )
     for side, word in ((distances > 0, "up"), (distances < 0, "down")):
         one_way = float((changed & side).sum() / known.sum())
-        if one_way > _MOST_ONE_WAY:
+        if one_way > _MAX_ONE_WAY:
             median = float(np.median(distances[changed & side]))
             return (
                 f"{format_share(one_way)} of the points have moved {word}, by {median:.3g} (median): more likely a "

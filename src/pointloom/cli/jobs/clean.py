@@ -20,7 +20,7 @@ from .job import Job, Settings
 from .rows import RowsReport, read_rows
 
 # A radius that removes more than this fraction was probably meant for another cloud or unit.
-_MOST_BY_RADIUS = 0.5
+_MAX_BY_RADIUS = 0.5
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ def _without_lonely(cloud: PointCloud, radius: float, min_neighbors: int) -> Poi
 
 def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_neighbors: int) -> str | None:
     count, gone = len(before), len(before) - len(after)
-    if gone <= _MOST_BY_RADIUS * count:
+    if gone <= _MAX_BY_RADIUS * count:
         return None
     m = symbol_of(before.unit)
     lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"

@@ -20,7 +20,7 @@ PLANE = "plane"
 MIN_POINTS = 100  # minimum size if several planes are searched
 
 # A smaller largest plane means that the scene has none, or that the distance is too small.
-_LEAST_SHARE = 0.05
+_MIN_SHARE = 0.05
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,7 @@ def _warning(planes: Sequence[Plane], finite: int, distance: str, min_points: in
     if not planes:
         reason = f"no plane has {min_points:,} points within {distance}, or all samples lie on lines"
         return f"{reason}; take a larger --distance or more --iterations"
-    if planes[0].share >= _LEAST_SHARE:
+    if planes[0].share >= _MIN_SHARE:
         return None
     return (
         f"the largest plane has only {format_share(planes[0].share)} of the points within {distance}; "

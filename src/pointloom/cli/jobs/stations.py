@@ -150,7 +150,7 @@ def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> N
 
 
 _APART = re.compile(r"[;,\t]")
-MOST_BYTES = 1 << 26  # a table of 500,000 points
+MAX_BYTES = 1 << 26  # a table of 500,000 points
 
 
 def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
@@ -187,8 +187,8 @@ def read_control(path: FilePath) -> list[ControlPoint]:
 def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
     """Line numbers and words of the rows of a table, without a header."""
     try:
-        if Path(path).stat().st_size > MOST_BYTES:
-            raise FileError(path, f"is larger than {MOST_BYTES >> 20} MiB, which no table of targets is")
+        if Path(path).stat().st_size > MAX_BYTES:
+            raise FileError(path, f"is larger than {MAX_BYTES >> 20} MiB, which no table of targets is")
         text = Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:
         raise FileError(path, error.strerror or "cannot be read") from None

@@ -13,7 +13,7 @@ from ...tiling.buckets import FOLDER as BUCKETS
 from ...tiling.finish import finish_tiles
 from ...tiling.status import TileStatus, tile_status
 
-MOST_NAMED = 20  # tiles per line; JSON has all
+MAX_NAMED = 20  # tiles per line; JSON has all
 
 
 @dataclass(frozen=True)
@@ -94,5 +94,5 @@ def _all(told: TileStatus) -> int:
 
 def _named(names: Iterable[str]) -> str:
     known = list(names)
-    more = f" and {len(known) - MOST_NAMED} more" if len(known) > MOST_NAMED else ""
-    return ", ".join(known[:MOST_NAMED]) + more
+    more = f" and {len(known) - MAX_NAMED} more" if len(known) > MAX_NAMED else ""
+    return ", ".join(known[:MAX_NAMED]) + more

@@ -14,8 +14,8 @@ from .console import Progress
 from .options import FILE, LENGTH, Renamed, refuse
 
 NEIGHBORS, RATIO = 20, 2.0  # defaults of the statistical filter: Open3D's example
-MOST_POINTS = 2**31 - 2
-MOST_SEED = 2**31 - 1
+MAX_POINTS = 2**31 - 2
+MAX_SEED = 2**31 - 1
 
 
 class Number(click.ParamType):
@@ -36,8 +36,8 @@ class Number(click.ParamType):
         return number
 
 
-COUNT = Number(f"a whole number from 1 to {MOST_POINTS}", lambda number: 1 <= number <= MOST_POINTS, int)
-SEED = Number(f"a whole number from 0 to {MOST_SEED}", lambda number: 0 <= number <= MOST_SEED, int)
+COUNT = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= number <= MAX_POINTS, int)
+SEED = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
 FACTOR = Number("a finite number above 0", lambda number: 0 < number < math.inf)
 SHARE = Number("a share above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in metres, -inf or inf", lambda number: True)

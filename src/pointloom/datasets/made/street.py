@@ -16,7 +16,7 @@ from .results import PosedScans
 BEAMS = np.radians(np.concatenate([np.linspace(-24.0, -4.0, 18), np.linspace(-3.0, 12.0, 14)]))  # 32, dense ahead
 AZIMUTHS = 1024
 SPEED = 10.0  # [m/s]
-MOST_RANGE, LEAST_RANGE = 80.0, 1.0  # [m]
+MAX_RANGE, MIN_RANGE = 80.0, 1.0  # [m]
 RANGE_NOISE = 0.01  # [m] standard deviation
 
 
@@ -70,7 +70,7 @@ def _drive(count: int, seed: int) -> Arrays:
         directions = in_world(rays, headings)
         met = scene.cast_rays(np.concatenate([places, directions], axis=1))
         reach = met["t_hit"].astype(np.float64) + rng.normal(0, RANGE_NOISE, len(rays))
-        seen = np.isfinite(reach) & (reach > LEAST_RANGE) & (reach < MOST_RANGE)
+        seen = np.isfinite(reach) & (reach > MIN_RANGE) & (reach < MAX_RANGE)
         rows = met["primitive_ids"][seen]
         cosine = np.abs((directions * met["primitive_normals"]).sum(axis=1))[seen]
         light = (0.25 + 0.75 * cosine) * colors[rows].mean(axis=1)

@@ -105,7 +105,7 @@ _LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|j
 
 # Real depth cameras have their principal point within 5 % of the size from the center; one farther off
 # probably belongs to images of another size.
-_FARTHEST_FROM_MIDDLE = 0.15
+_MAX_FROM_MIDDLE = 0.15
 
 _FIELDS_OF_VIEW = (10.0, 150.0)  # [degrees] plausible for a pinhole camera
 
@@ -160,7 +160,7 @@ def doubted(found: FoundCamera) -> FoundCamera:
         ("height", camera.height, camera.cy, camera.fy),
     ):
         off = abs(middle - (length - 1) / 2) / length
-        if off > _FARTHEST_FROM_MIDDLE:
+        if off > _MAX_FROM_MIDDLE:
             reason = f"its principal point ({camera.cx:g}, {camera.cy:g}) lies far from the middle of pictures of"
             likely = f"it may be that of {2 * camera.cx:.0f} x {2 * camera.cy:.0f}"
             return dataclasses.replace(found, doubt=f"{reason} {camera.width} x {camera.height}; {likely}")

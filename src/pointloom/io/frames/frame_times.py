@@ -9,7 +9,7 @@ from statistics import median
 # A gap is a time step this many times the usual one: one dropped frame makes 2, a hanging camera far more.
 GAP = 5.0
 
-MOST_REMARKS = 100  # stored notes; further ones are only counted
+MAX_REMARKS = 100  # stored notes; further ones are only counted
 
 
 class TimeWatch:
@@ -39,5 +39,5 @@ class TimeWatch:
     def remark(self, text: str) -> None:
         """Add a note, or only count it if the list is full."""
         self.count += 1
-        if len(self.notes) < MOST_REMARKS:
+        if len(self.notes) < MAX_REMARKS:
             self.notes.append(text)

@@ -33,7 +33,7 @@ from .gltf_primitives import ALPHA
 
 _VERTEX_TARGET, _INDEX_TARGET = 34962, 34963
 _CODES = {np.dtype(code): number for number, code in COMPONENTS.items()}
-_MOST_WIDTH = 4
+_MAX_WIDTH = 4
 
 
 def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
@@ -117,7 +117,7 @@ def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]
 def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
     """An attribute in a glTF vertex type, shape (m, 1 to 4), or None."""
     column = values.reshape(len(values), -1) if values.ndim == 1 or values.shape[1] else None
-    if column is None or column.shape[1] > _MOST_WIDTH:
+    if column is None or column.shape[1] > _MAX_WIDTH:
         return None
     if column.dtype == np.bool_:
         return column.astype(np.uint8)

@@ -16,7 +16,7 @@ from .gltf_file import GltfFile
 DRACO = "KHR_draco_mesh_compression"
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _FILTERS = {"NONE": (), "OCTAHEDRAL": (4, 8), "QUATERNION": (8,), "EXPONENTIAL": tuple(range(4, 257, 4))}
-_MOST_STRIDE = 256
+_MAX_STRIDE = 256
 
 
 def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: str) -> tuple[memoryview, int]:
@@ -27,7 +27,7 @@ def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: 
     file.check_count(count, f"the elements of {name}")
     if mode not in ("ATTRIBUTES", "TRIANGLES", "INDICES") or filter_name not in _FILTERS:
         raise file.error(f"{name} is packed as {str(mode)[:20]} {str(filter_name)[:20]}, which is not read")
-    good = range(4, _MOST_STRIDE + 1, 4) if is_attribute else (2, 4)
+    good = range(4, _MAX_STRIDE + 1, 4) if is_attribute else (2, 4)
     if filter_name != "NONE":
         good = _FILTERS[filter_name] if is_attribute else ()
     if stride not in good or count < 1 or (mode == "TRIANGLES" and count % 3):

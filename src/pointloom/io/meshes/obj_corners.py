@@ -17,7 +17,7 @@ from ...core.errors import FileError
 KINDS = ("vertices", "texture coordinates", "normals")
 
 _BLANKS = bytes.maketrans(b"\t\v\f\r", b"    ")
-_MOST_DIGITS = 18  # always fits int64
+_MAX_DIGITS = 18  # always fits int64
 
 
 @dataclass
@@ -91,7 +91,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
     if (
         not len(begin)
         or parts.max() > 3
-        or digits.max() > _MOST_DIGITS
+        or digits.max() > _MAX_DIGITS
         or (digits[firsts] == 0).any()
         or np.count_nonzero(signs) != text.count(b"-")
     ):
@@ -144,6 +144,6 @@ def _parse(word: bytes) -> list[int]:
             return []
         if part:
             size = digits.lstrip(b"0")
-            size = 10**_MOST_DIGITS if len(size) > _MOST_DIGITS else int(size or b"0")
+            size = 10**_MAX_DIGITS if len(size) > _MAX_DIGITS else int(size or b"0")
             found[k] = -size if part.startswith(b"-") else size
     return found

@@ -29,7 +29,7 @@ INFO_FIELDS = struct.Struct("<5d2Q2d11Q")
 ENTRY = np.dtype([("level", "<i4"), ("cell", "<i4", 3), ("begin", "<u8"), ("size", "<i4"), ("count", "<i4")])
 POINT_FORMATS = (6, 7, 8)
 IN_PAGE = -1  # point count of an entry that refers to another page
-_MOST_LEVELS = 31  # cells have 32-bit indices
+_MAX_LEVELS = 31  # cells have 32-bit indices
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +152,7 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
         pages.append(page[~further])
     nodes = np.concatenate(pages)
     levels, cells = nodes["level"].astype(np.int64), nodes["cell"].astype(np.int64)
-    if (nodes["count"] < 0).any() or (levels < 0).any() or (levels >= _MOST_LEVELS).any():
+    if (nodes["count"] < 0).any() or (levels < 0).any() or (levels >= _MAX_LEVELS).any():
         raise FileError(path, "a node of the octree has a level or a count that cannot be", where=f"byte {begin}")
     if (cells < 0).any() or (cells >= (np.int64(1) << levels)[:, None]).any():
         raise FileError(path, "a node of the octree lies outside its cube", where=f"byte {begin}")

@@ -24,7 +24,7 @@ from .las_units import units_of
 from .laszip import RECORD, check_chunk
 
 MEMORY = 1 << 28  # [B] cache of unpacked points
-MOST_POINTS = 1 << 22  # maximum points of a node: writers use about 100,000, and a few bytes may claim any number
+MAX_POINTS = 1 << 22  # maximum points of a node: writers use about 100,000, and a few bytes may claim any number
 
 
 class CopcNodes:
@@ -78,8 +78,8 @@ class CopcNodes:
     def _read(self, k: int) -> NDArray[Any]:
         node, what = self.octree.nodes[k], self.name_of(k)
         begin, size, count = int(node["begin"]), int(node["size"]), int(node["count"])
-        if count > MOST_POINTS:
-            raise FileError(self.path, f"{what}, claims {count} points; at most {MOST_POINTS} are shown")
+        if count > MAX_POINTS:
+            raise FileError(self.path, f"{what}, claims {count} points; at most {MAX_POINTS} are shown")
         lazrs = import_for(self.path, "lazrs", "las")
         rows = np.empty(count, self.row)
         with foreign_errors(self.path, f"{what}, cannot be read"):

@@ -32,7 +32,7 @@ from ..table import PointTable
 # Deflate needs at least one bit for 129 bytes, so its output is below 1032 times its input.
 _MAX_DEFLATE_RATIO = 1032
 
-MOST_AXES = 4  # maximum number of array axes
+MAX_AXES = 4  # maximum number of array axes
 
 # The end record of an archive without a comment, as NumPy writes it.
 _END_BYTES = 22
@@ -127,7 +127,7 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
             raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
         count = math.prod(shape)
         needed, left = count * dtype.itemsize, info.file_size - stream.tell()
-        if needed != left or min(shape, default=0) < 0 or len(shape) > MOST_AXES:
+        if needed != left or min(shape, default=0) < 0 or len(shape) > MAX_AXES:
             reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, {left} are there"
             raise FileError(path, reason, where=f"byte {info.header_offset}")
         body = stream.read()

@@ -32,7 +32,7 @@ _NAMED |= _FRACTIONS
 _NAMED |= {f"normal_{axis}": f"n{axis}" for axis in POSITION} | {"red": "r", "green": "g", "blue": "b"}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
-_MOST_DIGITS = 19  # digits of a point count
+_MAX_DIGITS = 19  # digits of a point count
 _PARTED = "Values are parted by commas, semicolons or blanks, decimals by points"
 
 
@@ -120,7 +120,7 @@ def read_head(path: Path, body: bytes) -> _Head:
 
 
 def _is_count(fields: list[bytes]) -> bool:
-    return len(fields) == 1 and fields[0].isdigit() and len(fields[0]) < _MOST_DIGITS
+    return len(fields) == 1 and fields[0].isdigit() and len(fields[0]) < _MAX_DIGITS
 
 
 def _is_wider_below(body: bytes, end: int) -> bool:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.errors import FileError
-from ...pcd.harmonics import MOST_DEGREE, signs_of_flip
+from ...pcd.harmonics import MAX_DEGREE, signs_of_flip
 from ...pcd.splats import logits_of
 from ..optional_imports import foreign_errors, import_for
 from ..source import Source, open_source
@@ -63,8 +63,8 @@ def _check(path: Path, header: SpzHeader, versions: tuple[int, ...]) -> None:
         raise FileError(path, "does not begin with SPZ's mark", where="byte 0")
     if header.version not in versions:
         raise FileError(path, f"is SPZ of version {header.version}", where="byte 4", remedy="Versions 2 to 4 are read")
-    if header.degree > MOST_DEGREE:
-        raise FileError(path, f"harmonics of degree {header.degree}, expected 0 to {MOST_DEGREE}", where="byte 12")
+    if header.degree > MAX_DEGREE:
+        raise FileError(path, f"harmonics of degree {header.degree}, expected 0 to {MAX_DEGREE}", where="byte 12")
     if header.fractional_bits > 23:
         raise FileError(path, f"{header.fractional_bits} fractional bits of 24", where="byte 13")
 

@@ -18,7 +18,7 @@ from ..table import PointTable
 from .splat_rows import check_rounding, to_bytes
 from .spz import COLOR_SCALE, FLIPS, HEADER, MAGIC, SpzHeader
 
-_MOST_BITS = 12  # fractional bits: steps of 0.24 mm, up to 2 km
+_MAX_BITS = 12  # fractional bits: steps of 0.24 mm, up to 2 km
 _VERSION = 3
 
 
@@ -54,7 +54,7 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
 
 def _fractional_bits(path: Any, points: NDArray[Any]) -> int:
     reach = float(np.abs(points).max(initial=0.0))
-    bits = _MOST_BITS
+    bits = _MAX_BITS
     while bits > 0 and np.rint(reach * 2.0**bits) > 2**23 - 1:
         bits -= 1
     check_rounding(path, points, 0.5 / 2**bits if reach * 2.0**bits < 2**23 else np.inf)

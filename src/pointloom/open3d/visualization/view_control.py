@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import ToldNames
 from ...core.checks import check_direction, check_number, check_shape
-from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, LEAST_ZOOM, MOST_ZOOM, ZOOM
+from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MIN_ZOOM, MAX_ZOOM, ZOOM
 from ...visualization.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
 from ..held import ours
 
 TURN = 0.003  # [rad] per pixel, as in Open3D
 ZOOM_STEP = 0.02  # per wheel click
-ANGLE_STEP, LEAST_ANGLE, MOST_ANGLE = 5.0, 5.0, 90.0  # [degrees]
+ANGLE_STEP, MIN_ANGLE, MAX_ANGLE = 5.0, 5.0, 90.0  # [degrees]
 NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 log = logging.getLogger("pointloom.viewer")
 
@@ -83,12 +83,12 @@ class ViewControl(ToldNames):
 
     def scale(self, scale: float) -> None:
         """Zoom out by wheel clicks; negative zooms in."""
-        self.set_zoom(min(max(self._zoom + check_number("scale", scale) * ZOOM_STEP, LEAST_ZOOM), MOST_ZOOM))
+        self.set_zoom(min(max(self._zoom + check_number("scale", scale) * ZOOM_STEP, MIN_ZOOM), MAX_ZOOM))
 
     def change_field_of_view(self, step: float = 0.45) -> None:
         """Widen by steps of 5 degrees, within 5 to 90 degrees."""
         angle = self._angle + check_number("step", step) * ANGLE_STEP
-        self._angle = min(max(angle, LEAST_ANGLE), MOST_ANGLE)
+        self._angle = min(max(angle, MIN_ANGLE), MAX_ANGLE)
         self._changed()
 
     def get_field_of_view(self) -> float:

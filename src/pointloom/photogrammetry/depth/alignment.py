@@ -19,9 +19,9 @@ Numbers = NDArray[np.float64]
 TOLERANCE = 0.1  # relative: above a good network's error, far below that of wrong matches
 HYPOTHESES = 512  # with 60% outliers, one pair in six is correct: failure probability 1e-40
 SCORED = 4096  # references used for scoring: inlier fraction to 0.8%
-LEAST_INLIERS = 20
+MIN_INLIERS = 20
 REFITS = 10
-MOST_DISTANCES = 50  # all 1225 pairs are tried; above this, random ones
+MAX_DISTANCES = 50  # all 1225 pairs are tried; above this, random ones
 FLAT = 1e-6  # minimum difference in d, relative to the range of d
 
 
@@ -42,19 +42,19 @@ class Alignment:
 
 def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bool = True) -> Alignment:
     """Scale and shift from many references y = 1 / z [n] with outliers; AlignmentError if fewer than 20 agree."""
-    if len(d) < LEAST_INLIERS:
-        raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {LEAST_INLIERS}")
+    if len(d) < MIN_INLIERS:
+        raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {MIN_INLIERS}")
     rng = np.random.default_rng(seed)
     rows = np.arange(len(d)) if len(d) <= SCORED else rng.choice(len(d), SCORED, replace=False)
     hypotheses = _draw(d[rows], y[rows], rng, with_shift)
     scale, shift = _best(hypotheses, d[rows], y[rows])
     scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
-    if scale <= 0 and inliers.sum() >= LEAST_INLIERS:
+    if scale <= 0 and inliers.sum() >= MIN_INLIERS:
         raise AlignmentError(f"align: the references agree only where nearer means farther; {REMEDY}")
-    if inliers.sum() < LEAST_INLIERS:
+    if inliers.sum() < MIN_INLIERS:
         raise AlignmentError(
             f"align: {int(inliers.sum())} of {len(d)} references agree with one scale and shift, expected at least "
-            f"{LEAST_INLIERS}; {REMEDY}"
+            f"{MIN_INLIERS}; {REMEDY}"
         )
     return Alignment(scale, shift, float(inliers.mean()), len(d), float(1 / y[inliers].min()))
 

@@ -25,13 +25,13 @@ from ...io.models.sfm_model import SfmModel
 from ...io.pictures.image_files import read_depth
 from ...kernels.images.flying_pixels import drop_flying
 from ...pcd.cloud import PointCloud
-from .alignment import MOST_DISTANCES, Alignment, align_inverse_depth, align_to_distances
+from .alignment import MAX_DISTANCES, Alignment, align_inverse_depth, align_to_distances
 from .inputs import Map
 from .network import DepthModel
 from .network_outputs import OwnCamera, Reading
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
-from .tiles import MOST_TILES, refine_by_tiles
+from .tiles import MAX_TILES, refine_by_tiles
 
 SPARSE = "the sparse model"
 AXIS = 1e-3  # [rad] about the axis, where distortion is negligible
@@ -200,7 +200,7 @@ DEEPEST = (
 )
 FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
 BLUR = 3  # network pixels of the transition between two surfaces
-MOST_REACH = 32  # [px] 512 loads per pixel
+MAX_REACH = 32  # [px] 512 loads per pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -267,7 +267,7 @@ class DepthEstimate:
         step = check_count("stride", stride)
         image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
         if not keep_edges:
-            reach = min(max(round(BLUR * self.enlargement), BLUR), MOST_REACH)
+            reach = min(max(round(BLUR * self.enlargement), BLUR), MAX_REACH)
             kept = drop_flying(image.depth_array, image.width, image.height, reach, FLYING_JUMP)
             image = RGBDImage._from_device_arrays(image.color_array, kept, image.height, image.width)
         return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
@@ -336,7 +336,7 @@ def estimate_depth(
     """
     if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-    count = check_count("tiles", tiles, maximum=MOST_TILES, because="a tile shows too little")
+    count = check_count("tiles", tiles, maximum=MAX_TILES, because="a tile shows too little")
     seed, say = check_seed(seed), check_progress(progress)
     photo = take_photo(picture)
     references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
@@ -442,7 +442,7 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
     d, y = sample(inverse, references.pixels), 1 / references.depths
     seen = np.isfinite(d) & ((d > 0) | (not kind.gives_scale))
     d, y = d[seen], y[seen]
-    if references.are_few and len(d) <= MOST_DISTANCES:
+    if references.are_few and len(d) <= MAX_DISTANCES:
         return align_to_distances(d, y, with_shift=not kind.gives_scale)
     return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
 

@@ -20,7 +20,7 @@ INVERSE, SIGMOID, BROKEN, BINS, RECIPROCAL, EXP, CLAMPED = (
     "inverse", "sigmoid", "broken", "bins", "reciprocal", "exp", "clamped",
 )  # fmt: skip
 RANGES = (20.0, 80.0)  # [m] Depth Anything V2 metric: indoors (Hypersim), outdoors (Virtual KITTI)
-MOST_STEPS = 1000  # about ten are usual; guards against recursive functions
+MAX_STEPS = 1000  # about ten are usual; guards against recursive functions
 
 # Pass-through operations that only change shape, size or type.
 _PASSING = {
@@ -51,7 +51,7 @@ class _Place:
     def producer(self) -> tuple[Node | None, _Place]:
         """The node that computes the value, across function boundaries; None for a model input."""
         here = self
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             node = here.graph.producers.get(here.value)
             if node is None:
                 if not here.calls or here.value not in here.graph.inputs:
@@ -77,7 +77,7 @@ class _Place:
 
     def constant(self) -> float | None:
         here = self
-        for _ in range(MOST_STEPS):
+        for _ in range(MAX_STEPS):
             if here.value in here.graph.constants:
                 return here.graph.constants[here.value]
             node, here = here.producer()
@@ -93,7 +93,7 @@ def _functions(place: _Place) -> dict[tuple[str, str], Graph]:
 
 def find_head(graph: Graph, output: str) -> Head:
     place, factor, is_inverted = _Place(output, graph), 1.0, False
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         node, place = place.producer()
         if node is None:
             return UNKNOWN
@@ -153,7 +153,7 @@ def _decides(node: Node, place: _Place) -> str | None:
 
 def _through(place: _Place) -> tuple[Node | None, _Place]:
     """The node that computes a value, skipping pass-through nodes."""
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         node, place = place.producer()
         if node is None or node.operation not in _PASSING or node.domain:
             return node, place

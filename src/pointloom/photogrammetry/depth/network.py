@@ -223,7 +223,7 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
 
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
-MOST_THREADS = 1024
+MAX_THREADS = 1024
 SILENT = 4  # minimum severity of onnxruntime's stderr log; errors are raised as exceptions too
 
 _REMEDIES = (
@@ -265,7 +265,7 @@ class DepthModel:
     ):
         self._preset = find_preset(preset)
         self.path = str(path_of(path))
-        count = 0 if threads is None else check_count("threads", threads, maximum=MOST_THREADS, because="of one CPU")
+        count = 0 if threads is None else check_count("threads", threads, maximum=MAX_THREADS, because="of one CPU")
         open_source(self.path)
         with content_errors(self.path):
             graph = load_graph(self.path)

@@ -31,8 +31,8 @@ DECADES = (-4.0, 4.0)  # log10 of the nearest depth relative to the extent of th
 STEPS = 200  # search steps, 10% each
 GOLDEN = 60  # steps that reduce the bracket to 1e-12
 OTHER_FOCAL = 1.25  # a focal length changed by this factor, with its own best shift, ...
-LEAST_RISE = 1.1  # ... must fit worse by this factor (a frontal wall fits any) ...
-LEAST_MISS = 2e-3  # ... and by this fraction of half the diagonal, about a pixel
+MIN_RISE = 1.1  # ... must fit worse by this factor (a frontal wall fits any) ...
+MIN_MISS = 2e-3  # ... and by this fraction of half the diagonal, about a pixel
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,7 +62,7 @@ def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[floa
     nearest, cost = sample.search(None)
     found = sample.focal(nearest)
     others = (found * OTHER_FOCAL, found / OTHER_FOCAL)
-    least = LEAST_RISE**2 * cost + LEAST_MISS**2 * float((sample.u**2 + sample.v**2).max())
+    least = MIN_RISE**2 * cost + MIN_MISS**2 * float((sample.u**2 + sample.v**2).max())
     is_fixed = found > 0 and all(sample.search((other, other))[1] > least for other in others)
     return Pinhole((found, found) if is_fixed else None, nearest - near, cost**0.5)
 
@@ -103,9 +103,9 @@ class _Sample:
 
 
 FARTHEST = 1e4  # [m] Depth Pro's clamp
-LEAST_MASK = 0.5  # MoGe's mask threshold, as in its `infer`
+MIN_MASK = 0.5  # MoGe's mask threshold, as in its `infer`
 FOCALS = (0.1, 50.0)  # relative to the image width: 157 and 1 degrees
-MOST_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal; pinhole images have 0.01
+MAX_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal; pinhole images have 0.01
 
 
 class ReadingError(Exception):
@@ -199,7 +199,7 @@ def _read_points(given: dict[str, Any], placement: Placement, focal: tuple[float
         mask = np.asarray(given["mask"], np.float32)
         if mask.size != rows * columns:
             raise ReadingError(f"gave a mask of {list(mask.shape)}, expected [1, {rows}, {columns}]")
-        valid &= mask.reshape(rows, columns) > LEAST_MASK
+        valid &= mask.reshape(rows, columns) > MIN_MASK
     scale = _number(given["scale"])
     if not scale > 0:
         raise ReadingError(f"gave a scale of {scale:g}")
@@ -214,7 +214,7 @@ def _read_points(given: dict[str, Any], placement: Placement, focal: tuple[float
     if found is None or found.focal is None:
         raise ReadingError("gave hardly a point that is not sky")
     error = found.error / math.hypot(*placement.used) * 2
-    if error > MOST_ERROR:
+    if error > MAX_ERROR:
         camera, remedy = ("the camera given", "Check the camera") if is_known else ("any focal length", None)
         reason = (
             f"gave points that do not lie where their pixels are, by {error:.0%} of half the diagonal, with {camera}"

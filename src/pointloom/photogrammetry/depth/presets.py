@@ -16,7 +16,7 @@ from .heads import BINS, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID
 IMAGENET_MEAN, IMAGENET_STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
 ZERO, ONE, HALF = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), (0.5, 0.5, 0.5)
 
-MOST_INPUT = 2**23  # maximum input pixels: 30 times the usual size; attention over more needs 100 GB
+MAX_INPUT = 2**23  # maximum input pixels: 30 times the usual size; attention over more needs 100 GB
 
 
 @dataclasses.dataclass(frozen=True)
@@ -183,7 +183,7 @@ def input_size(preset: Preset, height: int, width: int) -> tuple[int, int]:
         if preset.sizing == "upper" and side > limit:
             side = limit // step * step
         sides.append(side)
-    if sides[0] * sides[1] > MOST_INPUT:
+    if sides[0] * sides[1] > MAX_INPUT:
         raise ValueError(
             f"picture: {width} x {height} pixels are so narrow that {preset.name} would work on {sides[1]} x "
             f"{sides[0]}; crop it"

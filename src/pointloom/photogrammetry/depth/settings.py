@@ -11,7 +11,7 @@ from ...core.checks import check_count, check_positive, check_seed
 from ...core.errors import FilePath
 from ..sfm.picture_folder import check_place
 from .presets import DEFAULT, find_preset
-from .tiles import MOST_TILES
+from .tiles import MAX_TILES
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class DepthSettings:
         if self.align is not None:
             check_place("align", self.align)
         check_positive("depth_scale", self.depth_scale)
-        check_count("tiles", self.tiles, maximum=MOST_TILES, because="a tile shows too little")
+        check_count("tiles", self.tiles, maximum=MAX_TILES, because="a tile shows too little")
         check_seed(self.seed)
 
     def of_each_picture(self) -> dict[str, Any]:

@@ -15,9 +15,9 @@ from .alignment import AlignmentError, align_inverse_depth
 from .inputs import Map, resize
 
 OVERLAP = 0.25  # overlap as a fraction of a tile's side
-LEAST_SIDE = 32  # [px] minimum tile side
+MIN_SIDE = 32  # [px] minimum tile side
 CELLS = 24  # cells per side for the comparison with the complete map
-MOST_TILES = 16  # along the longer side: 256 runs
+MAX_TILES = 16  # along the longer side: 256 runs
 
 Inverse = Callable[[NDArray[np.uint8]], Map]
 
@@ -31,7 +31,7 @@ def starts_of(length: int, side: int) -> list[int]:
 
 def side_of(height: int, width: int, tiles: int) -> int:
     side = -(-max(height, width) // (1 + (tiles - 1) * (1 - OVERLAP)))
-    return max(int(side), LEAST_SIDE)
+    return max(int(side), MIN_SIDE)
 
 
 def refine_by_tiles(

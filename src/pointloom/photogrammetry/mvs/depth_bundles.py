@@ -50,7 +50,7 @@ LAYOUTS = {  # per layout: identifying arrays, and array names
 OPTIONAL = {"Depth Anything 3": ("conf", "image"), "MapAnything": ("images",), "VGGT": ("images",)}
 TURN = 1e-2  # maximum deviation from a rotation: networks use half precision
 MAX_RELATIVE = 0.03  # maximum relative depth difference of two images
-LEAST_CONFIRMED = 0.05  # fraction of confirmed depth below which poses and depths contradict
+MIN_CONFIRMED = 0.05  # fraction of confirmed depth below which poses and depths contradict
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -121,7 +121,7 @@ class DepthBundle:
                 )
             before = sum(int((each.confidence >= max(least, 1e-9)).sum()) for each in self.maps)
             share = sum(int((each.depth > 0).sum()) for each in maps) / max(before, 1)
-            if share < LEAST_CONFIRMED:
+            if share < MIN_CONFIRMED:
                 told = f"{share:.1%} of the depth of {len(maps)} pictures is confirmed by another"
                 reason = f"{told} within {max_relative:g}; is the bundle's pose world to camera?"
                 raise ValueError(f"poses and depths of {self.layout} contradict each other: {reason}")

@@ -67,12 +67,12 @@ def emptied(
         yield DepthMap(np.where(kept, each.depth, np.float32(0)), wide, np.where(kept, each.confidence, np.float32(0)))
 
 
-LEAST_PICTURE = 8  # [px] minimum side
-MOST_SOURCES = 8  # device code counts sources in vectors of eight
-LEAST_POINTS = 3  # minimum points per image for a depth range
+MIN_PICTURE = 8  # [px] minimum side
+MAX_SOURCES = 8  # device code counts sources in vectors of eight
+MIN_POINTS = 3  # minimum points per image for a depth range
 LOW, HIGH = 0.02, 0.98  # quantiles of the point depths: some are wrong
 NEARER, FARTHER = 0.7, 1.5  # margin of the depth range
-LEAST_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
+MIN_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
 DEVICE_BYTES = 2**30
 NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
 REMEDY = "move the camera between pictures, do not only turn it"
@@ -153,8 +153,8 @@ def estimate_depth_maps(
     else:
         wanted = check_sources("sources", sources, len(posed))
         for i, each in enumerate(wanted):
-            if len(each) > MOST_SOURCES:
-                raise ValueError(f"sources[{i}]: expected up to {MOST_SOURCES} pictures, got {len(each)}")
+            if len(each) > MAX_SOURCES:
+                raise ValueError(f"sources[{i}]: expected up to {MAX_SOURCES} pictures, got {len(each)}")
     check_seed(seed)
     say = check_progress(progress)
     check_count("device_bytes", device_bytes, minimum=0, maximum=2**40, because="no device has more")
@@ -189,10 +189,8 @@ def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Pic
     out: list[Picture] = []
     for i, (picture, camera) in enumerate(zip(given, cameras, strict=True)):
         size = (camera.intrinsic.height, camera.intrinsic.width)
-        if min(size) < LEAST_PICTURE:
-            raise ValueError(
-                f"cameras[{i}]: expected at least {LEAST_PICTURE} pixels a side, got {size[1]} x {size[0]}"
-            )
+        if min(size) < MIN_PICTURE:
+            raise ValueError(f"cameras[{i}]: expected at least {MIN_PICTURE} pixels a side, got {size[1]} x {size[0]}")
         if isinstance(picture, str | os.PathLike):
             _check_file(Path(picture), size)
             out.append(Path(picture))
@@ -228,7 +226,7 @@ def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, .
     seen, T = sparse.points[sparse.seen_by(index)], cameras[index].T_camera_world
     z = seen @ T[2, :3] + T[2, 3]
     z = z[z > 0]
-    if len(z) < LEAST_POINTS:
+    if len(z) < MIN_POINTS:
         span = depth_in_view(index, cameras, LOW, HIGH)
     else:
         span = tuple(float(each) for each in np.quantile(z, [LOW, HIGH]))
@@ -242,5 +240,5 @@ def _telling(
     out = []
     for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
         reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]
-        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= LEAST_MOTION))
+        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= MIN_MOTION))
     return tuple(out)

@@ -22,7 +22,7 @@ from ...kernels.stereo.depth_checks import NEIGHBORS, DepthChecks, Pair, support
 from .depth_maps import DepthMap, DepthMaps
 from .posed_pictures import PosedCamera
 
-FEWEST_CONFIRMED = 0.02  # fraction of confirmed depth below which poses are questioned
+MIN_CONFIRMED = 0.02  # fraction of confirmed depth below which poses are questioned
 MIN_VIEWS = 2
 MAX_PIXELS = 1.0
 MAX_RELATIVE = 0.01  # effect: see docs/mvs.md
@@ -103,7 +103,7 @@ def filter_depth_maps(
     counts = np.zeros(2, np.int64)
     filtered = _filtered(maps, least, limits, surest, support, where, say, counts)
     found = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
-    if len(maps) > 1 and counts[1] < FEWEST_CONFIRMED * counts[0]:
+    if len(maps) > 1 and counts[1] < MIN_CONFIRMED * counts[0]:
         share = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
         within = f"max_pixels {limits[0]:g} and max_relative {limits[1]:g}"
         message = (

@@ -90,8 +90,8 @@ Matrix = NDArray[np.float64]
 SLOT_BYTES = 20  # per pixel: brightness and plane
 PLANE_BYTES = 16  # per pixel
 SEED_STEP = 7919  # between seeds of consecutive images and phases
-LEAST_SIDE = 24  # [px] minimum image side of a phase
-MOST_SEED = 0x7FFFFFFF
+MIN_SIDE = 24  # [px] minimum image side of a phase
+MAX_SEED = 0x7FFFFFFF
 
 
 def grid(first: int, step: int, is_taken: Callable[[int], bool]) -> NDArray[np.int64]:
@@ -152,7 +152,7 @@ class Setting:
 
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
     least = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
-    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= LEAST_SIDE)
+    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= MIN_SIDE)
 
 
 def find_depth(setting: Setting, folder: Path | None, say: Any, going: Path | None = None) -> Iterator[DepthMap]:
@@ -237,7 +237,7 @@ class _Walk:
         phase, device = self.phase, self.setting.device
         before, size = self.found[index], reference.width * reference.height
         chosen = min(CHOSEN, sources.count)
-        seed = (self.setting.seed + SEED_STEP * (self.number * len(self.cameras) + index)) & MOST_SEED
+        seed = (self.setting.seed + SEED_STEP * (self.number * len(self.cameras) + index)) & MAX_SEED
         if before is None:
             planes = empty(size, vec4, device)
         else:

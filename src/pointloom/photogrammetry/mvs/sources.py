@@ -16,7 +16,7 @@ from ..frusta import places_before
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
 
 COUNT = 8
-MOST_SOURCES = 256  # limit for a reasonable run time
+MAX_SOURCES = 256  # limit for a reasonable run time
 ENOUGH = 3.0  # good views of a point: more add nothing
 NARROW, WIDE, FALLOFF = 3.0, 10.0, 10.0  # [degrees] full weight within, then decay by e per FALLOFF
 WITHOUT_POINTS = 3.0  # baselines equal to one typical camera step
@@ -57,7 +57,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
         ((1, 2), (0, 2), (1, 0), (2, 1))
     """
     posed = check_cameras("cameras", cameras)
-    most = check_count("count", count, maximum=MOST_SOURCES, because="each takes its share of the time")
+    most = check_count("count", count, maximum=MAX_SOURCES, because="each takes its share of the time")
     points = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
     if sparse is not None:
         points = check_sparse("sparse", sparse)

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from .colmap_cameras import FLAT, GIVEN_WORSE, LEVEL, MOST_SPREAD, MUCH_BETTER, is_open
+from .colmap_cameras import FLAT, GIVEN_WORSE, LEVEL, MAX_SPREAD, MUCH_BETTER, is_open
 
 GIVEN_OFF = 1.02  # factor: calibrations of one lens differ by less
 EXIF_OFF = 0.05  # error of EXIF's focal length: rounded 35 mm equivalents
@@ -62,7 +62,7 @@ class CameraCheck:
         off = abs(math.log(self.found / self.given))
         if self.freed_error < GIVEN_WORSE * self.error:
             return off > math.log(GIVEN_OFF)
-        return self.spread <= MOST_SPREAD and off > 2 * MOST_SPREAD and self.error > (1 + FLAT) * self.freed_error
+        return self.spread <= MAX_SPREAD and off > 2 * MAX_SPREAD and self.error > (1 + FLAT) * self.freed_error
 
     def reasons(self) -> list[str]:
         best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)

@@ -26,17 +26,17 @@ SAME_LENS = 1.04  # focal lengths within this factor are one camera: single esti
 # Rise of the error: below the first value the focal length is undetermined, above the second determined; between them
 # parts of the images are left out.
 LEVEL, STEEP = 0.002, 0.05
-MOST_SPREAD = 0.025  # relative spread; twice that (5%) is EXIF's error
+MAX_SPREAD = 0.025  # relative spread; twice that (5%) is EXIF's error
 GIVEN_WORSE = 0.8  # relative error with the preferred focal length that contradicts a given one
 FLAT = 0.02  # maximum relative rise of the error with EXIF's focal length
 
 _SQUARE = 0.01  # relative difference of two focal lengths for square pixels
 _AS_GOOD = 1.1  # maximum relative error of merged cameras
 
-_FEWEST_POINTS = 30  # minimum points for the checks
-_MOST_POINTS = 1500  # adjusted points, unless there are many images
+_MIN_POINTS = 30  # minimum points for the checks
+_MAX_POINTS = 1500  # adjusted points, unless there are many images
 _POINTS_A_PICTURE = 25
-_FEWEST_SEEN = 20  # minimum points for an own camera
+_MIN_SEEN = 20  # minimum points for an own camera
 _RICHER = {"SIMPLE_PINHOLE": ("RADIAL", 2), "PINHOLE": ("OPENCV", 4), "SIMPLE_RADIAL": ("RADIAL", 1)}
 _BLOCKS, _CELLS = 6, 3  # jackknife groups: sequence blocks, image cells per side
 _STEPS = 60  # adjustment steps
@@ -75,7 +75,7 @@ def thinned(pycolmap: Any, model: Any) -> Any:
     for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
         copy.delete_point3D(number)
     numbers = sorted(copy.point3D_ids())
-    most = max(_MOST_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
+    most = max(_MAX_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
     kept = {numbers[k] for k in np.linspace(0, len(numbers) - 1, most).round().astype(int)} if numbers else set()
     for number in numbers:
         if number not in kept:
@@ -103,7 +103,7 @@ def settle_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
     """Check the cameras of the largest model; returns the models and the values of `camera_check.CameraCheck`."""
-    if models[0].num_points3D() < _FEWEST_POINTS or models[0].num_reg_images() < 2:
+    if models[0].num_points3D() < _MIN_POINTS or models[0].num_reg_images() < 2:
         return models, {}
     if job["fixed_camera"]:
         return models, judge_given(pycolmap, models[0])
@@ -117,7 +117,7 @@ def settle_cameras(
 
 
 def is_open(rise: float, spread: float) -> bool:
-    return rise < LEVEL or spread > MOST_SPREAD
+    return rise < LEVEL or spread > MAX_SPREAD
 
 
 def _known_focal_lengths(pycolmap: Any, database: str) -> dict[int, float]:
@@ -130,7 +130,7 @@ def with_own_cameras(pycolmap: Any, model: Any) -> Any:
     made = pycolmap.Reconstruction()
     for number in sorted(model.reg_image_ids()):
         image = model.image(number)
-        if image.num_points3D < _FEWEST_SEEN:
+        if image.num_points3D < _MIN_SEEN:
             continue
         camera = pycolmap.Camera(image.camera.todict())
         camera.camera_id = number
@@ -242,7 +242,7 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     told = {"given": given, "error": error, "found": found, "freed_error": freed}
     told |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
     # with a small decrease, parts of the images have to agree
-    is_off = abs(math.log(found / given)) > 2 * MOST_SPREAD and error > (1 + FLAT) * freed
+    is_off = abs(math.log(found / given)) > 2 * MAX_SPREAD and error > (1 + FLAT) * freed
     return told | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
 
 

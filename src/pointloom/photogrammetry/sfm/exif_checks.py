@@ -17,7 +17,7 @@ from .picture_writing import counted, some_of
 # mm film).
 SHORTEST, LONGEST = 0.2, 10.0
 SMALLEST_SENSOR, LARGEST_SENSOR = 2.0, 60.0  # [mm] across
-MOST_APART = 1.6  # maximum factor between two tags: crops and 35 mm conventions differ by less
+MAX_APART = 1.6  # maximum factor between two tags: crops and 35 mm conventions differ by less
 FILM_DIAGONAL = math.hypot(36.0, 24.0)  # [mm]
 
 _EXIF, _FOCAL, _FILM, _ZOOM = 0x8769, 0x920A, 0xA405, 0xA404
@@ -44,7 +44,7 @@ def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
     if by_film is None:
         return None if SHORTEST <= by_sensor / longer <= LONGEST else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
     apart = by_film / (by_sensor * max(zoom or 1.0, 1.0))
-    if not 1 / MOST_APART <= apart <= MOST_APART:
+    if not 1 / MAX_APART <= apart <= MAX_APART:
         return f"that on film says {by_film:.0f} px, that of the sensor {by_sensor:.0f} px"
     return None
 

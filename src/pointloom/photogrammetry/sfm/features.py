@@ -33,7 +33,7 @@ MAX_SIZE = 1600
 MAX_FEATURES = 4096
 
 _LONGEST_SIDE = 2**16
-_MOST_FEATURES = 2**17
+_MAX_FEATURES = 2**17
 _BYTES_A_PIXEL = 360  # per pixel of the scaled image: SIFT's first octave has twice its size
 _FEW = 50  # features below which an image is hardly ever registered
 
@@ -202,7 +202,7 @@ def check_use_gpu(use_gpu: Any) -> None:
 
 
 def check_max_features(max_features: Any) -> None:
-    check_count("max_features", max_features, minimum=64, maximum=_MOST_FEATURES, because="matching takes its square")
+    check_count("max_features", max_features, minimum=64, maximum=_MAX_FEATURES, because="matching takes its square")
 
 
 def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:

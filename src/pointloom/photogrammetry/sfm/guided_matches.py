@@ -17,10 +17,10 @@ from ...kernels.features.epipolar_matching import LineFeatures, LineSearches, ma
 from ..frusta import shares_in_view
 from .feature_rays import FeatureRays, focal_of, pinhole_of
 
-MOST_PARTNERS = 20  # maximum partners per image, those with most in common
-LEAST_SHARE = 0.05  # minimum fraction of common view of a partner
+MAX_PARTNERS = 20  # maximum partners per image, those with most in common
+MIN_SHARE = 0.05  # minimum fraction of common view of a partner
 RATIO = 0.8  # ratio of nearest to second nearest distance (Lowe 2004)
-MOST_SQDIST = 123_000  # descriptors of norm 512 are 0.7 rad apart, as in COLMAP
+MAX_SQDIST = 123_000  # descriptors of norm 512 are 0.7 rad apart, as in COLMAP
 PAIRS_AT_ONCE = 32
 
 Pairs = NDArray[np.int64]
@@ -48,8 +48,8 @@ def pairs_in_view(cameras: Sequence[CameraModel], poses: NDArray[np.float64]) ->
     shares = shares_in_view([pinhole_of(camera) for camera in cameras], poses)
     pairs = set()
     for i, row in enumerate(shares):
-        best = np.argsort(-row, kind="stable")[:MOST_PARTNERS]
-        pairs |= {(min(i, j), max(i, j)) for j in best.tolist() if row[j] >= LEAST_SHARE}
+        best = np.argsort(-row, kind="stable")[:MAX_PARTNERS]
+        pairs |= {(min(i, j), max(i, j)) for j in best.tolist() if row[j] >= MIN_SHARE}
     return np.array(sorted(pairs), np.int64).reshape(-1, 2)
 
 
@@ -88,7 +88,7 @@ def essential_of(poses: NDArray[np.float64], pairs: Pairs) -> NDArray[np.float64
 def _mutual(nearest: NDArray[np.int32], starts: NDArray[np.int64], count: int) -> Iterator[NDArray[np.int64]]:
     """The mutual matches of each pair, from searches forward and, `count` further on, backward."""
     with np.errstate(invalid="ignore"):
-        clear = (nearest[:, 0] >= 0) & (nearest[:, 1] <= MOST_SQDIST)
+        clear = (nearest[:, 0] >= 0) & (nearest[:, 1] <= MAX_SQDIST)
         clear &= nearest[:, 1] < RATIO**2 * nearest[:, 2].astype(np.float64)
     chosen = np.where(clear, nearest[:, 0], -1)
     for k in range(count):

@@ -26,7 +26,7 @@ from ...pcd.geodesy import WorldFrame
 from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
 from .picture_writing import counted, some_of
 
-MOST_BYTES = 1 << 20  # searched part of XMP
+MAX_BYTES = 1 << 20  # searched part of XMP
 _ENTRY = re.compile(
     r"(?:drone-dji|drone-parrot|Camera):(?P<name>\w+)\s*(?:=\s*[\"'](?P<a>[^\"'<>]{1,40})[\"']|>\s*(?P<b>[^<>]{1,40})<)"
 )
@@ -51,9 +51,9 @@ class Xmp:
 def parse_xmp(data: bytes | str | None) -> Xmp:
     if not data:
         return Xmp()
-    text = data if isinstance(data, str) else data[:MOST_BYTES].decode("utf-8", "replace")
+    text = data if isinstance(data, str) else data[:MAX_BYTES].decode("utf-8", "replace")
     found: dict[str, float] = {}
-    for match in _ENTRY.finditer(text[:MOST_BYTES]):
+    for match in _ENTRY.finditer(text[:MAX_BYTES]):
         number = _NUMBER.match((match["a"] or match["b"]).strip())
         space = _PREFIX.match(match[0])
         assert space is not None

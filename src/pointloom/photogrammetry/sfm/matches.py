@@ -125,8 +125,8 @@ FEW_PICTURES = 40  # maximum for exhaustive matching (780 pairs): less work than
 
 _PAIR = 2147483647  # COLMAP's id of the pair (a, b) is _PAIR a + b
 _SIFT = 0  # COLMAP's id of the feature type
-_MOST_NEIGHBOURS = 10_000
-_MOST_OVERLAP = 30  # powers of two
+_MAX_NEIGHBOURS = 10_000
+_MAX_OVERLAP = 30  # powers of two
 
 
 @dataclasses.dataclass(frozen=True)
@@ -205,8 +205,8 @@ def match(
     """
     clock, say = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)
-    check_count("overlap", overlap, maximum=_MOST_OVERLAP, because='pairs="exhaustive" takes all')
-    check_count("neighbours", neighbours, maximum=_MOST_NEIGHBOURS, because='pairs="exhaustive" takes all')
+    check_count("overlap", overlap, maximum=_MAX_OVERLAP, because='pairs="exhaustive" takes all')
+    check_count("neighbours", neighbours, maximum=_MAX_NEIGHBOURS, because='pairs="exhaustive" takes all')
     check_use_gpu(use_gpu)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)

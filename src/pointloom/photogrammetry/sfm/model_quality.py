@@ -22,12 +22,12 @@ from .pose_check import PoseCheck
 
 Array = NDArray[np.float64]
 
-_MOST_RAYS = 1 << 20  # rays compared at once: 24 MB, and the products of a point
-_MOST_PAIRS = 40  # image pairs tested for pure rotation
-_MOST_SHARED = 120  # points per pair
+_MAX_RAYS = 1 << 20  # rays compared at once: 24 MB, and the products of a point
+_MAX_PAIRS = 40  # image pairs tested for pure rotation
+_MAX_SHARED = 120  # points per pair
 _FEW_SHARED = 20
 _LOG_FACTORS = (-np.log(2.0), np.log(2.0))  # focal length factors of the rotation test
-_MOST_DISTORTION = 0.5
+_MAX_DISTORTION = 0.5
 _STEPS, _ROUNDS = 9, 5  # values of both per round, and rounds, each with a third of the previous range
 _NARROWING = 3.0
 
@@ -43,7 +43,7 @@ def triangulation_angles(model: SfmModel) -> Array:
     starts = np.cumsum(counts) - counts
     for count in np.unique(counts[counts > 1]):
         chosen = np.flatnonzero(counts == count)
-        for part in np.array_split(chosen, -(-len(chosen) * int(count) ** 2 // _MOST_RAYS)):
+        for part in np.array_split(chosen, -(-len(chosen) * int(count) ** 2 // _MAX_RAYS)):
             these = rays[starts[part][:, None] + np.arange(count)]
             cosines = np.einsum("kid,kjd->kij", these, these).min(axis=(1, 2))
             angles[part] = np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0)))
@@ -59,7 +59,7 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
     focal = float(np.median([camera.params[0] for camera in model.cameras]))
     if fixed:
         return float(focal * _turning_error(first, second, weights, 1.0, 0.0))
-    center, reach = [0.0, 0.0], (_LOG_FACTORS[1], _MOST_DISTORTION)
+    center, reach = [0.0, 0.0], (_LOG_FACTORS[1], _MAX_DISTORTION)
     best = float("inf")
     for _ in range(_ROUNDS):
         logs = np.clip(np.linspace(center[0] - reach[0], center[0] + reach[0], _STEPS), *_LOG_FACTORS)
@@ -76,7 +76,7 @@ def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
     at = np.sort(model.observations @ (count, 1))
     pictures, points = np.divmod(at[np.diff(at, prepend=-1) > 0], count)  # a point may be observed twice in an image
     pairs = set()
-    for picture in np.unique(np.linspace(0, len(model) - 1, _MOST_PAIRS).round().astype(int)) if len(model) else ():
+    for picture in np.unique(np.linspace(0, len(model) - 1, _MAX_PAIRS).round().astype(int)) if len(model) else ():
         seen = np.zeros(len(model.points), bool)
         seen[points[pictures == picture]] = True
         shared = np.bincount(pictures[seen[points]], minlength=len(model))
@@ -92,13 +92,13 @@ def _far_pairs(model: SfmModel) -> list[tuple[int, int]]:
 
 def _rays_of(model: SfmModel, pairs: list[tuple[int, int]]) -> tuple[Array, Array, Array]:
     """Normalized positions of the shared points of each pair, twice [p, s, 2], and weights [p, s]."""
-    first = np.zeros((len(pairs), _MOST_SHARED, 2))
+    first = np.zeros((len(pairs), _MAX_SHARED, 2))
     second, weights = first.copy(), np.zeros(first.shape[:2])
     for k, pair in enumerate(pairs):
         rows = [np.flatnonzero(model.observations[:, 0] == picture) for picture in pair]
         seen, seen_beside = (model.observations[r, 1] for r in rows)
         _, at, beside = np.intersect1d(seen, seen_beside, return_indices=True)
-        some = np.unique(np.linspace(0, len(at) - 1, _MOST_SHARED).round().astype(int))
+        some = np.unique(np.linspace(0, len(at) - 1, _MAX_SHARED).round().astype(int))
         for rays, picture, chosen in ((first, pair[0], rows[0][at[some]]), (second, pair[1], rows[1][beside[some]])):
             rays[k, : len(some)] = model.cameras[picture].unproject(model.pixels[chosen])[:, :2]
         weights[k, : len(some)] = 1.0

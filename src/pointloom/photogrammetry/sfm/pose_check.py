@@ -20,12 +20,12 @@ from ...core.wording import few_of
 from ...io.models.sfm_model import SfmModel
 from ...io.points.scan_files import natural_key
 from .feature_rays import FeatureRays, focal_of
-from .guided_matches import MOST_SQDIST, RATIO, PairMatches, Pairs, essential_of
+from .guided_matches import MAX_SQDIST, RATIO, PairMatches, Pairs, essential_of
 
-MOST_PAIRS = 40  # overlapping pairs, and as many neighbors by name
-MOST_FEATURES = 1000  # features per image
-MOST_MATCHES = 200  # matches per pair, for equal influence
-FEWEST_MATCHES = 12  # minimum per pair
+MAX_PAIRS = 40  # overlapping pairs, and as many neighbors by name
+MAX_FEATURES = 1000  # features per image
+MAX_MATCHES = 200  # matches per pair, for equal influence
+MIN_MATCHES = 12  # minimum per pair
 FEWEST = 60  # minimum in total
 NEAR = 0.004  # epipolar distance relative to the longer side, for rough poses
 FITTING = 0.4  # minimum fraction for correct poses: 0.6 in a room, a fountain, a temple
@@ -137,10 +137,10 @@ def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseChe
 
 
 def _sample(pairs: Pairs, model: SfmModel) -> Pairs:
-    some = pairs[np.unique(np.linspace(0, len(pairs) - 1, MOST_PAIRS).round().astype(int))] if len(pairs) else pairs
+    some = pairs[np.unique(np.linspace(0, len(pairs) - 1, MAX_PAIRS).round().astype(int))] if len(pairs) else pairs
     order = _natural_order(model)
     near = [(order[k], order[k + step]) for step in (1, 2) for k in range(len(order) - step)]
-    near = [near[k] for k in np.unique(np.linspace(0, len(near) - 1, MOST_PAIRS).round().astype(int))] if near else []
+    near = [near[k] for k in np.unique(np.linspace(0, len(near) - 1, MAX_PAIRS).round().astype(int))] if near else []
     chosen = {(min(pair), max(pair)) for pair in near} | {tuple(pair) for pair in some.tolist()}
     return np.array(sorted(chosen), np.int64).reshape(-1, 2)
 
@@ -162,7 +162,7 @@ def match_by_looks(features: FeatureRays, pairs: Pairs) -> PairMatches:
     found = []
     for a, b in pairs.tolist():
         (mine, p), (theirs, q) = table(a), table(b)
-        chosen = np.unique(np.linspace(0, len(mine) - 1, MOST_FEATURES).round().astype(int)) if len(mine) else []
+        chosen = np.unique(np.linspace(0, len(mine) - 1, MAX_FEATURES).round().astype(int)) if len(mine) else []
         found.append(_nearest_mutual(p, q, np.asarray(chosen, np.int64), mine, theirs))
     return PairMatches.of_lists(pairs, found)
 
@@ -175,7 +175,7 @@ def _nearest_mutual(p: Any, q: Any, chosen: Any, mine: Any, theirs: Any) -> NDAr
     rows = np.arange(len(chosen))
     least = sqdists[rows, best]
     sqdists[rows, best] = np.inf
-    clear = (least < RATIO**2 * sqdists.min(axis=1)) & (least <= MOST_SQDIST)
+    clear = (least < RATIO**2 * sqdists.min(axis=1)) & (least <= MAX_SQDIST)
     rows, best = rows[clear], best[clear]
     back = ((p**2).sum(axis=1)[:, None] - 2 * (p @ q[best].T)).argmin(axis=0)
     mutual = back == chosen[rows]
@@ -195,12 +195,12 @@ class _Matches:
 
     @classmethod
     def of(cls, features: FeatureRays, model: SfmModel, found: PairMatches) -> _Matches:
-        kept = [k for k in range(len(found.pairs)) if len(found.of(k)) >= FEWEST_MATCHES]
+        kept = [k for k in range(len(found.pairs)) if len(found.of(k)) >= MIN_MATCHES]
         rays: list[list[Array]] = [[np.zeros((0, 2))], [np.zeros((0, 2))]]
         pair = [np.zeros(0, np.int64)]
         for number, k in enumerate(kept):
             matches = found.of(k)
-            some = matches[np.unique(np.linspace(0, len(matches) - 1, MOST_MATCHES).round().astype(int))]
+            some = matches[np.unique(np.linspace(0, len(matches) - 1, MAX_MATCHES).round().astype(int))]
             for side in (0, 1):
                 rays[side].append(features.rays[features.of(int(found.pairs[k, side]))][some[:, side]])
             pair.append(np.full(len(some), number))

@@ -32,7 +32,7 @@ from .picture_folder import UPRIGHT, check_place, is_grey_16, read_header, read_
 from .picture_writing import write_bytes
 from .straightened import straightened_model
 
-LEAST_UNSEEN = 0.001  # fraction of blank pixels below which no mask is written
+MIN_UNSEEN = 0.001  # fraction of blank pixels below which no mask is written
 _SUFFIXES = {"jpeg": (".jpg", ".jpeg"), "png": (".png",)}
 
 Pixels = NDArray[np.uint8]
@@ -155,7 +155,7 @@ def unseen_of(lens: Undistortion) -> NDArray[np.bool_] | None:
     if is_straight(lens.camera, lens):
         return None
     unseen = ~lens.seen
-    return unseen if unseen.mean() > LEAST_UNSEEN else None
+    return unseen if unseen.mean() > MIN_UNSEEN else None
 
 
 TRANSFORMS, IMAGES, MASKS, SPARSE = "transforms.json", "images", "masks", "sparse/0"  # identify such a folder

@@ -29,11 +29,11 @@ from .picture_folder import check_place, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 
-LEAST_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
-FEWEST_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
+MIN_DISTANCE = 1.0  # [px] at extraction size: SIFT errors are a third of that
+MIN_VIEWS = 3  # minimum views if there are enough images: any two rays that meet give a point
 DISTANCES = 4.0  # times the median epipolar distance
 MIN_ANGLE = 1.5  # [degrees] minimum triangulation angle
-FEWEST_MATCHES = 8  # minimum per pair
+MIN_MATCHES = 8  # minimum per pair
 
 
 @dataclasses.dataclass(frozen=True)
@@ -154,7 +154,7 @@ def match_posed(
 def admitted_distance(model: SfmModel, check: PoseCheck) -> float:
     """Maximum epipolar distance of a match [px], by the accuracy of the poses."""
     longer = max(max(camera.width, camera.height) for camera in model.cameras)
-    least = LEAST_DISTANCE * max(1.0, longer / FINDING_SIZE)
+    least = MIN_DISTANCE * max(1.0, longer / FINDING_SIZE)
     return float(min(max(least, DISTANCES * check.distance), max(least, 1.5 * NEAR * longer)))
 
 
@@ -179,12 +179,12 @@ def points_of(
         place = Path(scratch)
         arrays, found = place / "arrays.npz", place / "found.npz"
         np.savez(arrays, **_arrays_of(model, features, matches, focals))
-        job = {"stage": "points", "seed": int(seed), "fewest": FEWEST_MATCHES, "error": error, "angle": MIN_ANGLE}
+        job = {"stage": "points", "seed": int(seed), "fewest": MIN_MATCHES, "error": error, "angle": MIN_ANGLE}
         job |= {"angle_error": float(np.degrees(2 * error / np.median(focals))), "scratch": scratch}
         job |= {"database": os.fspath(place / "points.db"), "arrays": os.fspath(arrays), "found": os.fspath(found)}
         _, peak = run_job(job, database, **check_limits(max_seconds, max_memory))
         with np.load(found) as read:
-            points, seen = _often_seen(read["points"], read["seen"], min(FEWEST_VIEWS, len(model)))
+            points, seen = _often_seen(read["points"], read["seen"], min(MIN_VIEWS, len(model)))
     rows = features.firsts[seen[:, 0]] + seen[:, 1]
     errors, colors = (
         _errors(model, points, seen, features.pixels[rows]),

@@ -94,7 +94,7 @@ _INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-pyt
 _NO_CONTAINER = "its first bytes are those of no known container of videos"
 _CONVERT = "Convert it to MP4 or MKV. Playlists are not followed: give the video itself"
 _FIRST_FPS_MODE = (5, 1)  # first ffmpeg with -fps_mode
-_MOST_PIXELS = 2**28
+_MAX_PIXELS = 2**28
 
 
 @dataclasses.dataclass(frozen=True)
@@ -287,7 +287,7 @@ def _read_netpbm(stream: IO[bytes]) -> NDArray[np.uint8] | None:
     if kind not in (b"P5\n", b"P6\n") or most != b"255\n":
         return None
     width, height = (int(text) for text in size.split())
-    if not 0 < width * height <= _MOST_PIXELS:
+    if not 0 < width * height <= _MAX_PIXELS:
         return None
     shape = (height, width) if kind == b"P5\n" else (height, width, 3)
     length = int(np.prod(shape))

@@ -19,7 +19,7 @@ from ...registration.rigid import fit_pose
 from ...registration.stations.observations import ControlPoint
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_rows
 from ..sfm.image_positions import PicturePlaces
-from .control_blunders import FEWEST_TO_TELL, ROUGH, agreeing, deviations, misfit
+from .control_blunders import MIN_TO_TELL, ROUGH, agreeing, deviations, misfit
 from .control_report import CHECK, CONTROL, UNUSED, ControlFit, ControlResidual, GpsGaps
 from .control_systems import to_geodetic
 from .georeference import NotSettledError, enu_of, places_of
@@ -183,7 +183,7 @@ def _why_off(rows: tuple[ControlResidual, ...], worse: float, count: int) -> str
     """Whether the used points contradict each other without a clear outlier."""
     if not worse > ROUGH:
         return ""
-    more = f"; {FEWEST_TO_TELL} or more points tell which is wrong" if count < FEWEST_TO_TELL else ""
+    more = f"; {MIN_TO_TELL} or more points tell which is wrong" if count < MIN_TO_TELL else ""
     return f"{_off(rows, worse)}: one is wrong, or the model is bent; check coordinates and marks{more}"
 
 

@@ -22,14 +22,14 @@ TRIPLES = 300  # random triples if there are more
 TURNS = 10
 AS_TOLD = 1.25  # ratio of actual to stated errors of the inliers
 ROUGH = 5.0  # standard deviations of an outlier
-FEWEST_TO_TELL = 5  # minimum points to identify a wrong one
+MIN_TO_TELL = 5  # minimum points to identify a wrong one
 
 
 def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> NDArray[np.bool_]:
     """Mask [n] of the inliers among model and world positions [n, 3] [m] with standard deviations `sigma` [m]."""
     count = len(source)
     kept = np.ones(count, bool)
-    if count < FEWEST_TO_TELL:
+    if count < MIN_TO_TELL:
         return kept
     most = count - (count - FEWEST) // 2
     best, left = math.inf, None
@@ -47,7 +47,7 @@ def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> ND
         return kept
     spread = math.sqrt(best / max(3 * most - 7, 1))
     if spread > AS_TOLD:  # the model is deformed, or the stated sigmas are too small
-        spread *= 1 + FEWEST_TO_TELL / (count - FEWEST)
+        spread *= 1 + MIN_TO_TELL / (count - FEWEST)
     kept = deviations(fit, source, target, sigma) <= ROUGH * max(1.0, spread)
     return kept if kept.sum() > FEWEST and not is_straight(target[kept]) else np.ones(count, bool)
 

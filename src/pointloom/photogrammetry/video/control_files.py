@@ -22,7 +22,7 @@ from .ground_control import ControlMark, GroundControl, ScaleBar
 
 CONTROL_SIGMA = 0.02  # [m] default
 SIGMAS = (1e-6, 1e3)  # [m] valid range
-MOST_BYTES = 1 << 24
+MAX_BYTES = 1 << 24
 HALF_PIXEL = 0.5
 LOCAL = ("", "local", "none")
 
@@ -95,8 +95,8 @@ def _read(found: _Found, *, is_bars: bool) -> None:
 
 def _lines_of(place: Path) -> list[tuple[int, str]]:
     try:
-        if place.stat().st_size > MOST_BYTES:
-            raise FileError(place, f"is larger than {MOST_BYTES >> 20} MiB, which no list of control points is")
+        if place.stat().st_size > MAX_BYTES:
+            raise FileError(place, f"is larger than {MAX_BYTES >> 20} MiB, which no list of control points is")
         text = place.read_text(encoding="utf-8-sig")
     except OSError as error:
         reason = "does not exist" if isinstance(error, FileNotFoundError) else error.strerror or "cannot be read"

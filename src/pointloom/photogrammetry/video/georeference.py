@@ -26,11 +26,11 @@ Array = NDArray[np.float64]
 
 FEWEST = 3  # positions
 SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] default GNSS sigma, and the factor for heights
-LEAST_SIGMA = 0.005  # [m] lower bound
-LEAST_EXTENT = 3.0  # minimum extent of the positions, in sigmas
+MIN_SIGMA = 0.005  # [m] lower bound
+MIN_EXTENT = 3.0  # minimum extent of the positions, in sigmas
 WORST_SCALE, WORST_TILT, WORST_YAW = 0.05, 5.0, 10.0  # maximum relative scale sigma, tilt and yaw sigma [degrees]
 DOUBTED = 0.05  # maximum RMS residual relative to the extent
-MOST_WRONG = 1 / 3  # maximum outlier fraction
+MAX_WRONG = 1 / 3  # maximum outlier fraction
 NO_HEIGHT = 1e4  # [m] standard deviation of unknown heights
 CUT = 3.5  # normalized residual of an outlier
 TURNS = 12
@@ -78,7 +78,7 @@ class PlacesFit:
 
     def problem(self) -> str | None:
         wrong = len(self.left_out)
-        if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MOST_WRONG * len(self.names)):
+        if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MAX_WRONG * len(self.names)):
             return None
         return (
             f"the places that pictures tell and those found differ by {self.horizontal_rms:.3g} m in plan over "
@@ -128,9 +128,9 @@ def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> Place
     target, sigma = _targets(frame, [told[name] for name in names])
     source = model.centers[[model.index_of(name) for name in names]]
     extent = float(np.linalg.norm(np.ptp(target[:, :2], axis=0)))
-    least = LEAST_EXTENT * float(np.median(sigma[:, 0]))
+    least = MIN_EXTENT * float(np.median(sigma[:, 0]))
     if not extent > least:
-        raise NotSettledError(f"the places cover {extent:.3g} m, and are {least / LEAST_EXTENT:.3g} m sure each")
+        raise NotSettledError(f"the places cover {extent:.3g} m, and are {least / MIN_EXTENT:.3g} m sure each")
     try:
         T = _first(model, names, source, target, up)
         fit, inliers = _refined(source, target, sigma, up, T)
@@ -169,8 +169,8 @@ def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Arra
     target = enu_of(frame, places)
     sigma = np.empty_like(target)
     for k, place in enumerate(places):
-        plan = max(place.horizontal_sigma or SIGMA, LEAST_SIGMA)
-        sigma[k] = plan, plan, max(place.vertical_sigma or HEIGHT_FACTOR * plan, LEAST_SIGMA)
+        plan = max(place.horizontal_sigma or SIGMA, MIN_SIGMA)
+        sigma[k] = plan, plan, max(place.vertical_sigma or HEIGHT_FACTOR * plan, MIN_SIGMA)
         if place.altitude is None:
             sigma[k, 2] = np.inf
     return target, sigma

@@ -25,7 +25,7 @@ STEP = 1e-6  # relative step of numeric derivatives
 WORST = 15.0  # [px] maximum error of a mark
 BETTER = 1.3  # improvement without an outlier mark, with four and more
 CLEARLY = 3.0  # improvement without one of three
-LEAST_ANGLE = math.radians(0.5)  # minimum angle between two rays
+MIN_ANGLE = math.radians(0.5)  # minimum angle between two rays
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> Marke
         rays = _rays(model, seen)
         if not np.isfinite(rays).all():
             return _because(nowhere, "a mark lies outside of what its lens shows")
-        if _widest(rays) < LEAST_ANGLE:
+        if _widest(rays) < MIN_ANGLE:
             return _because(nowhere, "all pictures show it from one side: their rays do not cross")
         place, covariance = _adjusted(model, seen, _meeting(model, seen, rays))
         if place is None:
@@ -87,7 +87,7 @@ def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int 
     for k in range(len(seen)):
         rest = seen[:k] + seen[k + 1 :]
         rays = _rays(model, rest)
-        if _widest(rays) >= LEAST_ANGLE:
+        if _widest(rays) >= MIN_ANGLE:
             place, _ = _adjusted(model, rest, _meeting(model, rest, rays))
             left[k] = np.inf if place is None else np.sqrt((_gaps(model, rest, place) ** 2).sum(axis=1).mean())
     first, second = np.argsort(left, kind="stable")[:2].tolist()

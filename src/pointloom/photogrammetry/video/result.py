@@ -16,7 +16,7 @@ from ..sfm.model_quality import ModelQuality
 from ..sfm.training_folder import TrainingFolder
 from .units import ARBITRARY, UNKNOWN, Fit
 
-LEAST_KEPT = 0.2  # minimum fraction of confirmed pixels
+MIN_KEPT = 0.2  # minimum fraction of confirmed pixels
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class VideoFigures:
 
     def depth_warnings(self) -> list[str]:
         share = self.confirmed_share
-        if share is None or share >= LEAST_KEPT:
+        if share is None or share >= MIN_KEPT:
             return []
         return [
             f"other pictures confirm the depth of {format_share(share)} of the pixels: surfaces without texture, or "

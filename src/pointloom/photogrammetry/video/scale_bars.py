@@ -17,7 +17,7 @@ from .marked_points import MarkedPoint
 Array = NDArray[np.float64]
 
 DOUBTED = 0.01  # relative error that is never an outlier
-FEWEST_TO_TELL = 3  # minimum bars to identify a wrong one
+MIN_TO_TELL = 3  # minimum bars to identify a wrong one
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,7 +103,7 @@ def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:
     """The scale as a similarity, its relative standard deviation, and the inlier bars."""
     scales = [bars.bars[k].metres / bars.length(k) for k in bars.used]
     T = _scaled(float(np.median(scales)))
-    if len(scales) >= FEWEST_TO_TELL:
+    if len(scales) >= MIN_TO_TELL:
         agree = bars.agreeing(T)
         bars = agree if 2 * len(agree.used) > len(scales) else bars
     found, metres, sigma = bars.rows(T).T

@@ -22,7 +22,7 @@ from .motion import digest_of_source
 from .units import Units
 
 MAX_FRAMES, MAX_SIZE = 150, 960
-FEWEST_PICTURES, SMALLEST = 2, 64  # minimum images, and minimum size
+MIN_PICTURES, SMALLEST = 2, 64  # minimum images, and minimum size
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class Settings:
     mapper: str = "auto"
 
     def __post_init__(self):
-        check_count("max_frames", self.max_frames, minimum=FEWEST_PICTURES)
+        check_count("max_frames", self.max_frames, minimum=MIN_PICTURES)
         check_count("max_size", self.max_size, minimum=SMALLEST)
         check_seed(self.seed)
         if not isinstance(self.units, Units):

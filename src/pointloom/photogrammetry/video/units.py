@@ -30,7 +30,7 @@ from .ground_control import GroundControl
 
 FEWEST = 3  # minimum positions for a similarity
 DOUBTED = 0.05  # maximum RMS residual relative to the extent
-MOST_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
+MAX_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
 
 ARBITRARY = "arbitrary"
 METRES = "metres"
@@ -340,7 +340,7 @@ def _aligned(path: FilePath, model: SfmModel) -> Fit:
 
 
 def _problem(places: KnownPlaces, path: FilePath) -> str | None:
-    if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MOST_WRONG * places.count):
+    if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MAX_WRONG * places.count):
         return None
     return (
         f"the known places and those found differ by {places.rms_m:.3g} m over {places.extent_m:.3g} m, without "

@@ -13,7 +13,7 @@ from ...meshing.volume.tsdf import TSDFVolume
 
 Pose = NDArray[np.float64]
 
-MOST_FRAMES = 16  # sampled frames
+MAX_FRAMES = 16  # sampled frames
 WIDTH = 80  # [px] of the sampled depth maps
 NOISE = 0.02  # relative depth noise
 CONTRADICTED = 0.15  # fraction off the surface: correct poses have 1 to 5%, poses 15 cm off half
@@ -33,7 +33,7 @@ class PoseCheck:
 
     def add(self, depth: Any, T_world_camera: Pose) -> None:
         if self._count % self._every == 0:
-            if len(self._kept) == MOST_FRAMES:
+            if len(self._kept) == MAX_FRAMES:
                 self._kept = self._kept[::2]
                 self._every *= 2
             small = np.array(np.asarray(depth)[:: self._step, :: self._step])

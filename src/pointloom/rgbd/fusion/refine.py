@@ -19,8 +19,8 @@ from ..slam.model import Model
 Pose = NDArray[np.float64]
 
 # Larger corrections indicate a wrong match: errors of structure from motion are at most about 20 cm and a few degrees.
-FARTHEST_SHIFT = 0.3  # [m]
-FARTHEST_TURN = 10.0  # [degrees]
+MAX_SHIFT = 0.3  # [m]
+MAX_TURN = 10.0  # [degrees]
 
 # Posed frames are often far apart, so most surfaces were seen by few others: use all of them.
 SEEN_ONCE = 0.0
@@ -104,7 +104,7 @@ class PoseRefiner:
 
 
 def _why_too_far(shift: float, turn: float) -> str:
-    if shift <= FARTHEST_SHIFT and turn <= FARTHEST_TURN:
+    if shift <= MAX_SHIFT and turn <= MAX_TURN:
         return ""
     return f"the model lies {shift * 1000:.0f} mm and {turn:.1f} degrees from the pose given"
 

@@ -16,8 +16,8 @@ from ...kernels.rgbd.level_copies import level_rows
 from ...kernels.rgbd.open3d_images import fill_missing, mark_missing
 from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 
-MOST_PIXELS = 100_000  # finest level: half VGA; larger ones cost four times as much with little gain
-LEAST_SIDE = 24  # [px] of the coarsest level
+MAX_PIXELS = 100_000  # finest level: half VGA; larger ones cost four times as much with little gain
+MIN_SIDE = 24  # [px] of the coarsest level
 PLANE_RADIUS = 2  # [px] radius of plane windows
 DEPTH_MAX = 6.0  # [m] range of depth cameras
 
@@ -80,7 +80,7 @@ class OdometryFrame:
         depth: wp.array,
         brightness: wp.array | None,
         intrinsic: PinholeCameraIntrinsic,
-        most_pixels: int = MOST_PIXELS,
+        most_pixels: int = MAX_PIXELS,
         *,
         normals: wp.array | None = None,
         blur: float = 0.0,
@@ -104,7 +104,7 @@ class OdometryFrame:
         depth: Any,
         brightness: Any,
         intrinsic: PinholeCameraIntrinsic,
-        most: int = MOST_PIXELS,
+        most: int = MAX_PIXELS,
         normals: wp.array | None = None,
     ) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
@@ -116,7 +116,7 @@ class OdometryFrame:
             intrinsic.height,
             lens,
             most_pixels=most,
-            least_side=LEAST_SIDE,
+            least_side=MIN_SIDE,
             radius=PLANE_RADIUS,
             normals=normals,
         )

@@ -18,18 +18,18 @@ UNDETERMINED = "the frames do not determine the motion"  # does not contradict t
 
 # Measured over 400 pairs of a kitchen and 1,000 of different scenes (benchmarks/rgbd_odometry_accuracy.py): right |
 # wrong.
-LEAST_OVERLAP = 0.25  # overlap: less is inconclusive
-LEAST_INLIERS = 0.6  # fraction on the surface: 0.69 and more | half of them below 0.35
-MOST_IN_FRONT = 0.1  # fraction in front of the surface: up to 0.04 | half of them above 0.28
-LEAST_AGREEMENT = 0.87  # normal agreement: 0.93 and more | half below 0.3, one otherwise accepted has 0.79
-MOST_EXCESS = 5.5  # squared distance in noise variances, at most 16 per pixel: up to 4.8 | all but 2% above
-LEAST_CORRELATION = 0.3  # brightness correlation: 0.65 and more | nearly all below 0.57
-LEAST_EIGENVALUE = 0.015  # 0.07 and more | untextured walls 0.004 and less
+MIN_OVERLAP = 0.25  # overlap: less is inconclusive
+MIN_INLIERS = 0.6  # fraction on the surface: 0.69 and more | half of them below 0.35
+MAX_IN_FRONT = 0.1  # fraction in front of the surface: up to 0.04 | half of them above 0.28
+MIN_AGREEMENT = 0.87  # normal agreement: 0.93 and more | half below 0.3, one otherwise accepted has 0.79
+MAX_EXCESS = 5.5  # squared distance in noise variances, at most 16 per pixel: up to 4.8 | all but 2% above
+MIN_CORRELATION = 0.3  # brightness correlation: 0.65 and more | nearly all below 0.57
+MIN_EIGENVALUE = 0.015  # 0.07 and more | untextured walls 0.004 and less
 FEWEST = 12  # inliers
 IMITATED = 0.004  # eigenvalue of untextured walls due to noise and rounded edges
-LEAST_KEPT = 1e-4  # of it, for a finite covariance: a meter and more
-LEAST_EXCESS = 0.1  # of the measured noise: means of many pixels are less exact than their number suggests
-MOST_OPEN = 0.06  # [m] deviation along undetermined motions
+MIN_KEPT = 1e-4  # of it, for a finite covariance: a meter and more
+MIN_EXCESS = 0.1  # of the measured noise: means of many pixels are less exact than their number suggests
+MAX_OPEN = 0.06  # [m] deviation along undetermined motions
 SHARED = 25.0  # pixels per plane window, with common errors
 SHADED = 0.3  # minimum fraction of inliers with brightness
 SHIFT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise variances
@@ -40,7 +40,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(found, pixels, seen, inliers, blur)
     smallest = smallest_eigenvalue(found.certainty, v)
-    if not reason and smallest < LEAST_EIGENVALUE:
+    if not reason and smallest < MIN_EIGENVALUE:
         reason = UNDETERMINED
     scale = source.width * source.height / float(source.levels.counts[level])
     shades = v[at.SHADE_COUNT]
@@ -66,11 +66,11 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, b
         return "the steps left the numbers"
     if pixels == 0:
         return "the source has no depth"
-    if seen / pixels < LEAST_OVERLAP:
+    if seen / pixels < MIN_OVERLAP:
         return f"only {100 * seen / pixels:.0f} % of the source's pixels meet depth in the target"
-    if inliers / seen < LEAST_INLIERS:
+    if inliers / seen < MIN_INLIERS:
         return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
-    if v[at.IN_FRONT] / seen > MOST_IN_FRONT:
+    if v[at.IN_FRONT] / seen > MAX_IN_FRONT:
         return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
     return _contradiction(v, blur)
 
@@ -78,11 +78,11 @@ def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, b
 def _contradiction(v: NDArray[np.float64], blur: float) -> str:
     """Contradiction of the inlier pixels with the pose, independent of occlusion."""
     inliers = v[at.INLIERS]
-    if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < LEAST_AGREEMENT:
+    if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < MIN_AGREEMENT:
         return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
-    if (excess := _excess(v, blur)) > MOST_EXCESS:
+    if (excess := _excess(v, blur)) > MAX_EXCESS:
         return f"the surfaces lie {np.sqrt(excess):.1f} times as far apart as noise explains"
-    if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < LEAST_CORRELATION:
+    if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < MIN_CORRELATION:
         return f"the brightness does not agree (correlation {correlation(v):.2f})"
     return ""
 
@@ -122,10 +122,10 @@ def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[
     b = _about_middle(v)
     values, vectors = eigh(matmul(b.T, symmetric_matrices(firm[None, :21])[0], b))
     unit = n / SHIFT**2
-    kept = np.maximum(values - IMITATED * unit, LEAST_KEPT * unit)
-    noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], LEAST_EXCESS)
+    kept = np.maximum(values - IMITATED * unit, MIN_KEPT * unit)
+    noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], MIN_EXCESS)
     spread = matmul(b, vectors)
-    return matmul(spread * np.minimum(noise / kept, MOST_OPEN**2), spread.T)
+    return matmul(spread * np.minimum(noise / kept, MAX_OPEN**2), spread.T)
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:

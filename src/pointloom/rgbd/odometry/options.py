@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from ...core.checks import check_count, check_list, check_positive
 
-MOST_STEPS = 1000
-MOST_LEVELS = 12
+MAX_STEPS = 1000
+MAX_LEVELS = 12
 
 
 class Method(enum.Enum):
@@ -61,10 +61,10 @@ class OdometryOption:
     def __post_init__(self) -> None:
         name = "iteration_number_per_pyramid_level"
         steps = check_list(name, self.iteration_number_per_pyramid_level, "numbers of steps")
-        if not 1 <= len(steps) <= MOST_LEVELS:
-            raise ValueError(f"{name}: expected 1 to {MOST_LEVELS} levels, got {len(steps)}")
+        if not 1 <= len(steps) <= MAX_LEVELS:
+            raise ValueError(f"{name}: expected 1 to {MAX_LEVELS} levels, got {len(steps)}")
         reason = "what has not come near by then does not come"
-        most = {"maximum": MOST_STEPS, "because": reason}
+        most = {"maximum": MAX_STEPS, "because": reason}
         object.__setattr__(self, name, tuple(check_count(name, step, minimum=0, **most) for step in steps))
         check_positive("depth_diff_max", self.depth_diff_max)
         check_positive("depth_min", self.depth_min, allow_zero=True)
@@ -98,7 +98,7 @@ class OdometryConvergenceCriteria:
 
     def __post_init__(self) -> None:
         reason = "what has not come near by then does not come"
-        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MOST_STEPS, because=reason)
+        check_count("max_iteration", self.max_iteration, minimum=0, maximum=MAX_STEPS, because=reason)
         check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
 

@@ -30,7 +30,7 @@ from ...kernels.rgbd import open3d_rows as rows
 from .alignment import align_steps
 from .frames import OdometryFrame
 from .options import (
-    MOST_LEVELS,
+    MAX_LEVELS,
     Method,
     OdometryConvergenceCriteria,
     OdometryLossParams,
@@ -285,8 +285,8 @@ def _check_criteria(criteria: Sequence[OdometryConvergenceCriteria] | None) -> l
     for given in listed:
         if not isinstance(given, OdometryConvergenceCriteria):
             raise TypeError(f"criteria_list: expected OdometryConvergenceCriteria, got {type(given).__name__}")
-    if not 1 <= len(listed) <= MOST_LEVELS:
-        raise ValueError(f"criteria_list: expected 1 to {MOST_LEVELS} levels, got {len(listed)}")
+    if not 1 <= len(listed) <= MAX_LEVELS:
+        raise ValueError(f"criteria_list: expected 1 to {MAX_LEVELS} levels, got {len(listed)}")
     return listed
 
 

@@ -17,7 +17,7 @@ from ...core.escaped_text import escaped
 from ...core.json_files import read_json_object
 
 TSDF_RESOLUTION = 512  # voxels per edge of Open3D's cube, `tsdf_cubic_size`
-LEAST_TRUNCATION = 0.04  # [m] as in Open3D; above depth camera noise at 3 m
+MIN_TRUNCATION = 0.04  # [m] as in Open3D; above depth camera noise at 3 m
 TRUNCATION_VOXELS = 4.0
 FRAGMENT_VOXELS = 5.0  # per registration voxel: fragments are downsampled to at most a quarter of it
 
@@ -160,7 +160,7 @@ class ReconstructionConfig:
     @property
     def truncation(self) -> float:
         """Truncation of the scene's volume [m]."""
-        return self.sdf_trunc or max(LEAST_TRUNCATION, TRUNCATION_VOXELS * self.volume_voxel_size)
+        return self.sdf_trunc or max(MIN_TRUNCATION, TRUNCATION_VOXELS * self.volume_voxel_size)
 
     @property
     def fragment_voxel(self) -> float:

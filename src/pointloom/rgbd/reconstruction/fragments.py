@@ -509,7 +509,7 @@ def align(
 SAMPLES = 300  # sampled depth pixels per keyframe
 SHARED = 0.35  # minimum common fraction; Open3D uses 0.3 between fragments
 SAME_DEPTH = 0.1  # relative depth difference beyond which a sample is occluded
-MOST_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
+MAX_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
 
 
 @dataclass(frozen=True, eq=False)
@@ -560,7 +560,7 @@ def find_candidates(
                 continue  # the pair of odometry
             if min(_shares(later, earlier, T, intrinsic)) >= SHARED:
                 chosen.append((b, a, T))
-        found += chosen if len(chosen) <= MOST_LOOPS else [*chosen[: MOST_LOOPS - 1], chosen[-1]]
+        found += chosen if len(chosen) <= MAX_LOOPS else [*chosen[: MAX_LOOPS - 1], chosen[-1]]
     return found
 
 

@@ -29,7 +29,7 @@ from ...meshing.volume.tsdf import RayCast, TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose
 from .foreground import Foreground
-from .frame_checks import LEAST_DEPTH, depth_share, is_determined, judge_drift
+from .frame_checks import MIN_DEPTH, depth_share, is_determined, judge_drift
 from .frames import SensorFrame
 from .keyframes import Keyframes
 from .loops import LoopClosure, close_loops, corrected_trajectory, fuse_submaps
@@ -382,7 +382,7 @@ class DenseSLAM:
     def _begin(self, frame: SensorFrame, known: dict[str, Any]) -> TrackingResult:
         """The first frame with depth of a map defines the map's world."""
         here = self._maps.here
-        if depth_share(frame.pyramid) < LEAST_DEPTH:
+        if depth_share(frame.pyramid) < MIN_DEPTH:
             return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
         pose = here.model.current_frame_pose
         here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
@@ -391,7 +391,7 @@ class DenseSLAM:
 
     def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:
         """Handle a frame that no map matches: lost, or the first of a new map if the camera was lost for long."""
-        if depth_share(frame.pyramid) < LEAST_DEPTH or not self._maps.lost():
+        if depth_share(frame.pyramid) < MIN_DEPTH or not self._maps.lost():
             return lost
         self._maps.begin()
         return self._begin(frame, known)
@@ -438,7 +438,7 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
 STALE = "its depth picture is the last one's"
 STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
 STALLED_SECONDS = 0.12  # likewise with timestamps
-LEAST_CELLS = 0.02  # minimum fraction of measured cells
+MIN_CELLS = 0.02  # minimum fraction of measured cells
 MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
 CHANGED = 0.03  # or root mean square brightness change of a cell; camera noise 0.01
 
@@ -465,7 +465,7 @@ class StreamCheck:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             return ""
         sums = motion_between(view, last)
-        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > LEAST_CELLS * view.columns * view.rows
+        is_repeated = sums[at.OTHER] == 0 and sums[at.MEASURED] > MIN_CELLS * view.columns * view.rows
         if not is_repeated:
             self._fresh, self.stalled = (view, frame.timestamp), 0
             self.lag.add(shift_of(sums, at.BRIGHT), shift_of(sums, at.NEAR), frame.timestamp)

@@ -29,10 +29,10 @@ from .tracking import track
 
 TURN = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
 PAIRS = 8
-FEWEST_PAIRS = 3  # minimum for a result
+MIN_PAIRS = 3  # minimum for a result
 FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
 BETTER = 0.95  # residual ratio of a better focal length: noise stays above 0.99
-LEAST_OVERLAP = 0.2
+MIN_OVERLAP = 0.2
 MISS = 0.05  # [m] cost of a pixel off the surface
 
 
@@ -140,7 +140,7 @@ def check_focal(
 
 
 def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
-    if len(found) < FEWEST_PAIRS:
+    if len(found) < MIN_PAIRS:
         return None
     table = np.array(found)
     ratios = np.median(table[:, 1:] / table[:, :1], axis=0)
@@ -198,7 +198,7 @@ def _residuals(
             for frame in frames
         )
         results.append(align_frames(second, first, start))
-    if not any(result.reliable for result in results) or min(result.overlap for result in results) < LEAST_OVERLAP:
+    if not any(result.reliable for result in results) or min(result.overlap for result in results) < MIN_OVERLAP:
         return None
     return [_residual(result) for result in results]
 

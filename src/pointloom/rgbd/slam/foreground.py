@@ -19,7 +19,7 @@ from ...kernels.rgbd.stream_views import StreamView, hide_near
 from ...registration.rigid import invert_pose, rotation_vector
 from ..odometry.alignment import BRIGHTNESS_SHARE, STEPS, Method, descend
 from ..odometry.frames import OdometryFrame
-from ..odometry.motion_checks import LEAST_EIGENVALUE, judge
+from ..odometry.motion_checks import MIN_EIGENVALUE, judge
 from ..odometry.results import OdometryResult
 from .frames import SensorFrame
 
@@ -31,7 +31,7 @@ FIRST = 60  # frames with the very first as reference
 EVERY = 4  # frames between checks, after ...
 AT_ONCE = 12  # ... this many, which are all checked: a new model cannot contradict a wrong pose
 NEAREST, FARTHEST, BINS = 0.25, 2.5, 64  # nearness bins [1/m]: 4 m to 0.4 m
-LEAST_LAYER = 0.05  # minimum image fraction of each layer
+MIN_LAYER = 0.05  # minimum image fraction of each layer
 APART = 3.0  # misfit ratio: static scenes up to 1.6 | moving 2.5 at once, 7 to 300 soon
 NOISE = 0.3  # minimum difference in noise variances
 ALIKE = 2.0  # maximum misfit ratio of a common motion
@@ -39,10 +39,10 @@ AGREED = 8  # consecutive checks until the near part is static again: a second
 SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] minimum camera motion between the two frames
 STRIDE = 1.3  # factor of the next tried limits
 AS_GOOD, SLACK = 1.15, 0.02  # factor, and variances, by which a nearer limit may fit worse
-LEAST_LEFT = 0.25  # minimum image fraction beyond it
+MIN_LEFT = 0.25  # minimum image fraction beyond it
 PLAIN = 2.5  # noise variances: a far part with a larger misfit also contains moving objects
-MOST_SHIFT, MOST_TURN = 0.3, np.deg2rad(20.0)  # [m], [rad] maximum motion: larger view changes hide moving objects
-LEAST_OVERLAP = 0.6  # minimum overlap of the far part: border effects dominate below
+MAX_SHIFT, MAX_TURN = 0.3, np.deg2rad(20.0)  # [m], [rad] maximum motion: larger view changes hide moving objects
+MIN_OVERLAP = 0.6  # minimum overlap of the far part: border effects dominate below
 FIRM_AGREEMENT = 0.9  # minimum agreement of the visible far part
 
 
@@ -67,7 +67,7 @@ class Layers:
     def is_told(self) -> bool:
         result = self.far.result
         shift, turn = self._moved
-        is_near = shift < MOST_SHIFT and turn < MOST_TURN and result.overlap > LEAST_OVERLAP
+        is_near = shift < MAX_SHIFT and turn < MAX_TURN and result.overlap > MIN_OVERLAP
         return self.far.agreement > FIRM_AGREEMENT and is_near and not result.contradiction
 
     @property
@@ -91,7 +91,7 @@ class Layers:
     def pose(self) -> Pose | None:
         """T_world_camera by the far part; None if undetermined."""
         result = self.far.result
-        is_fixed = self.is_told and result.smallest_eigenvalue > LEAST_EIGENVALUE
+        is_fixed = self.is_told and result.smallest_eigenvalue > MIN_EIGENVALUE
         return matmul(self.start, result.transformation) if self.start is not None and is_fixed else None
 
 
@@ -156,7 +156,7 @@ class Foreground:
             return (nearer, self._limit / STRIDE) if is_as_good else (layers, self._limit)
         found = [(layers, self._limit)]
         if layers.far.misfit > PLAIN or not layers.is_told:
-            is_left = np.mean((nearness > 0.0) & (nearness * self._limit * STRIDE < 1.0)) > LEAST_LEFT
+            is_left = np.mean((nearness > 0.0) & (nearness * self._limit * STRIDE < 1.0)) > MIN_LEFT
             others = [limit, self._limit * STRIDE] if is_left else [limit]
             found += [(parted(other), other) for other in others]
         return min(found, key=lambda pair: (not pair[0].is_told, pair[0].far.misfit))
@@ -178,7 +178,7 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
     far, moments = np.cumsum(shares), np.cumsum(shares * middles)
     spread = (moments[-1] * far - moments) ** 2 / np.maximum(far * (1 - far), 1e-9)
     best = int(np.argmax(spread))
-    return float(1.0 / edges[best + 1]) if LEAST_LAYER <= far[best] <= 1.0 - LEAST_LAYER else 0.0
+    return float(1.0 / edges[best + 1]) if MIN_LAYER <= far[best] <= 1.0 - MIN_LAYER else 0.0
 
 
 def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:

@@ -20,22 +20,22 @@ from ..odometry.motion_checks import UNDETERMINED
 from ..odometry.results import OdometryResult
 from .results import TrackingResult, Verdict
 
-LEAST_DEPTH = 0.02  # minimum depth fraction of a frame
-LEAST_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # fraction of the frame's depth where the model has depth
-LEAST_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # fraction of that on its surface
-LEAST_EIGENVALUE = 0.005  # as of OdometryResult: small images of rooms 0.007 and more | flat walls up to 0.004
-MOST_SHIFT, MOST_TURN = 0.35, np.deg2rad(30.0)  # [m], [rad] jump from the expected pose
-MOST_DEVIATION = 0.035  # [m] position deviation: 0.04 and more in a white office 10 cm off | textured rooms up to 0.011
-MOST_OF_TRUNCATION = 0.44  # larger limit for coarser models
+MIN_DEPTH = 0.02  # minimum depth fraction of a frame
+MIN_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # fraction of the frame's depth where the model has depth
+MIN_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # fraction of that on its surface
+MIN_EIGENVALUE = 0.005  # as of OdometryResult: small images of rooms 0.007 and more | flat walls up to 0.004
+MAX_SHIFT, MAX_TURN = 0.35, np.deg2rad(30.0)  # [m], [rad] jump from the expected pose
+MAX_DEVIATION = 0.035  # [m] position deviation: 0.04 and more in a white office 10 cm off | textured rooms up to 0.011
+MAX_OF_TRUNCATION = 0.44  # larger limit for coarser models
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe
 RIM_OVERLAP = 0.3  # at the extrapolated pose: a camera that was covered sees the model border
 SHAPE_OVERLAP = 0.08  # if registration accepts the pose, and two frames agree
 # Doors that differ by 9% white: 15 times the typical residual; correct poses up to 1.9 times, at untextured model
 # borders, by a gray value.
-MOST_SHADES, LEAST_SHADES = 2.0, 0.01  # factor of the typical brightness residual, and minimum difference
-MOST_GAP, LEAST_GAP = 2.5, 0.005  # factor of the typical surface distance, and minimum difference [m]
+MAX_SHADES, MIN_SHADES = 2.0, 0.01  # factor of the typical brightness residual, and minimum difference
+MAX_GAP, MIN_GAP = 2.5, 0.005  # factor of the typical surface distance, and minimum difference [m]
 FOLLOWED_GAP = 0.015  # [m] likewise for a tracked frame: the view may move from near to far objects
-MOST_MISFIT, LEAST_MISFIT = 2.0, 0.05  # factor of the fraction off the surface, and minimum difference
+MAX_MISFIT, MIN_MISFIT = 2.0, 0.05  # factor of the fraction off the surface, and minimum difference
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ def agreement_of(result: OdometryResult) -> float:
 
 def is_determined(result: OdometryResult) -> bool:
     """True if the frame determines its motion; a frame that may slide gives no velocity."""
-    return result.smallest_eigenvalue >= LEAST_EIGENVALUE
+    return result.smallest_eigenvalue >= MIN_EIGENVALUE
 
 
 def judge_tracking(
@@ -83,15 +83,15 @@ def judge_tracking(
     agreement = agreement_of(result)
     shift = float(norm(moved[:3, 3]))
     turn = float(norm(rotation_vector(moved[:3, :3])))
-    if not np.isfinite(moved).all() or shift > MOST_SHIFT or turn > MOST_TURN:
+    if not np.isfinite(moved).all() or shift > MAX_SHIFT or turn > MAX_TURN:
         return "lost", f"it jumps by {shift:.2f} m, {np.rad2deg(turn):.0f} degrees"
-    if result.overlap < LEAST_OVERLAP:
+    if result.overlap < MIN_OVERLAP:
         return "lost", f"{result.overlap:.0%} of its depth meet the model"
-    if agreement < LEAST_AGREEMENT:
+    if agreement < MIN_AGREEMENT:
         return "lost", f"{agreement:.0%} of what meets the model lie on its surface"
     if result.contradiction:
         return "lost", result.contradiction
-    if result.inlier_rmse > MOST_GAP * usual_gap and result.inlier_rmse - usual_gap > FOLLOWED_GAP:
+    if result.inlier_rmse > MAX_GAP * usual_gap and result.inlier_rmse - usual_gap > FOLLOWED_GAP:
         return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
     if not is_determined(result):
         return "uncertain", "what it shows does not fix where it was taken"
@@ -114,14 +114,14 @@ def judge_recognition(
         return "lost", f"{result.fitness:.0%} of its depth lie on the model"
     if is_off_shade(result.intensity_rmse, usual):
         return "lost", f"its brightness is {result.intensity_rmse / max(usual, 1e-4):.1f} times as far off as usual"
-    if result.inlier_rmse > MOST_GAP * usual_gap and result.inlier_rmse - usual_gap > LEAST_GAP:
+    if result.inlier_rmse > MAX_GAP * usual_gap and result.inlier_rmse - usual_gap > MIN_GAP:
         return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
     return "tracked", ""
 
 
 def is_off_shade(shades: float, usual: float) -> bool:
     """True if a brightness residual clearly exceeds the typical one; False without color (NaN)."""
-    return shades > MOST_SHADES * usual and shades - usual > LEAST_SHADES
+    return shades > MAX_SHADES * usual and shades - usual > MIN_SHADES
 
 
 def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
@@ -129,7 +129,7 @@ def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
     if not result.reliable and result.overlap >= RIM_OVERLAP and UNDETERMINED not in result.warnings:
         return True
     misfit, other_misfit = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
-    if misfit > MOST_MISFIT * other_misfit + LEAST_MISFIT:
+    if misfit > MAX_MISFIT * other_misfit + MIN_MISFIT:
         return True
     return is_off_shade(result.intensity_rmse, other.intensity_rmse)
 
@@ -137,7 +137,7 @@ def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
 def judge_drift(result: TrackingResult, truncation: float) -> TrackingResult:
     """The result, uncertain if its accumulated deviation is too large for the truncation [m]."""
     off = result.position_deviation
-    if not result.is_tracked or off <= max(MOST_DEVIATION, MOST_OF_TRUNCATION * truncation):
+    if not result.is_tracked or off <= max(MAX_DEVIATION, MAX_OF_TRUNCATION * truncation):
         return result
     reason = f"what was open on the way adds up to {off:.2f} m"
     return dataclasses.replace(result, verdict="uncertain", reason=reason, has_drifted=True)

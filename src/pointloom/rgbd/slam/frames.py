@@ -14,7 +14,7 @@ from ...cameras.images import check_intrinsic, integer_scale, upload_color, uplo
 from ...core.checks import check_number
 from ..odometry.frames import OdometryFrame
 
-MOST_PIXELS = 20_000  # finest level: a quarter of VGA's sides; more does not help
+MAX_PIXELS = 20_000  # finest level: a quarter of VGA's sides; more does not help
 
 
 class SensorFrame:
@@ -70,7 +70,7 @@ class SensorFrame:
         self.depth, self.still, self._pyramid = depth, None, None
 
     def pyramid_of(self, depth: Any) -> OdometryFrame:
-        return OdometryFrame._from_device_maps(depth, self.pixels, self.intrinsic, MOST_PIXELS)
+        return OdometryFrame._from_device_maps(depth, self.pixels, self.intrinsic, MAX_PIXELS)
 
     def seconds_since(self, earlier: float | None) -> float:
         if earlier is None or self.timestamp is None:

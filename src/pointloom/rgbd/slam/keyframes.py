@@ -19,7 +19,7 @@ Pose = NDArray[np.float64]
 
 APART = 0.25  # [m] minimum distance to the nearest keyframe, or ...
 TURNED = np.deg2rad(18.0)  # ... minimum rotation of a new view
-LEAST_COMMON = 0.15  # minimum fraction of tests valid in both frames
+MIN_COMMON = 0.15  # minimum fraction of tests valid in both frames
 
 
 class Keyframes:
@@ -66,7 +66,7 @@ class Keyframes:
             return []
         counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
         common, different = counts[:, 0], counts[:, 1]
-        least = max(LEAST_COMMON * common.max(initial=0), 1)
+        least = max(MIN_COMMON * common.max(initial=0), 1)
         shares = np.where(common >= least, different / np.maximum(common, 1), 1.0)
         found: list[tuple[int, float]] = []
         for index in np.argsort(shares, kind="stable").tolist():

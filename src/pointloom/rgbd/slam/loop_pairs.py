@@ -18,7 +18,7 @@ from ...kernels.arrays.bounds import bound_points
 from ...kernels.linear_algebra import matmul
 from ...kernels.surface.hollow_side import Surface
 from ...pcd.cloud import PointCloud
-from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
+from ...registration.globally.global_registration import MIN_POINTS, Description, describe, register_described
 from ...registration.globally.rating import Witness, rate_surfaces, surface_of
 from ...registration.icp.estimation import (
     TransformationEstimationForGeneralizedICP,
@@ -48,10 +48,10 @@ class SubmapSurface:
         self.box = np.zeros((0, 3))
         self.thinned: PointCloud | None = None
         self.witness: Witness | None = None
-        if len(self.cloud) < FEWEST_POINTS:
+        if len(self.cloud) < MIN_POINTS:
             return
         surface = surface_of(self.cloud, voxel_size)
-        if len(surface) < FEWEST_POINTS:
+        if len(surface) < MIN_POINTS:
             return
         self.witness = Witness(surface, voxel_size)
         self.thinned = self._as_cloud(surface)

@@ -36,7 +36,7 @@ from .submaps import Submap, check_poses, check_submaps, tracked_run, way_betwee
 Matrix = NDArray[np.float64]
 
 VOXELS = 2.5  # volume voxels per registration voxel
-LEAST_VOXEL = 0.05  # [m] for rooms
+MIN_VOXEL = 0.05  # [m] for rooms
 DRIFT = 0.05  # maximum drift relative to the path: trackers have 1 to 2%
 SLACK = 0.05  # [m] additional drift
 CONTRADICTED = "it contradicts tracking or other loops"
@@ -113,7 +113,7 @@ def close_loops(
     """
     ordered, order = _in_order(submaps)
     coarsest = max(submap.volume.voxel_size for submap in ordered)
-    size = max(VOXELS * coarsest, LEAST_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
+    size = max(VOXELS * coarsest, MIN_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
     share, chooser = check_positive("drift", drift), check_seed(seed)
     say = check_progress(progress)
     surfaces = []

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
-from ...registration.globally.global_registration import FEWEST_POINTS
+from ...registration.globally.global_registration import MIN_POINTS
 from ...registration.globally.rating import Witness, rate_surfaces, surface_of
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector, to_local
 from ..odometry.alignment import align_frames
 from ..odometry.results import OdometryResult
-from .frame_checks import FIRM_OVERLAP, LEAST_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
+from .frame_checks import FIRM_OVERLAP, MIN_OVERLAP, SURE_AGREEMENT, agreement_of, is_determined
 from .frames import SensorFrame
 from .keyframes import view_distance
 from .maps import SlamMap
@@ -29,12 +29,12 @@ Pose = NDArray[np.float64]
 AGREEING = 5  # frames that confirm a proposal
 FAILING = 3  # frames that refute it
 WAY = 0.5  # view_distance between the first and the last of them: 12 cm or 9 degrees
-MOST_VIEWS = 24  # per map
-LEAST_VIEWS = 2  # distinct views that confirm a join
-MOST_AGAINST = 0.25  # ratio to the confirming views: rarely seen map borders are inexact
+MAX_VIEWS = 24  # per map
+MIN_VIEWS = 2  # distinct views that confirm a join
+MAX_AGAINST = 0.25  # ratio to the confirming views: rarely seen map borders are inexact
 CONTRADICTING = 0.5  # agreement below which a view contradicts
 OFF = 0.06  # [m], [rad] maximum correction of a view: above the drift of maps
-VOXELS, LEAST_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
+VOXELS, MIN_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
 REACH = 1.5  # [voxels] match distance
 BELIEVED = 0.5  # minimum score of `registration`
 
@@ -98,9 +98,9 @@ def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJo
     def said(refused: str) -> MapJoin:
         return MapJoin(target.number, source.number, T_target_source, views, against, refused=refused)
 
-    if views < LEAST_VIEWS:
-        return said(f"{views} views bear it out, {LEAST_VIEWS} are asked for")
-    if against > MOST_AGAINST * (len(first) + len(second)):
+    if views < MIN_VIEWS:
+        return said(f"{views} views bear it out, {MIN_VIEWS} are asked for")
+    if against > MAX_AGAINST * (len(first) + len(second)):
         return said(f"{against} views contradict it")
     T = _mean([*moves, *(invert_pose(move) for move in back)])
     score = _rate(target, source, T)
@@ -114,10 +114,10 @@ def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[
     agreeing: list[Pose] = []
     moves: list[Pose] = []
     against = 0
-    for pose in poses[:: max(1, -(-len(poses) // MOST_VIEWS))]:
+    for pose in poses[:: max(1, -(-len(poses) // MAX_VIEWS))]:
         seen, there = source.model.seen_from(pose), target.model.seen_from(matmul(T, pose))
         found = align_frames(seen, there)
-        if found.overlap < LEAST_OVERLAP:
+        if found.overlap < MIN_OVERLAP:
             continue
         if _speaks_for(found):
             agreeing.append(pose)
@@ -150,12 +150,12 @@ def _mean(poses: list[Pose]) -> Pose:
 
 
 def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
-    size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
+    size = max(VOXELS * target.model.volume.voxel_size, MIN_VOXEL)
     left, right = (_thinned(known, size) for known in (source, target))
-    if min(len(left), len(right)) < FEWEST_POINTS:
+    if min(len(left), len(right)) < MIN_POINTS:
         return 0.0
     source_surface, target_surface = surface_of(left, size), surface_of(right, size)
-    if min(len(source_surface), len(target_surface)) < FEWEST_POINTS:
+    if min(len(source_surface), len(target_surface)) < MIN_POINTS:
         return 0.0
     seen = Witness(source_surface, size), Witness(target_surface, size)
     return rate_surfaces(*seen, to_local(T, left.origin, right.origin), REACH * size).score

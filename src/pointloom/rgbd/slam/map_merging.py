@@ -13,7 +13,7 @@ from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.rigid import invert_pose
 from .frames import SensorFrame
 from .loop_pairs import Candidate, Loop, SubmapSurface, refine, verify_far
-from .map_joins import LEAST_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
+from .map_joins import MIN_VOXEL, VOXELS, MapJoin, Proposal, apart, judge_join
 from .maps import Maps, SlamMap, map_sizes
 from .moving_objects import Movers
 from .results import TrackingResult
@@ -30,7 +30,7 @@ def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], s
     pieces = [_pieces(known, results) for known in (target, source)]
     if not all(pieces):
         return None
-    size = max(VOXELS * target.model.volume.voxel_size, LEAST_VOXEL)
+    size = max(VOXELS * target.model.volume.voxel_size, MIN_VOXEL)
     surfaces = [SubmapSurface(piece, size) for part in pieces for piece in part]
     count = len(pieces[0])
     pairs = [

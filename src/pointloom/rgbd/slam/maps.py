@@ -23,7 +23,7 @@ Pose = NDArray[np.float64]
 LOST_FOR_LONG = 20  # frames with content: a lost camera was then searched by shape four times (tracker.py)
 TRIAL = 10  # fused frames that confirm a new map; before, a lost frame ends it
 LONGEST_TRIAL = 30  # maximum frames of a trial
-MOST_MAPS = 4  # kept with a model; beyond it the smallest inactive one is freed
+MAX_MAPS = 4  # kept with a model; beyond it the smallest inactive one is freed
 
 
 class SlamMap:
@@ -129,7 +129,7 @@ class Maps:
 
     def _let_go(self) -> None:
         """Free the smallest map if there are too many; its frames keep its number."""
-        while len(self.kept) >= MOST_MAPS:
+        while len(self.kept) >= MAX_MAPS:
             least = min(self.others or self.kept, key=lambda known: (known.model.frame_count, -known.number))
             self.kept.remove(least)
 

@@ -19,7 +19,7 @@ from ...pcd.cloud import PointCloud
 from ..odometry.alignment import Method, align_frames
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
-from .frames import MOST_PIXELS, SensorFrame
+from .frames import MAX_PIXELS, SensorFrame
 from .moving_objects import Movers
 
 Pose = NDArray[np.float64]
@@ -27,7 +27,7 @@ Pose = NDArray[np.float64]
 SEEN_OFTEN = 3  # minimum weight of rendered voxels, as in Open3D
 DEPTH_MIN = 0.1  # [m] start of rays
 BLUR = 0.1  # voxels: SDF interpolation error at curved surfaces
-FEWEST_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no gradients
+MIN_FRAMES = 10  # with fewer frames, planes are fitted, since the border has no gradients
 COARSE = 0.03  # [m] voxels above which SDF gradients are better normals than fitted planes
 
 
@@ -182,13 +182,13 @@ class Model:
         """
         threshold = self.threshold if weight_threshold is None else weight_threshold
         edge = self.volume.voxel_size
-        is_shaded = edge >= COARSE and self.frame_count >= FEWEST_FRAMES
+        is_shaded = edge >= COARSE and self.frame_count >= MIN_FRAMES
         limits: dict[str, Any] = {"depth_min": DEPTH_MIN, "depth_max": self.depth_max, "normals": is_shaded}
         maps: Any = self.volume._render_maps(self._view, T_world_camera, weight_threshold=threshold, **limits)
         if maps.intensity is not None:
             hide_unseen(maps.depth, maps.intensity)
         surface = {"normals": maps.normals, "blur": BLUR * edge}
-        return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MOST_PIXELS, **surface)
+        return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MAX_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
         """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
@@ -210,7 +210,7 @@ class Model:
 
 def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic:
     camera = intrinsic
-    while camera.width * camera.height > MOST_PIXELS and min(camera.width, camera.height) >= 2:
+    while camera.width * camera.height > MAX_PIXELS and min(camera.width, camera.height) >= 2:
         camera = camera.scaled(0.5)
     return camera
 

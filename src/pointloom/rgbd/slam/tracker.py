@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ...kernels.linear_algebra import eigh, matmul, norm, solve
 from ...meshing.volume.shift_scores import score_shifts
 from ...pcd.cloud import PointCloud
-from ...registration.globally.global_registration import FEWEST_POINTS, Description, describe, register_described
+from ...registration.globally.global_registration import MIN_POINTS, Description, describe, register_described
 from ...registration.rigid import (
     adjoint_of,
     invert_pose,
@@ -34,8 +34,8 @@ from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frame_checks import (
-    LEAST_DEPTH,
-    MOST_SHIFT,
+    MIN_DEPTH,
+    MAX_SHIFT,
     RIM_OVERLAP,
     SURE_OVERLAP,
     Attempt,
@@ -53,7 +53,7 @@ from .results import Verdict
 
 Pose = NDArray[np.float64]
 
-FEWEST_FRAMES = 5  # minimum frames of a model for relocalization: any wall matches another
+MIN_FRAMES = 5  # minimum frames of a model for relocalization: any wall matches another
 CANDIDATES = 5  # keyframes tried for a lost frame
 LONGEST_STEP = 3.0  # times the usual frame interval; beyond it the motion is unknown
 SUSPECT = 1.15  # times the typical brightness residual: moving objects may pull the surface
@@ -103,7 +103,7 @@ class Motion:
 
     def reach(self, frame: SensorFrame) -> float:
         """Maximum distance of the camera from its last or predicted position [m]."""
-        most, seconds = MOST_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
+        most, seconds = MAX_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
         return most if math.isnan(seconds) else min(most, AIM + HAND / 2 * seconds * seconds)
 
     def learn(self, result: OdometryResult) -> None:
@@ -137,7 +137,7 @@ class Tracker:
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was relocalized."""
         attempt, is_anew = self._beaten(frame)
-        if is_anew and attempt.verdict == "tracked" and self.motion.missed > FEWEST_FRAMES > self.model.frame_count:
+        if is_anew and attempt.verdict == "tracked" and self.motion.missed > MIN_FRAMES > self.model.frame_count:
             reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
             attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
         if attempt.verdict == "lost":
@@ -163,7 +163,7 @@ class Tracker:
         if still is not None:
             self._tries = 0
             return still, False
-        if depth_share(frame.pyramid) < LEAST_DEPTH:
+        if depth_share(frame.pyramid) < MIN_DEPTH:
             return Attempt(np.eye(4), NOTHING, "lost", "the picture is blank"), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
@@ -190,7 +190,7 @@ class Tracker:
             return None
         depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
         still = frame.pyramid_of(depth)
-        if depth_share(still) < LEAST_DEPTH:
+        if depth_share(still) < MIN_DEPTH:
             return None
         followed = self._follow(frame, still)
         if followed.verdict != "tracked":
@@ -430,7 +430,7 @@ def _about(place: NDArray[np.float64]) -> Matrix:
 
 
 VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
-LEAST_VOXEL = 0.04  # [m] below it normals of a single frame are noise
+MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
 SURE = 0.8  # minimum score; half of it may be wrong for poses on a tenth of a frame
 FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterwards
 
@@ -440,7 +440,7 @@ class PlaceSearch:
 
     def __init__(self, model: Model, seed: int):
         self.model, self.seed = model, seed
-        self.voxel_size = max(VOXELS * model.volume.voxel_size, LEAST_VOXEL)
+        self.voxel_size = max(VOXELS * model.volume.voxel_size, MIN_VOXEL)
         self._described: tuple[int, Description | None] = (-1, None)
 
     def is_due(self, attempts: int) -> bool:
@@ -451,7 +451,7 @@ class PlaceSearch:
         target = self._model()
         stride = max(1, round(frame.intrinsic.width / 320))
         cloud = PointCloud._from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
-        if target is None or len(cloud) < FEWEST_POINTS:
+        if target is None or len(cloud) < MIN_POINTS:
             return None
         found = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)
         return found.transformation if found.score is not None and found.score > SURE else None
@@ -461,7 +461,7 @@ class PlaceSearch:
         if self._described[0] != count:
             cloud = self.model.extract_point_cloud(self.model.threshold)
             thin = cloud.voxel_down_sample(self.voxel_size / 2) if len(cloud) else cloud
-            self._described = count, describe(thin, self.voxel_size) if len(thin) >= FEWEST_POINTS else None
+            self._described = count, describe(thin, self.voxel_size) if len(thin) >= MIN_POINTS else None
         return self._described[1]
 
 
@@ -473,7 +473,7 @@ BLOCK = 8  # voxels per coarse step
 FINE = 2  # voxels per fine step: half the truncation of 4 voxels
 COARSE_SHARE = 0.45  # fraction of the matched points at the found pose, in coarse steps, and ...
 ALIKE = 0.4  # ... in fine steps: a pose at the model border shows half of it and may be correct
-MOST_COARSE = 1000  # refined coarse shifts, the best first
+MAX_COARSE = 1000  # refined coarse shifts, the best first
 
 
 def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float = FARTHEST) -> list[Pose]:
@@ -488,7 +488,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
     least = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
     met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=least, is_coarse=True)
-    order = np.argsort(-met, kind="stable")[:MOST_COARSE]
+    order = np.argsort(-met, kind="stable")[:MAX_COARSE]
     order = order[met[order] >= least]
     if not len(order):
         return []

@@ -6,14 +6,14 @@ from typing import Any
 
 from ...core.checks import LARGEST_NUMBER, check_positive, shown
 
-LEAST_VOXEL = 1e-6  # [m] below it a frame of a few meters exceeds the range of the volume's keys
-MOST_VOXELS = 2**23  # range of the keys in either direction
+MIN_VOXEL = 1e-6  # [m] below it a frame of a few meters exceeds the range of the volume's keys
+MAX_VOXELS = 2**23  # range of the keys in either direction
 
 
 def check_sizes(voxel_size: Any, truncation: Any = None) -> tuple[float, float | None]:
     edge = check_positive("voxel_size", voxel_size, maximum=LARGEST_NUMBER)
-    if edge < LEAST_VOXEL:
-        raise ValueError(f"voxel_size: expected at least {LEAST_VOXEL:g} m, got {shown(voxel_size)}")
+    if edge < MIN_VOXEL:
+        raise ValueError(f"voxel_size: expected at least {MIN_VOXEL:g} m, got {shown(voxel_size)}")
     if truncation is None:
         return edge, None
-    return edge, check_positive("truncation", truncation, maximum=MOST_VOXELS * edge)
+    return edge, check_positive("truncation", truncation, maximum=MAX_VOXELS * edge)

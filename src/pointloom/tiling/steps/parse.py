@@ -37,7 +37,7 @@ from ...pcd.segmentation import ANY
 from ...pcd.selection import ROUNDING
 from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
-from ..label_join import MOST_INT32, join_labels, leave
+from ..label_join import MAX_INT32, join_labels, leave
 from ..polygons import in_survey, mask_area, parse_area, to_json
 from .function import ROW, Function
 from .raster import Rasterize
@@ -93,7 +93,7 @@ class Clusters(Step):
 
     def run(self, part: Part, plan: Any, numbers: Any) -> Part:
         total, names = numbers
-        kind = np.int32 if total <= MOST_INT32 else np.int64
+        kind = np.int32 if total <= MAX_INT32 else np.int64
         names = np.empty(0, kind) if names is None else names
         cores, labels, count = self._cores(part)
         if count != len(names):

@@ -39,7 +39,7 @@
  */
 const KEPT_MEMORY = 2 ** 28; // bytes of arrays kept for a lost context
 const DARK_BACKGROUND = [0.106, 0.118, 0.137];
-const MOST_PIXELS = 2; // maximum device pixel ratio: more is not visible
+const MAX_PIXELS = 2; // maximum device pixel ratio: more is not visible
 const KINDS = ["points", "triangles", "lines"];
 
 class Engine {
@@ -274,7 +274,7 @@ class Engine {
 
   resize() {
     const { width, height } = this.canvas.parentElement.getBoundingClientRect();
-    const density = Math.min(window.devicePixelRatio || 1, MOST_PIXELS);
+    const density = Math.min(window.devicePixelRatio || 1, MAX_PIXELS);
     this.views.resize(width, height);
     this.painter.resize(width, height, density);
     this.labels.resize(width, height, density);

@@ -4,7 +4,7 @@
  */
 const SLOW = 40; // [ms] per frame during motion
 const REST = 150; // [ms] without a change after which everything is drawn
-const MOST_LEFT_OUT = 16; // limit of `Geometry.thin`
+const MAX_LEFT_OUT = 16; // limit of `Geometry.thin`
 
 class Pace {
   /** `draw(every)` draws one in `every` points; `finished()` resolves once the GPU is done. */
@@ -57,7 +57,7 @@ class Pace {
   /** Adapts the thinning to the duration of a frame. */
   note(milliseconds, every) {
     const fitting = every * 2 ** Math.ceil(Math.log2(milliseconds / SLOW));
-    if (fitting > this.every) this.every = Math.min(fitting, MOST_LEFT_OUT);
+    if (fitting > this.every) this.every = Math.min(fitting, MAX_LEFT_OUT);
     else if (every === this.every && milliseconds < SLOW / 4) this.every = Math.max(1, every / 2);
   }
 

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from ...core.wording import format_bytes
-from ..notebook_output import MOST_PAGE_BYTES, MOST_WIDTH, media_output, page_output, still_output
+from ..notebook_output import MAX_PAGE_BYTES, MAX_WIDTH, media_output, page_output, still_output
 from .film import Film
 
 if TYPE_CHECKING:
@@ -20,18 +20,18 @@ BESIDE = 120  # [px] of a page's height around the image
 def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
     """MIME bundle of a written recording of at most 4 MB, else of its last frame and the path."""
     path, text = recorder.path, repr(recorder)
-    width = min(recorder._size[0], MOST_WIDTH)
+    width = min(recorder._size[0], MAX_WIDTH)
     height = max(1, round(recorder._size[1] * width / recorder._size[0]))
     timeline = recorder.timeline
     film = Film(timeline, view, width, height, recorder._background, recorder._device)
     picture, shown = film.draw(len(film) - 1), os.fspath(path)
     try:
         size = path.stat().st_size
-        data = path.read_bytes() if size <= MOST_PAGE_BYTES else None
+        data = path.read_bytes() if size <= MAX_PAGE_BYTES else None
     except OSError as error:
         return still_output(text, [f"the last frame; {shown} cannot be read: {error.strerror or error}"], picture)
     if data is None:
-        more = f"{format_bytes(size)}, where a notebook takes {format_bytes(MOST_PAGE_BYTES)}: open it in a browser"
+        more = f"{format_bytes(size)}, where a notebook takes {format_bytes(MAX_PAGE_BYTES)}: open it in a browser"
         return still_output(text, [f"the last frame of {shown} ({more})"], picture)
     notes, kind = [f"{shown}, {format_bytes(size)}"], MEDIA.get(path.suffix.lower())
     if kind is not None:

@@ -32,7 +32,7 @@ LOOKED_AT = 1_000  # positions of each shape for fitting the view
 FAR, MOST, FEWEST = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
 PANELS = 4  # plots side by side; more values are omitted
-LEAST_STRIP, LEAST_PANEL = 40, 80  # [px] minimum readable size
+MIN_STRIP, MIN_PANEL = 40, 80  # [px] minimum readable size
 PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
 
@@ -172,10 +172,10 @@ class _Plots:
 
 def _plotted(timeline: Timeline, width: int, height: int) -> list[str]:
     """Names of plotted values in the order of their first appearance."""
-    if round(STRIP * height / 2) * 2 < LEAST_STRIP:
+    if round(STRIP * height / 2) * 2 < MIN_STRIP:
         return []
     names = dict.fromkeys(name for frame in timeline.frames for name in frame.values)
-    return list(names)[: min(PANELS, width // LEAST_PANEL)]
+    return list(names)[: min(PANELS, width // MIN_PANEL)]
 
 
 def _picture_height(timeline: Timeline, width: int, height: int) -> int:

@@ -29,7 +29,7 @@ from .timeline import Frame, Placed, Timeline
 from .writers import check_recording, write_recording
 
 MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
-MOST_BYTES = 2**29  # of shapes; beyond it every second frame is dropped
+MAX_BYTES = 2**29  # of shapes; beyond it every second frame is dropped
 NOTHING = (
     "nothing was recorded: no algorithm inside the block reports its steps, and step() was not called. Those that do "
     "are listed in docs/recordings.md; add(name, geometry) and step() make frames of anything"
@@ -141,7 +141,7 @@ class Recorder:
         self._size, self._background = check_picture_size(size), background
         self._say = check_progress(progress)
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
-        self._store, self._most_bytes = ShapeStore(), MOST_BYTES
+        self._store, self._most_bytes = ShapeStore(), MAX_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
         self._held: dict[str, Held] = {}

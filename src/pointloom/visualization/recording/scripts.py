@@ -105,7 +105,7 @@ class Registration(Script):
 
 
 RED = (0.86, 0.1, 0.1)
-MOST_TURNS = 100  # maximum number of frames in which clusters appear
+MAX_TURNS = 100  # maximum number of frames in which clusters appear
 
 
 class Clusters(Script):
@@ -119,7 +119,7 @@ class Clusters(Script):
         chosen, found = cloud.select_by_index(rows), download(labels)[rows]
         self.look = self.look or look_at(chosen)
         count = int(found.max(initial=-1)) + 1
-        turn = -(-max(count, 1) // MOST_TURNS)  # number of clusters that appear in one frame
+        turn = -(-max(count, 1) // MAX_TURNS)  # number of clusters that appear in one frame
         groups = [(chosen.select_by_mask(found < 0), {"color": label_color(-1)})]
         painted: list[tuple[Any, Data]] = []
         for first in range(0, count, turn):
@@ -195,7 +195,7 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
 PATH = (0.1, 0.35, 0.75)
 SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces; after SURFACES of them the interval doubles
 SURFACE_SHARE, SCAN_SHARE = 8, 4  # divisors of max_points for each intermediate surface and each scan
-MOST_CORNERS = 2_000  # of a path
+MAX_CORNERS = 2_000  # of a path
 ASTRAY = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
 TILT = (0.35, 0.55)  # of a view over the shoulder: to the right, down
 
@@ -214,7 +214,7 @@ class Travel(Script):
     def draw_path(self) -> None:
         if len(self.path) < 2:
             return
-        corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MOST_CORNERS)), self.path[-1]])
+        corners = np.array([*(self.path[k] for k in spread_rows(len(self.path) - 1, MAX_CORNERS)), self.path[-1]])
         count = np.arange(len(corners) - 1, dtype=np.int32)
         lines = np.column_stack([count, count + 1])
         self.stage.show("path", LineSet(corners, lines), color=PATH, line_width=2.0)

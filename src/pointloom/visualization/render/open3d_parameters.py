@@ -19,8 +19,8 @@ from ...core.checks import check_count, check_direction, check_finite, check_num
 Bounds = tuple[Any, Any]
 
 FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # defaults of Open3D's viewer, which looks along -z with y up
-LEAST_ZOOM, MOST_ZOOM = 0.02, 2.0  # limits of the wheel in Open3D
-LEAST_ANGLE, MOST = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
+MIN_ZOOM, MAX_ZOOM = 0.02, 2.0  # limits of the wheel in Open3D
+MIN_ANGLE, MOST = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
 
 ALONG = 1e-9  # sine of the angle below which `up` is parallel to the view direction
 
@@ -45,7 +45,7 @@ def view_from_open3d(
     right = right / np.linalg.norm(right)
     zoom = check_positive("zoom", zoom, maximum=MOST)
     angle = check_number("field_of_view", field_of_view)
-    if not LEAST_ANGLE <= angle <= 180 - LEAST_ANGLE:
+    if not MIN_ANGLE <= angle <= 180 - MIN_ANGLE:
         raise ValueError(f"field_of_view: expected an angle between 0 and 180 degrees, got {field_of_view!r}")
     width, height = check_count("width", width), check_count("height", height)
     tan = math.tan(math.radians(angle / 2))
@@ -66,7 +66,7 @@ def view_to_open3d(camera: PinholeCameraIntrinsic, T: NDArray[np.float64], bound
         )
     tan, side = camera.height / 2 / camera.fy, _longest_side(low, high)
     ahead = float(((low + high) / 2 - T[:3, 3]) @ T[:3, 2])
-    zoom = min(max(ahead * tan / side, LEAST_ZOOM), MOST_ZOOM)
+    zoom = min(max(ahead * tan / side, MIN_ZOOM), MAX_ZOOM)
     return {
         "zoom": zoom,
         "front": (-T[:3, 2]).tolist(),

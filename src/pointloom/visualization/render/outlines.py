@@ -16,7 +16,7 @@ from ...pcd.polygon_volume import AXES as PLANES
 from .parts import Lines, Triple
 
 AXES_COLORS = np.array([[0.85, 0.15, 0.15], [0.15, 0.65, 0.20], [0.15, 0.30, 0.85]])  # x, y, z
-MOST_AXES = 100  # poses of a trajectory drawn with axes
+MAX_AXES = 100  # poses of a trajectory drawn with axes
 AXIS_SHARE = 0.03  # length of these axes over the trajectory's extent
 
 # Edges between corners in the order of `get_box_points`.
@@ -74,7 +74,7 @@ def of_trajectory(trajectory: Any) -> Segments:
         return Segments(np.empty((0, 3)), np.empty((0, 2), int))
     places, count = poses[:, :3, 3], len(poses)
     path = np.column_stack([np.arange(count - 1), np.arange(1, count)])
-    shown = np.unique(np.linspace(0, count - 1, min(count, MOST_AXES)).round().astype(int))
+    shown = np.unique(np.linspace(0, count - 1, min(count, MAX_AXES)).round().astype(int))
     length = AXIS_SHARE * float(np.ptp(places, axis=0).max()) or 0.1
     tips = places[shown, None] + length * poses[shown, :3, :3].transpose(0, 2, 1)
     axes = np.column_stack([np.repeat(shown, 3), count + np.arange(3 * len(shown))])

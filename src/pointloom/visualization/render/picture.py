@@ -12,7 +12,7 @@ from PIL import Image
 from ..notebook_output import still_jpeg
 
 CHANNELS = 3, 4
-MOST_PNG_BYTES = 2**21  # in a notebook; larger images are shown as a JPEG of at most 200 kB
+MAX_PNG_BYTES = 2**21  # in a notebook; larger images are shown as a JPEG of at most 200 kB
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
@@ -47,7 +47,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
             return None
         file = io.BytesIO()
         Image.fromarray(np.ascontiguousarray(self)).save(file, "PNG")
-        return file.getvalue() if file.tell() <= MOST_PNG_BYTES else None
+        return file.getvalue() if file.tell() <= MAX_PNG_BYTES else None
 
     def _repr_jpeg_(self) -> bytes | None:
         """JPEG for notebooks, for large images."""

@@ -17,7 +17,7 @@ from ...io.pictures.image_files import PIXEL_LIMIT, encode_png, write_png
 
 KINDS = (".png", ".webp")
 OPAQUE = (".jpg", ".jpeg", ".mp4", ".gif")  # common requests, without partial transparency
-MOST_WEBP = 16383  # [px] per side
+MAX_WEBP = 16383  # [px] per side
 
 
 def check_picture(path: Any, *, overwrite: bool) -> None:
@@ -60,8 +60,8 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
     if kind == ".png":
         data = encode_png(pixels)
     else:
-        if max(pixels.shape[:2]) > MOST_WEBP:
-            raise ValueError(f"image: .webp holds up to {MOST_WEBP} pixels a side, got shape {list(pixels.shape)}")
+        if max(pixels.shape[:2]) > MAX_WEBP:
+            raise ValueError(f"image: .webp holds up to {MAX_WEBP} pixels a side, got shape {list(pixels.shape)}")
         held = io.BytesIO()
         Image.fromarray(pixels).save(held, "WEBP", lossless=True, exact=True)
         data = held.getvalue()

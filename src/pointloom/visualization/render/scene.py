@@ -43,13 +43,13 @@ from ...pcd.splat_pictures import list_splats
 from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
-MOST_ELEMENTS = 2**31 - 1
+MAX_ELEMENTS = 2**31 - 1
 CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers; color and image
 LAYER_BYTES = 28  # per cell of transparent parts: two layers, a temporary one, and the remaining transmittance
-LEAST_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
+MIN_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
 CLOSING = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
 SPARSE = 0.8  # fraction of image squares in which neighbors must be at most as far apart as the diameter assumes
-LEAST_SIZE, MOST_SIZE = 1.5, 16.0  # [px] of automatic point sizes
+MIN_SIZE, MAX_SIZE = 1.5, 16.0  # [px] of automatic point sizes
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -218,7 +218,7 @@ class Drawing:
     def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
         """Splats of one world size that touch most neighbors, limited to a few pixels."""
         counts, depths = count_in_squares(placed.part.positions, view)  # sync
-        least, most = LEAST_SIZE * SAMPLES / 2, MOST_SIZE * SAMPLES / 2
+        least, most = MIN_SIZE * SAMPLES / 2, MAX_SIZE * SAMPLES / 2
         if not len(counts):
             return Splat(least)
         reach = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
@@ -243,7 +243,7 @@ class Drawing:
         view, drawn = self._view_of(merged), 0
         for width in dict.fromkeys(part.width for part in lines):
             count = sum(part.indices.size // 2 for part in lines if part.width == width)
-            pen = Pen(max(width * SAMPLES / 2, LEAST_RADIUS), self.camera)
+            pen = Pen(max(width * SAMPLES / 2, MIN_RADIUS), self.camera)
             run = merged.indices[2 * drawn : 2 * (drawn + count)]
             draw_lines(merged.positions, run, view, self.buffer, pen=pen, start=self._number(count))
             drawn += count
@@ -253,7 +253,7 @@ class Drawing:
     def _number(self, count: int) -> int:
         start = self.stop
         self.stop = start + count
-        if self.stop > MOST_ELEMENTS:
+        if self.stop > MAX_ELEMENTS:
             raise ValueError(f"geometries: {self.stop:,} points, triangles and lines are more than 2^31 in one picture")
         return start
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 
-MOST_DIGITS = 7  # of a label; longer ones use an offset
+MAX_DIGITS = 7  # of a label; longer ones use an offset
 LARGE, SMALL = 1e7, 1e-4  # ticks from LARGE on, and up to SMALL, share a power of 10
 TINY = 1e-12  # relative: smaller ranges count as empty
 
@@ -48,7 +48,7 @@ def choose_ticks(low: float, high: float, most: int) -> Ticks:
     values = [k * step for k in range(first, last + 1)]
     largest = max(abs(low), abs(high))
     offset = 0.0
-    if _power(largest) - power >= MOST_DIGITS:
+    if _power(largest) - power >= MAX_DIGITS:
         unit = 10.0 ** (_power(high - low) + 1)
         offset = math.floor(low / unit) * unit
         largest = max(abs(low - offset), abs(high - offset))

@@ -19,7 +19,7 @@ Insets = tuple[int, int, int, int]  # [px] left, top, right, bottom
 
 FIELD_OF_VIEW = 40.0  # [degrees] of the wider side: little perspective distortion
 MARGIN = 1.06  # leaves 6 % of the image free
-LEAST_ROOM = 0.4  # fraction of width and height that insets always leave
+MIN_ROOM = 0.4  # fraction of width and height that insets always leave
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -180,7 +180,7 @@ class Frame:
 
 def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
     """Two bands at the ends of a side, scaled to leave space between them."""
-    most = (1 - LEAST_ROOM) * length
+    most = (1 - MIN_ROOM) * length
     share = min(1.0, most / (first + last)) if first + last else 1.0
     return first * share, last * share
 

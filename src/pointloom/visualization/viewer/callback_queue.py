@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 
-MOST_WAITING = 64  # waiting calls
+MAX_WAITING = 64  # waiting calls
 PATIENCE = 3.0  # [s] after which a page without a signal counts as ready
 POLL = 0.25  # [s] between checks for open pages
 PATIENT_JOIN = 5.0  # [s] that `close` waits for a running callback
@@ -83,7 +83,7 @@ class Calls:
         """Queue a function for a page; a waiting call of the same `key` is replaced."""
         with self._condition:
             key = object() if key is None else key
-            is_room = key in self._jobs or len(self._jobs) < MOST_WAITING
+            is_room = key in self._jobs or len(self._jobs) < MAX_WAITING
             if is_room and not self._closed:
                 self._jobs[key] = client, job
                 self._begin()

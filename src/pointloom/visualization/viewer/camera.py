@@ -29,7 +29,7 @@ CLOSEST, FARTHEST = 1e-4, 50.0
 
 # Limits of a page's reported image for rendering.
 NARROWEST, WIDEST = 1e-6, math.pi - 1e-3  # [rad]
-FEWEST_PIXELS, MOST_PIXELS = 32, 1 << 25  # per side; in total, as of 8192 x 4096
+MIN_PIXELS, MAX_PIXELS = 32, 1 << 25  # per side; in total, as of 8192 x 4096
 
 AWAY = 500.0  # distance of a nearly orthographic camera in extents: no point moves by a pixel
 
@@ -91,9 +91,9 @@ def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size
 
 def picture_size(size: tuple[int, int]) -> tuple[int, int]:
     """Size of a page's image [px], clipped to the renderer's limits."""
-    width, height = (max(FEWEST_PIXELS, side) for side in size)
-    scale = math.sqrt(min(1.0, MOST_PIXELS / (width * height)))
-    return max(FEWEST_PIXELS, int(width * scale)), max(FEWEST_PIXELS, int(height * scale))
+    width, height = (max(MIN_PIXELS, side) for side in size)
+    scale = math.sqrt(min(1.0, MAX_PIXELS / (width * height)))
+    return max(MIN_PIXELS, int(width * scale)), max(MIN_PIXELS, int(height * scale))
 
 
 def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:

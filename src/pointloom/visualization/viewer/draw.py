@@ -22,17 +22,17 @@ from ...core.argument_errors import told_arguments
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.standard_streams import write_to_stderr
-from ..notebook_output import MOST_PAGE_BYTES as MOST_BYTES
-from ..notebook_output import MOST_WIDTH, in_notebook, ipython_shell, page_output, still_output
+from ..notebook_output import MAX_PAGE_BYTES as MAX_BYTES
+from ..notebook_output import MAX_WIDTH, in_notebook, ipython_shell, page_output, still_output
 from ..render.geometries import Named, named_geometries, parts_of
 from ..render.picture import Picture
 from ..render.scene import Scene
 from .client_presence import LINGER
 from .screenshots import as_entry, write_geometries
 from .server import ViewerError
-from .viewer import MOST_POINTS, Viewer
+from .viewer import MAX_POINTS, Viewer
 
-MOST_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
+MAX_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
 
 
 @told_arguments
@@ -51,7 +51,7 @@ def draw(
     *,
     port: int = 8080,
     host: str = "127.0.0.1",
-    max_points: int = MOST_POINTS,
+    max_points: int = MAX_POINTS,
     block: bool | None = None,
     open_browser: bool = True,
     inline: bool | None = None,
@@ -228,12 +228,12 @@ def make_room() -> None:
         alive = [(by, viewer) for by, ref in _opened if (viewer := ref()) is not None and not viewer.closed]
         again = [viewer for by, viewer in alive if run is not None and by.cell == run.cell and by.number != run.number]
         others = [(by, viewer) for by, viewer in alive if viewer not in again]
-        surplus = others[: max(0, len(others) - MOST_OPEN + 1)]
+        surplus = others[: max(0, len(others) - MAX_OPEN + 1)]
         _opened[:] = [(by, weakref.ref(viewer)) for by, viewer in others[len(surplus) :]]
     for viewer in again:
         viewer.close()
     for _, viewer in surplus:
-        viewer._close(f"{MOST_OPEN} viewers of this notebook stay open, and this was the oldest: run its cell again.")
+        viewer._close(f"{MAX_OPEN} viewers of this notebook stay open, and this was the oldest: run its cell again.")
 
 
 def keep(viewer: Viewer) -> None:
@@ -321,7 +321,7 @@ def inline_page(
     """Make a page of at most 4 MB with its initial image; `reason` is shown below it."""
     from ..render.render import device_of, render, resolve_view
 
-    width = min(size[0], MOST_WIDTH)
+    width = min(size[0], MAX_WIDTH)
     still = (width, max(1, round(size[1] * width / size[0])))
     place = device_of(named, None)
     scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, place)], place)
@@ -330,7 +330,7 @@ def inline_page(
     page, counts = _bounded_page(named, camera, max_points)
     notes = [reason]
     if page is None:
-        notes.append(f"no page of {MOST_BYTES / 2**20:g} MB holds this scene; here is its picture")
+        notes.append(f"no page of {MAX_BYTES / 2**20:g} MB holds this scene; here is its picture")
     else:
         thinned = [f"{name}: {drawn:,} of {total:,} points" for name, (drawn, total) in counts.items() if drawn < total]
         notes.append("; ".join([f"{len(page) / 2**20:.1f} MB of this notebook", *thinned]))
@@ -345,8 +345,8 @@ def _bounded_page(named: list[Named], view: Any, max_points: int) -> tuple[str |
         for _ in range(TRIES):
             counts = write_geometries(path, named, most, view=view)
             size = path.stat().st_size
-            if size <= MOST_BYTES:
+            if size <= MAX_BYTES:
                 return path.read_text(encoding="utf-8"), counts
             drawn = sum(count for count, _ in counts.values())
-            most = max(1, int(min(drawn, most) * SMALLER * MOST_BYTES / size))
+            most = max(1, int(min(drawn, most) * SMALLER * MAX_BYTES / size))
     return None, {}

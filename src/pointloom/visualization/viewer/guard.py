@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 _HOST = re.compile(r"(?P<name>\[[0-9a-f:.]+\]|[a-z0-9._-]+)(:(?P<port>[0-9]{1,5}))?", re.IGNORECASE)
-_MOST_WHOLE = 2**53  # exact integers in a browser
+_MAX_WHOLE = 2**53  # exact integers in a browser
 
 
 def split_host(header: str) -> tuple[str, str] | None:
@@ -114,7 +114,7 @@ def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None
     if kind in (int, float):
         if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
             raise ValueError(f"expected a number, got {value!r:.80}")
-        if kind is int and (value != int(value) or abs(value) > _MOST_WHOLE):
+        if kind is int and (value != int(value) or abs(value) > _MAX_WHOLE):
             raise ValueError(f"expected a whole number, got {value!r:.80}")
         value = value if low is None else max(value, low)
         return kind(value if high is None else min(value, high))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 OUTGROWN = 0.1  # of the diagonal of the fitted bounds: larger growth causes a refit
-MOST_HOMES = 8  # a page reports its position with a delay
+MAX_HOMES = 8  # a page reports its position with a delay
 
 
 class Arrivals:
@@ -50,7 +50,7 @@ class Homes:
     """The last few fitted camera positions of a page."""
 
     def __init__(self) -> None:
-        self._positions: deque[Any] = deque(maxlen=MOST_HOMES)
+        self._positions: deque[Any] = deque(maxlen=MAX_HOMES)
 
     def put(self, position: Any) -> None:
         self._positions.append(position)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 FOLDER, ORDER = "Program", 0.7  # below the point count and the active tool, above all other folders
 STEPS = 100  # default number of slider steps
-MOST_TEXT = 16_384  # characters
+MAX_TEXT = 16_384  # characters
 
 Check = Callable[[Any], Any]
 
@@ -190,8 +190,8 @@ def _check_flag(value: Any) -> bool:
 
 
 def _check_text(value: Any) -> str:
-    if len(check_name("value", value)) > MOST_TEXT:
-        raise ValueError(f"value: expected at most {MOST_TEXT:,} characters, got {len(value):,}")
+    if len(check_name("value", value)) > MAX_TEXT:
+        raise ValueError(f"value: expected at most {MAX_TEXT:,} characters, got {len(value):,}")
     return value
 
 

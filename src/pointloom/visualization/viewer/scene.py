@@ -44,7 +44,7 @@ log = logging.getLogger("pointloom.viewer")
 
 HINT = 'Nothing is shown yet. In the program, viewer.add("name", geometry) shows something here.'
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
-OUTLINE, LEAST_OUTLINE = 100_000, 50  # points of clouds for the view of everything; minimum number per cloud
+OUTLINE, MIN_OUTLINE = 100_000, 50  # points of clouds for the view of everything; minimum number per cloud
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 
 
@@ -349,7 +349,7 @@ class Scene(Hooks):
             return np.stack(_NOTHING)
         clouds = [item for item in self.shown.values() if item.cloud is not None and item.bounds is not None]
         each = OUTLINE // max(len(clouds), 1)
-        if each < LEAST_OUTLINE:  # so few that their boxes suffice
+        if each < MIN_OUTLINE:  # so few that their boxes suffice
             return self._extents.corners()
         found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
         boxes = Extents()
@@ -381,7 +381,7 @@ def check_size(size: Any) -> float:
     return min(max(check_positive("point_size", size), SMALLEST_POINT), LARGEST_POINT)
 
 
-MOST_NORMALS = 10_000
+MAX_NORMALS = 10_000
 NORMAL_LENGTH = 0.01  # over the scene's diagonal
 NORMAL_COLOR = (0, 0, 0)
 
@@ -433,7 +433,7 @@ class ItemNodes:
         part = self._item.points
         if length is None or part is None or not part.normals.size:
             return
-        step = -(-part.positions.size // MOST_NORMALS)
+        step = -(-part.positions.size // MAX_NORMALS)
         feet = download(part.positions).reshape(-1, 3)[::step]
         heads = feet + np.float32(length) * download(part.normals).reshape(-1, 3)[::step]
         finite = finite_rows(heads)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 SIZE = (1280, 960)  # [px] of the fitted initial view
-MOST_DRAWN = 20_000_000  # points of an image if they must be copied
+MAX_DRAWN = 20_000_000  # points of an image if they must be copied
 
 
 def draw_scene(
@@ -132,7 +132,7 @@ def with_colors(item: Item) -> PointCloud:
     assert cloud is not None
     if not item.has_colors_in_tree:
         return cloud
-    rows = even_share(len(cloud), MOST_DRAWN)
+    rows = even_share(len(cloud), MAX_DRAWN)
     return item.select(np.arange(len(cloud)) if rows is None else rows)
 
 

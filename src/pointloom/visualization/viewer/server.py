@@ -15,7 +15,7 @@ from .guard import RequestGuard, is_loopback
 if TYPE_CHECKING:
     from .link import PageServer
 
-MOST_PORTS = 20  # number of ports that are tried
+MAX_PORTS = 20  # number of ports that are tried
 
 
 class ViewerError(PointloomError, RuntimeError):
@@ -108,7 +108,7 @@ def _bind(host: str, port: int) -> socket.socket:
             family, address = socket.AF_INET, ("127.0.0.1", port)
     except (OSError, UnicodeError) as error:
         raise ViewerError(f"host {host!r}: no such address ({error}). 127.0.0.1 is this machine") from error
-    ports = range(port, min(port + MOST_PORTS, 65536)) if port else (0,)
+    ports = range(port, min(port + MAX_PORTS, 65536)) if port else (0,)
     taken: OSError | None = None
     for one in ports:
         try:

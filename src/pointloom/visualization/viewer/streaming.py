@@ -69,9 +69,9 @@ _FIRST_POINTS = 100_000  # of the first batch of an empty view
 _HIDDEN = 2  # budgets of hidden points in the browser
 
 # Half a step of float16 at the far end of a node: 11 bits of half its side. Below 2^-14, steps are constant.
-_HALF_STEP, _LEAST_HALF_STEP = 2.0**-12, 2.0**-25
+_HALF_STEP, _MIN_HALF_STEP = 2.0**-12, 2.0**-25
 _FLOAT16_MAX = 60_000.0
-_MOST_ERROR = 0.25  # [px] maximum error of positions
+_MAX_ERROR = 0.25  # [px] maximum error of positions
 
 _FILLING = 1.5  # discs of this many spacings leave few gaps
 _RESIZED = 1.25  # smaller changes of size are ignored
@@ -114,7 +114,7 @@ class CloudStream:
         self._sent: dict[int, Sent] = {}  # hidden ones in the order of hiding
         self._kept: NDArray[np.int64] = tree.counts  # number of kept points of each node
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
-        self._steps = np.maximum(tree.halves * _HALF_STEP, _LEAST_HALF_STEP)
+        self._steps = np.maximum(tree.halves * _HALF_STEP, _MIN_HALF_STEP)
         self._steps[tree.halves > _FLOAT16_MAX] = np.inf
         self._frame = client.scene.add_group(**self._placing())
 
@@ -222,7 +222,7 @@ class CloudStream:
         chosen = set(nodes)
         spare = [i for i in reversed(self._sent) if self._sent[i].visible and i not in chosen]
         for batch in self._batches(nodes, errors, wish):
-            made = [(i, self._make(i, bool(errors[i] > _MOST_ERROR), wish)) for i in batch]
+            made = [(i, self._make(i, bool(errors[i] > _MAX_ERROR), wish)) for i in batch]
             if self._is_overtaken(version):
                 return _OVERTAKEN
             with self._client.atomic():
@@ -258,7 +258,7 @@ class CloudStream:
             yield batch
 
     def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
-        is_near_enough = sent.is_exact or not error > _MOST_ERROR
+        is_near_enough = sent.is_exact or not error > _MAX_ERROR
         return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
 
     def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:

@@ -156,7 +156,7 @@ class Looks(Scene):
             self.panel.show_state()
 
 
-MOST_POINTS = 2_000_000
+MAX_POINTS = 2_000_000
 
 
 class Viewer(Looks):
@@ -202,7 +202,7 @@ class Viewer(Looks):
         port: int = 8080,
         host: str = "127.0.0.1",
         title: str = "pointloom",
-        max_points: int = MOST_POINTS,
+        max_points: int = MAX_POINTS,
         point_size: float = POINT_SIZE,
         background: Any = (1.0, 1.0, 1.0),
         size: tuple[int, int] = (1280, 960),

@@ -4,8 +4,8 @@
  */
 const PAUSES = [500, 1000, 2000, 3500, 5000]; // [ms] before an attempt; the last one repeats
 const GIVEN_UP = 20_000; // [ms] without an answer after which the program is assumed to have ended
-const MOST_BYTES = 60 * 1024; // of one message, except for files; the program accepts 64 KiB
-const MOST_FILE = 1024 * 1024;
+const MAX_BYTES = 60 * 1024; // of one message, except for files; the program accepts 64 KiB
+const MAX_FILE = 1024 * 1024;
 const BUSY = 256 * 1024; // unsent bytes above which the camera is not sent
 const OTHER_VERSION = 4001; // close code for a page of another version
 
@@ -128,7 +128,7 @@ class Connection {
   }
 
   /** Sends a message if connected. True if sent. */
-  send(message, most = MOST_BYTES) {
+  send(message, most = MAX_BYTES) {
     if (!this.socket || this.socket.readyState !== WebSocket.OPEN) return false;
     const text = JSON.stringify(message);
     if (text.length > most || (text.length > most / 3 && new Blob([text]).size > most)) return false;

@@ -1,5 +1,5 @@
 /** Texts over the image: notices, progress, lost connection, ended program. */
-const MOST_NOTICES = 4;
+const MAX_NOTICES = 4;
 const SLOW_LINE = 700; // [ms] without an answer before the page reports it
 
 class Notices {
@@ -28,7 +28,7 @@ class Notices {
     const wait = () => setTimeout(() => (notice.matches(":hover, :focus-within") ? (timer = wait()) : remove()), 1000 * clamp(seconds, 1, 3600));
     let timer = wait();
     this.list.append(notice);
-    while (this.list.children.length > MOST_NOTICES) this.list.firstChild.remove();
+    while (this.list.children.length > MAX_NOTICES) this.list.firstChild.remove();
   }
 
   setProgress(text, share = null) {

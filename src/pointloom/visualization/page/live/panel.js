@@ -130,7 +130,7 @@ class Panel {
 
   sayFile(id, name, text) {
     this.sayPending();
-    return this.send({ say: "file", id, name, text }, MOST_FILE);
+    return this.send({ say: "file", id, name, text }, MAX_FILE);
   }
 
   recallFolder(folder) {

@@ -144,7 +144,7 @@ class UploadControl extends Control {
     const [file] = this.input.files;
     this.input.value = ""; // so that the same file can be chosen again
     if (!file) return;
-    if (file.size > MOST_FILE) return this.panel.notify("This file is too large", `${file.name}: at most 1 MB can be read here.`);
+    if (file.size > MAX_FILE) return this.panel.notify("This file is too large", `${file.name}: at most 1 MB can be read here.`);
     try {
       const sent = this.panel.sayFile(this.id, file.name, await file.text());
       if (!sent) this.panel.notify("This file was not sent", `${file.name} is too large, or the program is not there.`);

@@ -1,9 +1,9 @@
 /** The tree of names: a filter, all or none, and elements only for the rows in view. */
 const TREE_ROW = 28; // [px]; as in the style sheet
 const TREE_ROW_TOUCH = 44;
-const MOST_ROWS = 13; // rows visible at once
+const MAX_ROWS = 13; // rows visible at once
 const SPARE = 6; // extra rows beyond both edges
-const MOST_KEYS = 48 * 1024; // bytes of keys per message
+const MAX_KEYS = 48 * 1024; // bytes of keys per message
 
 class TreeControl extends Control {
   build() {
@@ -80,7 +80,7 @@ class TreeControl extends Control {
     let [part, size] = [[], 0];
     for (const key of keys) {
       const bytes = 3 * String(key).length + 4;
-      if (size + bytes > MOST_KEYS) {
+      if (size + bytes > MAX_KEYS) {
         this.panel.sayNow(this.id, [part, visible]);
         [part, size] = [[], 0];
       }
@@ -136,7 +136,7 @@ class TreeControl extends Control {
     const seen = this.rows.seen();
     const height = this.rowHeight;
     this.box.style.setProperty("--row", `${height}px`);
-    this.box.style.height = `${Math.min(Math.max(seen.length, 1), MOST_ROWS) * height}px`;
+    this.box.style.height = `${Math.min(Math.max(seen.length, 1), MAX_ROWS) * height}px`;
     this.list.style.height = `${seen.length * height}px`;
     this.active = clamp(this.active, 0, Math.max(0, seen.length - 1));
     const first = Math.max(0, Math.floor(this.box.scrollTop / height) - SPARE);

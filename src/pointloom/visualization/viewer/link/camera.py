@@ -15,8 +15,8 @@ from .arrays import triple
 from .delivery import Channel
 
 FARTHEST = 1e12
-MOST_PIXELS = 16384
-LEAST_ANGLE = 1e-4  # [rad] minimum distance of the field of view from 0 and pi: its tangent is a divisor
+MAX_PIXELS = 16384
+MIN_ANGLE = 1e-4  # [rad] minimum distance of the field of view from 0 and pi: its tangent is a divisor
 ORTHONORMAL = 1e-3  # limit of |R R^T - 1| for a reported rotation
 _NUMBERS = ("near", "far", "closest", "farthest")
 
@@ -118,7 +118,7 @@ def camera_fields(fields: dict[str, Any]) -> dict[str, Any]:
             sent[name] = check_angle(name, value)
             if sent[name] >= math.pi:
                 raise ValueError(f"fov: expected less than pi, got {value!r}")
-            sent[name] = min(max(sent[name], LEAST_ANGLE), math.pi - LEAST_ANGLE)
+            sent[name] = min(max(sent[name], MIN_ANGLE), math.pi - MIN_ANGLE)
         elif name in _NUMBERS:
             sent[name] = check_positive(name, check_number(name, value))
         elif name == "orthographic":

@@ -17,7 +17,7 @@ from .gui import Gui
 from .scene import ClickEvent, Scene
 from .wire import camera_of
 
-MOST_WAITING = 64  # callbacks per page; more are dropped
+MAX_WAITING = 64  # callbacks per page; more are dropped
 
 log = logging.getLogger("pointloom.viewer")
 
@@ -40,7 +40,7 @@ class Worker:
         """
         with self._lock:
             key: Hashable = object() if about is None else (id(callback), about)
-            if self._ended or (len(self._waiting) >= MOST_WAITING and key not in self._waiting and not always):
+            if self._ended or (len(self._waiting) >= MAX_WAITING and key not in self._waiting and not always):
                 return False
             self._waiting[key] = (callback, arguments)
             if self._thread is None:

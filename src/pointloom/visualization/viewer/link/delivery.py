@@ -22,7 +22,7 @@ DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
 KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
 NEWEST = KEPT | {"sign", "end"}
 MESSAGE_BYTES = 8 << 20  # target size of a message of several batches
-MOST_NOTICES = 64  # waiting notices per page
+MAX_NOTICES = 64  # waiting notices per page
 # [s] Limit for overlapping batches of several threads, which would otherwise delay pages forever.
 LONGEST_BATCH = 1.0
 
@@ -107,7 +107,7 @@ class Outbox:
         self._waiting[key] = (copied(op), batch, size)
         if key[0] == "notify":
             self._notices.append(key)
-            if len(self._notices) > MOST_NOTICES:
+            if len(self._notices) > MAX_NOTICES:
                 self._forget(self._notices.pop(0))
 
     def take(self, before: float = math.inf) -> list[Op]:

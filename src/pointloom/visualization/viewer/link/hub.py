@@ -30,13 +30,13 @@ from ..guard import RequestGuard, response_headers
 from .delivery import LONGEST_BATCH
 from .packing import Op, pack
 from .page import ServedPage, refused_page
-from .wire import MOST_BYTES, read
+from .wire import MAX_BYTES, read
 
 VERSION = 1
 PROTOCOL = f"pointloom.{VERSION}"
 OTHER_VERSION = 4001  # close code for a cached page of another version
-MOST_CLIENTS = 32
-MOST_OWN_BYTES = 1 << 30  # backlog limit of one page
+MAX_CLIENTS = 32
+MAX_OWN_BYTES = 1 << 30  # backlog limit of one page
 # A page is closed after this time without reading or a pong; pings are sent in between.
 STALL_SECONDS = 60.0
 PING_SECONDS = 20.0
@@ -46,7 +46,7 @@ CLOSE_SECONDS = 3.0  # limit for the closing handshake
 FAREWELL_SECONDS = 0.5  # for waiting data at shutdown, which includes the shutdown notice
 # A page sends at most one camera per frame. More messages at once are delayed,
 # so that reading them does not block the program's threads.
-MOST_AT_ONCE = 256
+MAX_AT_ONCE = 256
 BURST_SECONDS = 0.25
 
 log = logging.getLogger("pointloom.viewer")
@@ -143,7 +143,7 @@ class Hub:
         server = await websockets.asyncio.server.serve(
             self._attend,
             sock=self._bound,
-            max_size=MOST_BYTES,
+            max_size=MAX_BYTES,
             compression=None,  # the arrays hardly shrink, and it takes time
             process_request=self._answer,
             select_subprotocol=lambda _, offered: _choose(offered),
@@ -190,10 +190,8 @@ class Hub:
             return self._page_answer(headers)
         if _choose(one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")) is None:
             return _response(http.HTTPStatus.UPGRADE_REQUIRED, b"this page is of another version: load it again\n")
-        if self.client_count >= MOST_CLIENTS:
-            return _response(
-                http.HTTPStatus.SERVICE_UNAVAILABLE, f"{MOST_CLIENTS} pages are open: close one\n".encode()
-            )
+        if self.client_count >= MAX_CLIENTS:
+            return _response(http.HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_CLIENTS} pages are open: close one\n".encode())
         return None
 
     def _is_token(self, query: str) -> bool:
@@ -221,7 +219,7 @@ class Hub:
         return answer
 
     async def _attend(self, connection: ServerConnection) -> None:
-        if self.client_count >= MOST_CLIENTS:  # several requests at once may each have passed the check before
+        if self.client_count >= MAX_CLIENTS:  # several requests at once may each have passed the check before
             return await connection.close(1013, "too many pages are open")
         if connection.subprotocol != PROTOCOL:
             return await connection.close(OTHER_VERSION, "this page is of another version: load it again")
@@ -297,7 +295,7 @@ async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
     while True:
         raw = await connection.recv()
         count += 1
-        if count >= MOST_AT_ONCE:
+        if count >= MAX_AT_ONCE:
             await asyncio.sleep(max(begun + BURST_SECONDS - time.monotonic(), 0))  # throttles the sender through TCP
             begun, count = time.monotonic(), 0
         try:
@@ -329,7 +327,7 @@ async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
             pong, since = None, now
         if unsent != seen or (unsent == 0 and pong is None):
             seen, since = unsent, now
-        if now - since > STALL_SECONDS or visitor.own_bytes > MOST_OWN_BYTES:
+        if now - since > STALL_SECONDS or visitor.own_bytes > MAX_OWN_BYTES:
             log.debug("a page that does not read was dropped")
             connection.transport.abort()
             return

@@ -9,12 +9,12 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from .camera import FARTHEST, LEAST_ANGLE, MOST_PIXELS, CameraState, nearest_rotation
+from .camera import FARTHEST, MIN_ANGLE, MAX_PIXELS, CameraState, nearest_rotation
 
-MOST_BYTES = 1 << 20  # of a message with a file
-MOST_SMALL_BYTES = 64 << 10  # of other messages
-MOST_WHOLE = 2**53  # exact integers in a browser
-MOST_DEPTH = 8  # nested lists
+MAX_BYTES = 1 << 20  # of a message with a file
+MAX_SMALL_BYTES = 64 << 10  # of other messages
+MAX_WHOLE = 2**53  # exact integers in a browser
+MAX_DEPTH = 8  # nested lists
 
 Check = Callable[[Any], bool]
 
@@ -26,7 +26,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
     """
     if not isinstance(raw, str):
         raise ValueError("not a message: text is expected")
-    if len(raw) > MOST_SMALL_BYTES and '"file"' not in raw[:64]:
+    if len(raw) > MAX_SMALL_BYTES and '"file"' not in raw[:64]:
         raise ValueError(f"not a message: of {len(raw)} characters")
     try:
         fields = json.loads(raw, parse_constant=_refuse)
@@ -35,7 +35,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
     if not isinstance(fields, dict) or not isinstance(fields.get("say"), str):
         raise ValueError("not a message: an object that says something is expected")
     checks = MESSAGES.get(fields["say"])
-    if checks is None or (len(raw) > MOST_SMALL_BYTES and fields["say"] != "file"):
+    if checks is None or (len(raw) > MAX_SMALL_BYTES and fields["say"] != "file"):
         return None
     if not all(name in fields and check(fields[name]) for name, check in checks.items()):
         return None
@@ -67,10 +67,10 @@ def is_finite(value: float) -> bool:
 
 def is_whole(value: Any) -> bool:
     """True for integers that a browser can represent."""
-    return is_number(value) and abs(value) <= MOST_WHOLE and value == int(value)
+    return is_number(value) and abs(value) <= MAX_WHOLE and value == int(value)
 
 
-def is_text(value: Any, most: int = MOST_SMALL_BYTES) -> bool:
+def is_text(value: Any, most: int = MAX_SMALL_BYTES) -> bool:
     if not isinstance(value, str) or len(value) > most:
         return False
     try:
@@ -102,12 +102,12 @@ def _numbers(value: Any, count: int, most: float) -> bool:
 
 def _is_size(value: Any) -> bool:
     return (
-        isinstance(value, list) and len(value) == 2 and all(is_whole(one) and 1 <= one <= MOST_PIXELS for one in value)
+        isinstance(value, list) and len(value) == 2 and all(is_whole(one) and 1 <= one <= MAX_PIXELS for one in value)
     )
 
 
 def _is_angle(value: Any) -> bool:
-    return is_number(value) and LEAST_ANGLE <= value <= math.pi - LEAST_ANGLE
+    return is_number(value) and MIN_ANGLE <= value <= math.pi - MIN_ANGLE
 
 
 def _is_share(value: Any) -> bool:
@@ -127,13 +127,13 @@ def _is_name(value: Any) -> bool:
 
 
 def _is_content(value: Any) -> bool:
-    return is_text(value, MOST_BYTES)
+    return is_text(value, MAX_BYTES)
 
 
 def _is_value(value: Any) -> bool:
     """True for control values: text, number, boolean, or short lists of those."""
     waiting, depth = [value], 0
-    while waiting and depth < MOST_DEPTH:
+    while waiting and depth < MAX_DEPTH:
         if not all(isinstance(one, bool | list) or is_number(one) or is_text(one) for one in waiting):
             return False
         waiting = [inner for one in waiting if isinstance(one, list) for inner in one]

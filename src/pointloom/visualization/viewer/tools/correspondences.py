@@ -27,7 +27,7 @@ from ....registration.rigid import fit_pose
 
 MIN_PAIRS = 3
 THIN = 0.02  # minimum spread of the pairs across their line, over that along it, to define the rotation about it
-MOST_POINTS = 200_000  # per cloud; larger ones are sampled for an interactive response
+MAX_POINTS = 200_000  # per cloud; larger ones are sampled for an interactive response
 REACH = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
 
 Matrix = NDArray[np.float64]
@@ -150,7 +150,7 @@ def _thinned(name: str, cloud: PointCloud) -> PointCloud:
     finite = cloud.remove_non_finite_points()
     if not len(finite):
         raise ValueError(f"{name}: no finite points to register")
-    return finite if len(finite) <= MOST_POINTS else finite.uniform_down_sample(-(-len(finite) // MOST_POINTS))
+    return finite if len(finite) <= MAX_POINTS else finite.uniform_down_sample(-(-len(finite) // MAX_POINTS))
 
 
 def _spacing(cloud: PointCloud) -> float:

@@ -37,7 +37,7 @@ Color = tuple[int, int, int]
 MARK: Color = (230, 60, 20)
 MARK_SIZE = 8.0  # [px]
 LINE_WIDTH = 2.5  # [px]
-MOST_CLICKS = 1000  # per tool
+MAX_CLICKS = 1000  # per tool
 MAX_BYTES = 256 << 20  # of a download
 
 _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = weakref.WeakKeyDictionary()
@@ -210,8 +210,8 @@ class Stage:
 
 def check_room(clicks: list[Any]) -> None:
     """Raise ValueError if the tool has the maximum number of clicks."""
-    if len(clicks) >= MOST_CLICKS:
-        raise ValueError(f"{MOST_CLICKS} clicks are as many as are kept: finish, or take some back")
+    if len(clicks) >= MAX_CLICKS:
+        raise ValueError(f"{MAX_CLICKS} clicks are as many as are kept: finish, or take some back")
 
 
 def style_of(item: Item) -> dict[str, Any]:

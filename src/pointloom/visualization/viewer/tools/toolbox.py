@@ -106,7 +106,7 @@ class MeasureTool(Tool):
         stage.show(measurements(places, unit))
 
 
-MOST_WAITING = 64  # waiting jobs per page
+MAX_WAITING = 64  # waiting jobs per page
 ACTIVE = "orange"
 KEYS = (
     ("escape", "End the tool", "stop"),
@@ -151,7 +151,7 @@ class Toolbox:
     def run(self, job: Callable[[], None]) -> bool:
         """Queue a job; False if too many are waiting."""
         with self._lock:
-            if self._closed or self._waiting >= MOST_WAITING:
+            if self._closed or self._waiting >= MAX_WAITING:
                 return False
             self._waiting += 1
             self._worker.submit(self._do, job)
