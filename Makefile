@@ -90,7 +90,7 @@ LOADED_RUNS ?= 10
 flakes: $(BROWSER) ## Run the tests of pages, threads and processes RUNS times, LOADED_RUNS times beside busy processes
 	@$(BIN)/python tests/flakes.py --runs $(RUNS) --loaded-runs $(LOADED_RUNS) $(ARGS)
 
-mutants: $(FULL) ## Small changes of behaviour, one at a time: do the tests notice? (half an hour, not in CI)
+mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notice? (half an hour, not in CI)
 	@$(BIN)/python tests/mutants/run.py $(ARGS)
 
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)

@@ -1,4 +1,4 @@
-"""Colour maps of 20 turns, rigid: a plain of 40k and of 160k vertices in eight pictures, beside Open3D's.
+"""Color maps of 20 turns, rigid: a plain of 40k and of 160k vertices in eight pictures, beside Open3D's.
 
 Open3D's turns are an eighth as long (see tests/meshing/test_color_map.py); here a turn stands against a turn.
 """
@@ -79,7 +79,7 @@ def facts(result: Any) -> np.ndarray:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """Nearly the same colours: the poses differ by what a turn is worth."""
+    """Nearly the same colors: the poses differ by what a turn is worth."""
     assert np.median(np.abs(ours - theirs)) < 0.1, peer
 
 

@@ -1,7 +1,7 @@
-"""cluster_dbscan with about 16 neighbours a point, beside Open3D's two point clouds and scikit-learn.
+"""cluster_dbscan with about 16 neighbors a point, beside Open3D's two point clouds and scikit-learn.
 
 The search structure is built in the timed call. 5M points are there for the peak memory: the peers keep a list of
-neighbours for each point.
+neighbors for each point.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ MIN_POINTS = 10
 
 @dataclass(frozen=True)
 class Surface:
-    """Points and the distance of neighbours [m]."""
+    """Points and the distance of neighbors [m]."""
 
     points: np.ndarray
     eps: float

@@ -3,7 +3,7 @@
 These are Open3D, the two wrappers of Fast-Quadric-Mesh-Simplification (fast-simplification and pyfqmr, both with their
 default aggressiveness) and, where it is installed, meshoptimizer. Of them Open3D alone keeps its edges in a queue by
 cost; the others collapse what is below a threshold that grows, and end further from the whole surface. All but ours run
-on one core. Open3D's result depends on the unit of length; it is given millimetres, in which it is at its best.
+on one core. Open3D's result depends on the unit of length; it is given millimeters, in which it is at its best.
 """
 
 from __future__ import annotations

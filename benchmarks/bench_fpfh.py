@@ -65,7 +65,7 @@ def prepare_open3d_tensor(scene: OrientedSurface, device: str) -> Any:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same histograms; in float32 arithmetic, as the tensor form's, one neighbour in 1e5 takes another bin."""
+    """The same histograms; in float32 arithmetic, as the tensor form's, one neighbor in 1e5 takes another bin."""
     assert ours.shape == theirs.shape
     different = np.abs(ours - theirs).max(axis=1) > 0.02
     assert different.mean() < 0.01, f"{different.mean():.2%} of the features are not {peer}'s"

@@ -1,6 +1,6 @@
-"""Registration of two clouds: 20 iterations point to plane and point to point, and generalised ICP from raw points.
+"""Registration of two clouds: 20 iterations point to plane and point to point, and generalized ICP from raw points.
 
-Iterations are timed on clouds with normals, search trees built inside; times are per iteration. Generalised ICP begins
+Iterations are timed on clouds with normals, search trees built inside; times are per iteration. Generalized ICP begins
 with raw points: thinning, planes and trees are inside, and each library stops by its own rule, at equal accuracy.
 """
 
@@ -32,7 +32,7 @@ def offset() -> np.ndarray:
 
 @dataclass(frozen=True)
 class Pair:
-    """Points that float32 holds exactly, the pose T from source to target; generalised ICP thins them by voxels [m]."""
+    """Points that float32 holds exactly, the pose T from source to target; generalized ICP thins them by voxels [m]."""
 
     source: np.ndarray
     target: np.ndarray
@@ -135,7 +135,7 @@ def iterating(name: str, ours: str, kind: str) -> Operation:
     )
 
 
-# ------------------------------------------------------------------------------------------------ generalised ICP
+# ------------------------------------------------------------------------------------------------ generalized ICP
 
 
 def prepare_pointloom(scene: Pair, device: str) -> Any:

@@ -32,7 +32,7 @@ def in_order(cloud: Any) -> np.ndarray:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same points; those whose neighbours lie on the radius to the last bit may differ."""
+    """The same points; those whose neighbors lie on the radius to the last bit may differ."""
     mine, others = ({tuple(p) for p in points} for points in (ours, theirs))
     different = len(mine ^ others)
     assert different <= 0.01 * len(others), f"{different} of {len(others)} keypoints are not {peer}'s"

@@ -39,7 +39,7 @@ def flipped_mesh(cells: int) -> Arrays:
 
 @cache
 def holed_mesh(cells: int) -> Arrays:
-    """A closed surface without each 300th triangle and its neighbours at one vertex."""
+    """A closed surface without each 300th triangle and its neighbors at one vertex."""
     vertices, triangles = wavy_mesh(cells)
     return vertices, triangles[~np.isin(triangles, triangles[::300, 0]).any(axis=1)]
 

@@ -1,4 +1,4 @@
-"""The 20 nearest neighbours of every point of a cloud, itself among them: index built before, and with its build.
+"""The 20 nearest neighbors of every point of a cloud, itself among them: index built before, and with its build.
 
 On the GPU the peer is Open3D's brute force, and both bring their results back to the host.
 """

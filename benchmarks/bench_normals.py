@@ -69,7 +69,7 @@ def prepare_small_gicp(scene: Surface, device: str) -> Any:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same line for nearly all points; those whose neighbours are tied or lie on the radius may differ."""
+    """The same line for nearly all points; those whose neighbors are tied or lie on the radius may differ."""
     aligned = np.abs(np.einsum("ij,ij->i", ours, theirs)) > 0.999
     assert aligned.mean() > 0.995, f"{1 - aligned.mean():.2%} of the normals are not {peer}'s"
 

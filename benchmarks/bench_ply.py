@@ -1,4 +1,4 @@
-"""Binary PLY with positions (float) and colours (uchar), beside Open3D's tensor cloud.
+"""Binary PLY with positions (float) and colors (uchar), beside Open3D's tensor cloud.
 
 Reading finds the file in the page cache; writing ends when the file has its name, not when the disk has it.
 """
@@ -67,7 +67,7 @@ def facts_of_file(path: str) -> tuple[np.ndarray, np.ndarray]:
 
 def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
     """The same bits."""
-    for mine, other, name in zip(ours, theirs, ("points", "colours"), strict=True):
+    for mine, other, name in zip(ours, theirs, ("points", "colors"), strict=True):
         assert mine.dtype == other.dtype, f"{name}: {mine.dtype}, {peer} {other.dtype}"
         assert mine.shape == other.shape, f"{name}: {mine.shape}, {peer} {other.shape}"
         assert np.array_equal(mine, other), f"{name} differ from {peer}'s"

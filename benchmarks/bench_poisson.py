@@ -45,7 +45,7 @@ def facts(result: Any) -> Surface:
 
 
 def check(ours: Surface, theirs: Surface, peer: str) -> None:
-    """As many vertices, nearer to each other than to their neighbours, and the same densities there.
+    """As many vertices, nearer to each other than to their neighbors, and the same densities there.
 
     Where samples end between two levels (200k at depth 9) our band of finer cells is the wider one: up to a half more.
     """

@@ -107,12 +107,12 @@ def prepare_open3d(scene: Walk, device: str) -> Any:
             graph.edges.append(o3d.PoseGraphEdge(i, j, X, INFORMATION, uncertain=uncertain))
         return graph
 
-    def optimise(graph: Any) -> Any:
+    def optimize(graph: Any) -> Any:
         method, criteria = o3d.GlobalOptimizationLevenbergMarquardt(), o3d.GlobalOptimizationConvergenceCriteria()
         o3d.global_optimization(graph, method, criteria, option)
         return graph
 
-    return Trial(optimise, setup=make)
+    return Trial(optimize, setup=make)
 
 
 def facts(graph: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -123,7 +123,7 @@ def facts(graph: Any) -> tuple[np.ndarray, np.ndarray]:
 
 def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
     np.testing.assert_array_equal(ours[1], theirs[1], err_msg=f"the edges that are left are not {peer}'s")
-    # Both stop where a step changes the residual by 1e-6 of itself: along the softest bends that is some centimetres.
+    # Both stop where a step changes the residual by 1e-6 of itself: along the softest bends that is some centimeters.
     np.testing.assert_allclose(ours[0], theirs[0], rtol=0, atol=0.05, err_msg=f"the poses are not {peer}'s")
 
 

@@ -2,7 +2,7 @@
 
 On two made-up surfaces and on a real pair of scans of a kitchen (55 % overlap), which POINTLOOM_DATA names. Each
 contestant gets the clouds and a voxel size and does everything itself, with the tutorial's settings: normals of 30
-neighbours within two voxels, features of 100 within five, mutual matches, a distance of one and a half voxels, samples
+neighbors within two voxels, features of 100 within five, mutual matches, a distance of one and a half voxels, samples
 of three, both checkers, 100,000 hypotheses at most and a confidence of 0.999.
 """
 

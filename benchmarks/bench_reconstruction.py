@@ -1,8 +1,8 @@
 """The reconstruction system from frames to mesh: the furnished room at VGA in two fragments, beside Open3D's.
 
 Open3D's system is a set of example programs. Here its calls stand one after the other, with its defaults: hybrid
-odometry of consecutive frames, a pose graph and a cloud a fragment, coloured ICP between neighbours, a pose graph of
-the fragments, coloured ICP again, all frames into one volume. Its loops within a fragment need OpenCV and are left out,
+odometry of consecutive frames, a pose graph and a cloud a fragment, colored ICP between neighbors, a pose graph of
+the fragments, colored ICP again, all frames into one volume. Its loops within a fragment need OpenCV and are left out,
 so is what it writes between its stages; its volume is the tensor one, as the older gives empty clouds in 0.20. Ours
 does all of it: loops, records and files. Both get frames that are decoded already.
 """

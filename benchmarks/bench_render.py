@@ -69,7 +69,7 @@ def prepare_open3d(scene: Scene, device: str) -> Any:
 
 
 def shades(points: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Colours that are not white."""
+    """Colors that are not white."""
     low, high = points.min(axis=0), points.max(axis=0)
     return (0.9 * (points - low) / (high - low)).astype(np.float32)
 

@@ -16,7 +16,7 @@ TRUTH = np.array([0.02, -0.015, 0.03])  # [m]
 
 
 def wavy_frames(width: int = 640, *, is_prepared: bool = False) -> Scene:
-    """Two pictures of a textured relief from places a little apart, depth in millimetres with a sensor's noise."""
+    """Two pictures of a textured relief from places a little apart, depth in millimeters with a sensor's noise."""
     rng, height, f = np.random.default_rng(0), width * 3 // 4, 0.9 * width
     v, u = np.mgrid[:height, :width]
     x, y = (u - width / 2 + 0.5) / f, (v - height / 2 + 0.5) / f

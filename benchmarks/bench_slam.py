@@ -1,6 +1,6 @@
 """Tracking and fusing a depth camera's frames at 1 cm, beside Open3D's slam.Model.
 
-Both get the frames of a camera that is carried through the furnished room, depth and colour as NumPy arrays, and no
+Both get the frames of a camera that is carried through the furnished room, depth and color as NumPy arrays, and no
 poses but the first; each frame is tracked against the model, fused into it, and the model rendered for the next one.
 Open3D's steps are those of its example (6, 3 and 1 of its point-to-plane odometry). Times are per frame.
 """
@@ -24,7 +24,7 @@ DRIFT = 0.1  # [m] Open3D's tracker compares surfaces alone: 5 cm off after 20 f
 
 @dataclass(frozen=True)
 class Walk:
-    """Frames along a walk: depth [mm], colours, the camera, the true poses from the first one on."""
+    """Frames along a walk: depth [mm], colors, the camera, the true poses from the first one on."""
 
     depths: list[np.ndarray]
     colors: list[np.ndarray]

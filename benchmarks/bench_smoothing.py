@@ -1,4 +1,4 @@
-"""Smoothing, the search structure included: planes and bilateral weights over up to 30 neighbours, five passes over 20.
+"""Smoothing, the search structure included: planes and bilateral weights over up to 30 neighbors, five passes over 20.
 
 Normals for the bilateral filter are there beforehand.
 """
@@ -86,7 +86,7 @@ def run_open3d_tensor(smooth: Callable, scene: Surface, device: str) -> Any:
 
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same places for nearly all points; those whose neighbours are tied, and in passes theirs, may differ."""
+    """The same places for nearly all points; those whose neighbors are tied, and in passes theirs, may differ."""
     same = np.abs(ours - theirs).max(axis=1) < 1e-5
     assert same.mean() > 0.98, f"{1 - same.mean():.2%} of the points are not {peer}'s"
 

@@ -19,7 +19,7 @@ from contest import OURS, Contestant, Operation, load_open3d, timed
 
 VOXEL, NOISE, REACH = 0.15, 0.002, 7.0  # [m]
 TURN, SHIFT = 0.02, 0.1  # of rough poses [rad], [m]
-APART = 0.01  # [m]: both are right to some millimetres
+APART = 0.01  # [m]: both are right to some millimeters
 PLACES = np.array(
     [[0, 0, 1.5], [4, 1, 1.6], [8, 0, 1.4], [11, 3, 1.5], [8, 6, 1.7], [4, 7, 1.5], [0, 6, 1.6], [5, 4, 1.5]]
 )

@@ -14,7 +14,7 @@ def estimated_depth_maps(d: Any) -> list[Any]:
 
 
 def plain_depth_maps(d: Any) -> list[Any]:
-    """Of three pictures of a wall that is grey in its middle, but for some noise: it takes the plane of its frame."""
+    """Of three pictures of a wall that is gray in its middle, but for some noise: it takes the plane of its frame."""
     rng = np.random.default_rng(9)
     wall = rng.integers(0, 256, (60, 80), dtype=np.uint8)
     wall[18:42, 22:56] = rng.integers(126, 131, (24, 34), dtype=np.uint8)

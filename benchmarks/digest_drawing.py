@@ -44,7 +44,7 @@ def seen_of_splats(d: Any) -> list[Any]:
 
 
 def map_of(d: Any) -> list[Any]:
-    """Maps of the ball by its vertices' colours, in UTM, and of a sheet by two textures."""
+    """Maps of the ball by its vertices' colors, in UTM, and of a sheet by two textures."""
     ball, rng = d.ball.compute_vertex_normals(), np.random.default_rng(0)
     ball.vertex_colors = np.abs(ball.vertex_normals)
     side = float(np.ptp(ball.vertices[:, 0])) / 40

@@ -10,7 +10,7 @@ from digest_scenes import loom, pose_of
 
 
 def noisy_depth_maps(d: Any) -> Any:
-    """Depth maps of a slanted wall from four places, with noise, holes, and colours of their own."""
+    """Depth maps of a slanted wall from four places, with noise, holes, and colors of their own."""
     mvs, rng = loom().mvs, np.random.default_rng(7)
     lens = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.2, 35.7)
     v, u = np.mgrid[:72, :96]
@@ -30,7 +30,7 @@ def noisy_depth_maps(d: Any) -> Any:
 
 
 def fused_depth_maps(d: Any) -> list[Any]:
-    """As points of each picture's colours and as both meshes."""
+    """As points of each picture's colors and as both meshes."""
     mvs, maps = loom().mvs, noisy_depth_maps(d)
     colors = np.random.default_rng(8).integers(0, 256, (4, 72, 96, 3)).astype(np.uint8)
     return [mvs.fuse(maps, list(colors), to=to, device=d.device) for to in ("points", "tsdf", "poisson")]

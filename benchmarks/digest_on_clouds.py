@@ -211,16 +211,16 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "icp, point to point": lambda p: icp(p),
     "icp, point to plane": lambda p: icp(p, "PointToPlane"),
     "icp, symmetric": lambda p: icp(p, "Symmetric"),
-    "icp, generalised": lambda p: icp(p, "ForGeneralizedICP"),
-    "icp, generalised, own covariances": lambda p: reg().registration_generalized_icp(
+    "icp, generalized": lambda p: icp(p, "ForGeneralizedICP"),
+    "icp, generalized, own covariances": lambda p: reg().registration_generalized_icp(
         p.other.transform(scenes.inverse(p.pose)), p.cloud, p.reach
     ),
-    "icp, generalised, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
+    "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_icp_batch, three poses": from_poses,
     "evaluate_registration": lambda p: reg().evaluate_registration(p.source, p.cloud, p.reach),
     "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(
         p.source, p.cloud, p.reach, p.pose
     ),
-    "localisability": lambda p: reg().localisability(p.source, p.cloud, p.pose, p.reach),
+    "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.reach),
     "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.reach),
 }

@@ -30,7 +30,7 @@ def dlpack_cloud(d: Scenes) -> Any:
 
 
 def projected(d: Scenes) -> Any:
-    """Degrees as metres, and their zone."""
+    """Degrees as meters, and their zone."""
     cloud = loom().PointCloud(scenes.bumpy_surface(500, 80) * [0.01, 0.01, 1.0] + [9.18, 48.77, 240.0])
     return [loom().project_to_utm(cloud), loom().utm_epsg(cloud)]
 
@@ -244,7 +244,7 @@ def some_triangles(d: Scenes) -> Any:
 
 
 def textured_ball(d: Scenes) -> Any:
-    """The ball with normals and colours."""
+    """The ball with normals and colors."""
     mesh = d.ball.compute_vertex_normals()
     mesh.vertex_colors = np.abs(mesh.vertex_normals)
     return mesh
@@ -685,9 +685,9 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "icp, point to point, scaling": lambda d: icp(d.surface, with_scaling=True),
     "icp, point to point, Huber": lambda d: icp(d.surface, kernel=reg().HuberLoss(0.03)),
     "icp, symmetric, Tukey": lambda d: icp(d.surface, "Symmetric", kernel=reg().TukeyLoss(0.1)),
-    "icp, generalised, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=reg().CauchyLoss(1.0)),
-    "icp, coloured": lambda d: icp(d.surface, "ForColoredICP"),
-    "icp, coloured, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=reg().HuberLoss(0.1)),
+    "icp, generalized, Cauchy": lambda d: icp(d.surface, "ForGeneralizedICP", kernel=reg().CauchyLoss(1.0)),
+    "icp, colored": lambda d: icp(d.surface, "ForColoredICP"),
+    "icp, colored, Huber": lambda d: icp(d.far, "ForColoredICP", lambda_geometric=0.5, kernel=reg().HuberLoss(0.1)),
     "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
     "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
     "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
@@ -704,7 +704,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "registration_symmetric_icp": lambda d: reg().registration_symmetric_icp(d.far.source, d.far.facing, d.far.reach),
     "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
     "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),
-    "registration_icp_batch, generalised": lambda d: icp_batch(d, "ForGeneralizedICP"),
+    "registration_icp_batch, generalized": lambda d: icp_batch(d, "ForGeneralizedICP"),
     "multi_scale_icp": lambda d: multi_scale(d.surface),
     "multi_scale_icp, far": lambda d: multi_scale(d.far),
     "correspondences_from_features": lambda d: [

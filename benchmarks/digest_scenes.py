@@ -114,7 +114,7 @@ def about(middle: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.flo
 
 
 def textured(points: NDArray[np.float64], shift: NDArray[np.float64], device: str) -> Any:
-    """Points moved somewhere, with the colours of a pattern and two attributes."""
+    """Points moved somewhere, with the colors of a pattern and two attributes."""
     x, y = np.nan_to_num(points[:, :2], posinf=0.0).T
     colors = 0.5 + 0.4 * np.stack([np.sin(4 * x), np.cos(5 * y), np.sin(3 * x + 2 * y)], axis=1)
     intensity = np.round(1000 * colors[:, 0]).astype(np.float32)  # whole numbers, as files of LAS hold
@@ -224,7 +224,7 @@ class Scenes:
 
     @cached_property
     def paint(self) -> NDArray[np.uint8]:
-        """A colour image, uint8 [h, w, 3]."""
+        """A color image, uint8 [h, w, 3]."""
         v, u = np.mgrid[:HEIGHT, :WIDTH]
         return np.stack([u + v, 3 * u, 255 - 2 * v], axis=-1).astype(np.uint8)
 

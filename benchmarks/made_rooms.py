@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-GREY = (0.7, 0.7, 0.7)
+GRAY = (0.7, 0.7, 0.7)
 WALL = 0.2  # [m] of the walls
 VOXEL = 0.02  # [m] of the fusion
 WIDTH, HEIGHT, FOCAL = 320, 240, 262.5  # [px] of the camera
@@ -32,7 +32,7 @@ def furnish(seed: int) -> tuple[object, Array]:
         ((x / 2, -w / 2, z / 2), (x + 2 * w, w, z)),
         ((x / 2, y + w / 2, z / 2), (x + 2 * w, w, z)),
     ):
-        room.box(center, extent, GREY)
+        room.box(center, extent, GRAY)
     for _ in range(rng.integers(1, 12)):
         piece = PIECES[rng.integers(len(PIECES))]
         along = rng.uniform(0.15, 0.85)
@@ -48,56 +48,56 @@ def furnish(seed: int) -> tuple[object, Array]:
 
 def _cupboard(room, rng) -> None:
     w, d, h = rng.uniform(0.4, 1.6), rng.uniform(0.3, 0.6), rng.uniform(0.5, 2.1)
-    room.box((0, 0, h / 2), (w, d, h), GREY, radius=0.01)
+    room.box((0, 0, h / 2), (w, d, h), GRAY, radius=0.01)
 
 
 def _shelf(room, rng) -> None:
     w, d, boards, gap = rng.uniform(0.6, 1.4), rng.uniform(0.2, 0.4), rng.integers(2, 6), rng.uniform(0.3, 0.45)
     for k in range(boards):
-        room.box((0, 0, 0.05 + gap * k), (w, d, 0.03), GREY)
+        room.box((0, 0, 0.05 + gap * k), (w, d, 0.03), GRAY)
         if rng.random() < 0.7:
             high = rng.uniform(0.1, 0.25)
             at = rng.uniform(-0.3, 0.3) * w
-            room.box((at, 0, 0.065 + gap * k + high / 2), (rng.uniform(0.1, 0.4) * w, 0.7 * d, high), GREY)
+            room.box((at, 0, 0.065 + gap * k + high / 2), (rng.uniform(0.1, 0.4) * w, 0.7 * d, high), GRAY)
     for side in (-w / 2, w / 2):
-        room.box((side, 0, gap * boards / 2), (0.03, d, gap * boards), GREY)
+        room.box((side, 0, gap * boards / 2), (0.03, d, gap * boards), GRAY)
 
 
 def _table(room, rng) -> None:
     w, d, h = rng.uniform(0.7, 1.8), rng.uniform(0.5, 0.9), rng.uniform(0.4, 0.8)
-    room.box((0, 0, h - 0.02), (w, d, 0.04), GREY)
+    room.box((0, 0, h - 0.02), (w, d, 0.04), GRAY)
     for sx in (-1, 1):
         for sy in (-1, 1):
-            room.cylinder((sx * (w / 2 - 0.05), sy * (d / 2 - 0.05), h / 2 - 0.02), 0.03, h - 0.04, GREY)
+            room.cylinder((sx * (w / 2 - 0.05), sy * (d / 2 - 0.05), h / 2 - 0.02), 0.03, h - 0.04, GRAY)
     for _ in range(rng.integers(4)):
         side = rng.uniform(0.08, 0.3, 3)
         at = rng.uniform(-0.35, 0.35, 2) * (w, d)
-        room.box((at[0], at[1], h + side[2] / 2), tuple(side), GREY, tilt=(2, float(rng.uniform(0, 90))))
+        room.box((at[0], at[1], h + side[2] / 2), tuple(side), GRAY, tilt=(2, float(rng.uniform(0, 90))))
 
 
 def _sofa(room, rng) -> None:
     w, d, h = rng.uniform(0.8, 2.2), rng.uniform(0.7, 0.95), rng.uniform(0.35, 0.48)
-    room.box((0, 0, h / 2), (w, d, h), GREY, radius=0.05)
-    room.box((0, -d / 2 + 0.1, h), (w, 0.2, rng.uniform(0.7, 0.9)), GREY, radius=0.08)
+    room.box((0, 0, h / 2), (w, d, h), GRAY, radius=0.05)
+    room.box((0, -d / 2 + 0.1, h), (w, 0.2, rng.uniform(0.7, 0.9)), GRAY, radius=0.08)
     for side in (-1, 1):
-        room.box((side * w / 2, 0, h / 2 + 0.1), (0.2, d, h + 0.2), GREY, radius=0.08)
+        room.box((side * w / 2, 0, h / 2 + 0.1), (0.2, d, h + 0.2), GRAY, radius=0.08)
 
 
 def _plant(room, rng) -> None:
     r, h = rng.uniform(0.12, 0.3), rng.uniform(0.3, 0.6)
-    room.cylinder((0, 0, h / 2), r, h, GREY, rounding=0.02)
+    room.cylinder((0, 0, h / 2), r, h, GRAY, rounding=0.02)
     for _ in range(rng.integers(1, 8)):
         at = rng.normal(0, 0.15, 2)
-        room.sphere((at[0], at[1], h + rng.uniform(0.1, 0.6)), rng.uniform(0.05, 0.2), GREY)
+        room.sphere((at[0], at[1], h + rng.uniform(0.1, 0.6)), rng.uniform(0.05, 0.2), GRAY)
 
 
 def _chair(room, rng) -> None:
     w, h = rng.uniform(0.36, 0.5), rng.uniform(0.4, 0.5)
-    room.box((0, 0, h), (w, w, 0.05), GREY, radius=0.02)
-    room.box((0, -w / 2, h + 0.25), (w, 0.04, 0.45), GREY, tilt=(0, float(rng.uniform(0, 12))))
+    room.box((0, 0, h), (w, w, 0.05), GRAY, radius=0.02)
+    room.box((0, -w / 2, h + 0.25), (w, 0.04, 0.45), GRAY, tilt=(0, float(rng.uniform(0, 12))))
     for sx in (-1, 1):
         for sy in (-1, 1):
-            room.cylinder((sx * (w / 2 - 0.03), sy * (w / 2 - 0.03), h / 2 - 0.02), 0.02, h - 0.04, GREY)
+            room.cylinder((sx * (w / 2 - 0.03), sy * (w / 2 - 0.03), h / 2 - 0.02), 0.02, h - 0.04, GRAY)
 
 
 PIECES = (_cupboard, _shelf, _table, _sofa, _plant, _chair)

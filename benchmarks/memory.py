@@ -50,7 +50,7 @@ def _resident() -> int:
 def device_peak_bytes(trial: Trial, device: str, label: str) -> int:
     """Bytes of GPU memory that one call needs.
 
-    Ours by the high mark of Warp's pool; peers by what is gone from the device afterwards, since Open3D's cache keeps
+    Ours by the high mark of Warp's pool; peers by what is gone from the device afterward, since Open3D's cache keeps
     what it took.
     """
     import warp as wp

@@ -49,9 +49,9 @@ class Scene:
 
 
 def room(frames: int, width: int = 320, *, texture: bool = True) -> Scene:
-    """Frames of the room with or without its grain, with exact depth, with the noise of a camera in their colours.
+    """Frames of the room with or without its grain, with exact depth, with the noise of a camera in their colors.
 
-    30 frames go once round; 12 are neighbours on the walk, 6 to 8 degrees and 8 cm apart.
+    30 frames go once round; 12 are neighbors on the walk, 6 to 8 degrees and 8 cm apart.
     """
     import pointloom as loom
     from pointloom.datasets.scenes.room import room_sequence
@@ -157,8 +157,8 @@ def _features(picture: Any) -> tuple[Any, Any]:
         import cv2
     except ModuleNotFoundError as error:
         raise DataMissingError("OpenCV, which finds the sparse points, is not installed") from error
-    grey = cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY)
-    keys, descriptors = cv2.SIFT_create(FEATURES).detectAndCompute(grey, None)
+    gray = cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY)
+    keys, descriptors = cv2.SIFT_create(FEATURES).detectAndCompute(gray, None)
     places = np.array([key.pt for key in keys]).reshape(-1, 2)
     return places, np.zeros((0, 128), np.float32) if descriptors is None else descriptors
 

@@ -5,7 +5,7 @@
 
 Made sets (photo_sets.py) have exact truth; of real ones what there is: cameras of the temple and the fountain, none of
 sceaux. Each set runs in a process of its own, as `pointloom video` does with a work folder in WORK/<set>, and then
-`pointloom texture`. Centres are off after the similarity that fits them best; those of the drone without any, in the
+`pointloom texture`. Centers are off after the similarity that fits them best; those of the drone without any, in the
 frame that GPS gave. Accuracy is the share of the mesh, by area, that lies within a threshold of the true surface,
 completeness that of the points which three pictures see within it of the mesh. COLMAP is pycolmap's incremental mapper
 with its own defaults (a camera a picture's EXIF, all pairs) on the same pictures and masks.
@@ -92,7 +92,7 @@ def compared(photos: Any, result: Any) -> dict[str, Any]:
 
 
 def in_world(model: Any, poses: dict[str, Any], frame: Any) -> dict[str, Any]:
-    """Errors of a model in metres east, north, up, without any fit."""
+    """Errors of a model in meters east, north, up, without any fit."""
     true = np.array([poses[name] for name in model.names])
     found = loom.video.WorldFrame(*PLACE).to_enu(frame.to_geodetic(model.centers))
     off = found - true[:, :3, 3]

@@ -109,7 +109,7 @@ def noise(points: Array, size: float, octaves: int = 4) -> Array:
 
 
 def grain(color: Any, strength: float = 0.6, size: float = 0.1, octaves: int = 5) -> Paint:
-    """A colour with grain; its second half of the strength turns the hue."""
+    """A color with grain; its second half of the strength turns the hue."""
 
     def paint(points: Array) -> Array:
         light = 1 + 2 * strength * (noise(points, size, octaves) - 0.5)
@@ -290,7 +290,7 @@ def _about(axis: str, degrees: float) -> Array:
 
 
 def _down(eye: Array, tilt: Array, heading: float) -> Array:
-    """The pose of a camera that looks down but for a tilt, the picture's top towards a heading."""
+    """The pose of a camera that looks down but for a tilt, the picture's top toward a heading."""
     z = np.array([*tilt, -1.0]) / np.linalg.norm([*tilt, -1.0])
     x = np.cross(z, [math.sin(heading), math.cos(heading), 0.0])
     T = np.eye(4)

@@ -55,7 +55,7 @@ def rays_of(view: View, step: float, offset: float) -> tuple[Array, Array]:
 
 
 def render(stage: Stage, scene: Any, view: View, finer: int) -> tuple[Array, NDArray[np.bool_]]:
-    """Colours [h, w, 3] in 0..1 without noise, `finer` times larger, and where something is."""
+    """Colors [h, w, 3] in 0..1 without noise, `finer` times larger, and where something is."""
     rays, _ = rays_of(view, 1 / finer, 0.5 / finer)
     met = scene.cast_rays(rays)
     seen = np.isfinite(met["t_hit"])

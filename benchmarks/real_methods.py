@@ -1,6 +1,6 @@
 """Registrations that are compared on real scans, ours and the peers': each takes a pair and gives a pose.
 
-All get the same points, voxels, distances and numbers of neighbours. Ours and Open3D's end when fitness and error
+All get the same points, voxels, distances and numbers of neighbors. Ours and Open3D's end when fitness and error
 change by less than 1e-6; small_gicp by its own rule, steps below 1e-4 degrees and 1e-6 m, on one thread: with more, its
 voxels differ from run to run.
 """
@@ -46,7 +46,7 @@ def estimators() -> dict[str, Any]:
         "point-to-point ICP": reg.TransformationEstimationPointToPoint(),
         "point-to-plane ICP": reg.TransformationEstimationPointToPlane(),
         "symmetric ICP": reg.TransformationEstimationSymmetric(),
-        "generalised ICP": reg.TransformationEstimationForGeneralizedICP(),
+        "generalized ICP": reg.TransformationEstimationForGeneralizedICP(),
     }
 
 
@@ -91,7 +91,7 @@ def open3d_icp(name: str) -> Method:
         registration = load_open3d().pipelines.registration
         rules = registration.ICPConvergenceCriteria(CHANGE, CHANGE, STEPS)
         settings = (*open3d_clouds(pair), pair.distance, start)
-        if name == "generalised ICP":
+        if name == "generalized ICP":
             method = registration.TransformationEstimationForGeneralizedICP()
             return registration.registration_generalized_icp(*settings, method, rules).transformation
         if name == "point-to-plane ICP":
@@ -106,8 +106,8 @@ def open3d_icp(name: str) -> Method:
 SMALL_GICP = {
     "point-to-point ICP": "ICP",
     "point-to-plane ICP": "PLANE_ICP",
-    "generalised ICP": "GICP",
-    "generalised ICP, voxels": "VGICP",
+    "generalized ICP": "GICP",
+    "generalized ICP, voxels": "VGICP",
 }
 
 
@@ -145,23 +145,23 @@ def small_gicp_icp(name: str) -> Method:
 
 
 def globally(refine: bool) -> Method:
-    """register_globally, and generalised ICP after it."""
+    """register_globally, and generalized ICP after it."""
 
     def run(pair: ScanPair, start: Array, seed: int) -> Array:
         import pointloom as loom
 
         clouds = [loom.PointCloud(points) for points in (pair.source, pair.target)]
         found = loom.registration.register_globally(*clouds, voxel_size=pair.voxel_size, seed=seed).transformation
-        return our_icp("generalised ICP").run(pair, found, seed) if refine else found
+        return our_icp("generalized ICP").run(pair, found, seed) if refine else found
 
-    return Method(f"register_globally{' + generalised ICP' if refine else ''}", OURS, run)
+    return Method(f"register_globally{' + generalized ICP' if refine else ''}", OURS, run)
 
 
 def kiss_matcher() -> Method:
     def run(pair: ScanPair, start: Array, seed: int) -> Array:
         import kiss_matcher
 
-        scale = 1 / pair.voxel_size  # it refuses voxels of a few millimetres
+        scale = 1 / pair.voxel_size  # it refuses voxels of a few millimeters
         clouds = [list((scale * points).astype(np.float32)) for points in (pair.source, pair.target)]
         matcher = kiss_matcher.KISSMatcher(kiss_matcher.KISSMatcherConfig(1.0))
         found, T = matcher.estimate(*clouds), np.eye(4)
@@ -230,7 +230,7 @@ def open3d_features(name: str) -> Method:
     return Method(name, "Open3D", run)
 
 
-ICP = ("generalised ICP", "point-to-plane ICP", "point-to-point ICP")
+ICP = ("generalized ICP", "point-to-plane ICP", "point-to-point ICP")
 VOXELS = 1.0  # edge of the target's Gaussians, in distances of a correspondence
 
 FROM_POSE = (

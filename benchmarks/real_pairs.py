@@ -3,7 +3,7 @@
     POINTLOOM_DATA=... python benchmarks/real_pairs.py [--only lidar] [--runs 20] [--write]
 
 From a pose: one run each. From no guess: random starting poses of the source and as many seeds; KISS-Matcher, which
-takes the origin for the sensor, gets the rotations alone, and RANSAC and FGR, whose normals are turned towards the
+takes the origin for the sensor, gets the rotations alone, and RANSAC and FGR, whose normals are turned toward the
 sensor, only the seeds. An error is how far a pose is from the true one: the angle by the logarithm, and the distance of
 the translations.
 """
@@ -128,8 +128,8 @@ def score_views() -> str:
         ours[i, j] = methods.GLOBALLY_REFINED.run(pair.moved(start), STILL, 0) @ start
         theirs[i, j] = peer.run(pair, ours[i, j], 0)
     return (
-        f"Five Kinect views, no truth: all {len(ours)} pairs from no guess and random poses, then generalised ICP. "
-        f"Ways round three views close to {_close(ours)}; with Open3D's generalised ICP from these poses to "
+        f"Five Kinect views, no truth: all {len(ours)} pairs from no guess and random poses, then generalized ICP. "
+        f"Ways round three views close to {_close(ours)}; with Open3D's generalized ICP from these poses to "
         f"{_close(theirs)} (median / worst)."
     )
 

@@ -3,7 +3,7 @@
     POINTLOOM_DATA=<folder> python benchmarks/real_stations.py       # some minutes; the table of docs/stations.md
 
 No terrestrial set with a surveyor's truth is here. In its place stand the Stanford bunny's range scans (poses by ICP of
-its authors), views of a kitchen by a depth camera (poses of KinectFusion, which are known to some centimetres), and
+its authors), views of a kitchen by a depth camera (poses of KinectFusion, which are known to some centimeters), and
 five LiDAR maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of
 stations' positions against theirs, relative to the reference station.
 """

@@ -23,7 +23,7 @@ from PIL import Image
 import pointloom as loom
 
 STEPS, PAIRS, FRAMES = (1, 5, 10, 20), 40, 300
-RIGHT = (5.0, 200.0)  # [deg, mm] a success farther off is false; the truth itself drifts by some centimetres
+RIGHT = (5.0, 200.0)  # [deg, mm] a success farther off is false; the truth itself drifts by some centimeters
 
 
 class Kitchen:

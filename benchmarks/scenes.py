@@ -111,7 +111,7 @@ class Frames:
     """Posed depth frames of one camera.
 
     Attributes:
-        depths: uint16 [n, h, w], millimetres.
+        depths: uint16 [n, h, w], millimeters.
         extrinsics: T_camera_world, float64 [n, 4, 4].
         intrinsic: fx, fy, cx, cy [pixel].
     """
@@ -201,7 +201,7 @@ def wavy_ball(count: int) -> NDArray[np.float32]:
 
 @dataclass
 class ColoredPoints:
-    """Points and colours in memory and in a binary PLY file (float x y z, uchar red green blue).
+    """Points and colors in memory and in a binary PLY file (float x y z, uchar red green blue).
 
     Attributes:
         points: float32 [n, 3].
@@ -236,7 +236,7 @@ class ColoredPoints:
 
 
 def colored_points(count: int, seed: int = 0) -> ColoredPoints:
-    """Points of the bumpy surface with random colours."""
+    """Points of the bumpy surface with random colors."""
     colors = np.random.default_rng(seed + 1).integers(0, 256, (count, 3), np.uint8)
     return ColoredPoints(bumpy_surface(count, seed).astype(np.float32), colors)
 

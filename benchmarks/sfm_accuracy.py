@@ -5,9 +5,9 @@
     python benchmarks/sfm_accuracy.py fountain WORK $POINTLOOM_DATA/mvs-fountain-p11             with K given
     python benchmarks/sfm_accuracy.py redkitchen WORK $POINTLOOM_DATA/rgbd-7scenes-redkitchen    each 5th frame
 
-WORK is a new folder, which keeps what was made. Errors are those of camera centres after the similarity that fits
+WORK is a new folder, which keeps what was made. Errors are those of camera centers after the similarity that fits
 them best (Umeyama 1991), and of directions after the rotation that fits those best. The truth of the kitchen is
-KinectFusion's, and drifts by some centimetres; that of the others is exact, or measured by a laser scanner.
+KinectFusion's, and drifts by some centimeters; that of the others is exact, or measured by a laser scanner.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[st
     scale, R, t = fit_similarity(model.centers, poses[:, :3, 3])
     off = np.linalg.norm(scale * model.centers @ R.T + t - poses[:, :3, 3], axis=1)
     ours = model.T_world_camera[:, :3, :3]
-    u, _, vt = np.linalg.svd(np.einsum("nij,nkj->ik", poses[:, :3, :3], ours))  # centres in a row leave it open
+    u, _, vt = np.linalg.svd(np.einsum("nij,nkj->ik", poses[:, :3, :3], ours))  # centers in a row leave it open
     turns = np.einsum("nji,jk,nkl->nil", poses[:, :3, :3], u @ vt, ours)
     cosines = (np.trace(turns, axis1=1, axis2=2) - 1) / 2
     extent = np.linalg.norm(np.ptp(poses[:, :3, 3], axis=0))

@@ -3,7 +3,7 @@
     POINTLOOM_DATA=<folder> python benchmarks/sfm_mappers.py WORK [SET ...]
 
 SET is room, fountain, redkitchen or sceaux, all where none is named. WORK is a new folder. Features are found in
-pictures of up to 1000 pixels, 2048 at most of each. Errors are those of `sfm_accuracy.py`, of camera centres after the
+pictures of up to 1000 pixels, 2048 at most of each. Errors are those of `sfm_accuracy.py`, of camera centers after the
 best similarity; of Sceaux there is no truth, and the cameras of both mappers are held against each other.
 """
 
@@ -52,7 +52,7 @@ def main() -> None:
     arguments.add_argument("sets", nargs="*")
     given = arguments.parse_args()
     given.work.mkdir(parents=True)
-    print("| pictures | mapper | placed | centres, rms of the extent | directions | reprojection | CPU s |")
+    print("| pictures | mapper | placed | centers, rms of the extent | directions | reprojection | CPU s |")
     for name in given.sets or SETS:
         compare(name, given.work / name.replace(",", "").replace(" ", "-"))
 

@@ -41,11 +41,11 @@ def main() -> None:
     print(f"{len(same)} of {len(rows)} pairs see the same")
     print("| pairs | proposed | of them see the same | share of all that do | of their matches | pictures in one |")
     tell("in a row", {(i + 1, j + 1) for i, j in _in_a_row(len(found), OVERLAP)}, same, len(found))
-    for neighbours in (5, 10, 20):
+    for neighbors in (5, 10, 20):
         before = time.process_time()
-        pairs = set(pairs_that_look_alike(work / "f.db", neighbours, seed=0))
+        pairs = set(pairs_that_look_alike(work / "f.db", neighbors, seed=0))
         spent = time.process_time() - before
-        tell(f"{neighbours} most alike ({spent:.1f} CPU s)", pairs, same, len(found))
+        tell(f"{neighbors} most alike ({spent:.1f} CPU s)", pairs, same, len(found))
     rng = np.random.default_rng(1)
     chance = {tuple(sorted(rng.choice(len(found), 2, replace=False) + 1)) for _ in range(len(pairs))}
     tell("as many by chance", chance, same, len(found))

@@ -73,7 +73,7 @@ def scenes(frames: int, size: tuple[int, int]) -> Iterator[tuple[str, Any]]:
         for seed in (0, 1):
             name = f"room {path}, person, seed {seed}"
             yield name, lambda path=path, seed=seed: room(frames, size, path, person=True, seed=seed)
-        yield f"room {path}, no colour", lambda path=path: room(frames, size, path, color=False)
+        yield f"room {path}, no color", lambda path=path: room(frames, size, path, color=False)
         yield f"room {path}, blur, exposure", lambda path=path: room(frames, size, path, blur=1.0, exposure=0.5)
 
 

@@ -1,6 +1,6 @@
 """What a picture's loss asks of the splats in it: the derivatives of their light, and steps along them.
 
-A spike: colours of degree 0, no splat is born or dies. Source: Kerbl et al. 2023, appendix A; steps by Adam (Kingma and
+A spike: colors of degree 0, no splat is born or dies. Source: Kerbl et al. 2023, appendix A; steps by Adam (Kingma and
 Ba 2015). One thread a tile walks its list from the back to the front, all 256 pixels at each splat, and so needs no sum
 over threads; one thread a splat then adds what its tiles say, in the order of tiles. The same bits from run to run.
 """
@@ -44,7 +44,7 @@ from pointloom.kernels.splats.projection import (
 )
 from pointloom.kernels.splats.tile_lists import TileLists, pixel_of_thread
 
-PARAMETERS = 14  # of a splat: place, logit, logarithms of three scales, quaternion, colour
+PARAMETERS = 14  # of a splat: place, logit, logarithms of three scales, quaternion, color
 DECAY, SQUARE_DECAY, LEAST = 0.9, 0.999, 1.0e-15  # of Adam, as in training elsewhere
 
 
@@ -56,7 +56,7 @@ class Light:
         colors: vec3 [pixels].
         left: float32 [pixels], the share of the light of what lies behind.
         ends: int32 [pixels], where the walk along the tile's list ended.
-        errors: vec3 [pixels], the loss by the colours.
+        errors: vec3 [pixels], the loss by the colors.
     """
 
     colors: array(dtype=vec3)
@@ -78,7 +78,7 @@ class Pulls:
         places: vec3 [entries], by column, row and opacity.
         conics, colors: vec3 [entries].
         left: float32 [tiles, 256], the light behind the splat that is looked at.
-        behind: vec3 [tiles * 256], the colour that is seen behind it.
+        behind: vec3 [tiles * 256], the color that is seen behind it.
     """
 
     places: array(dtype=vec3)
@@ -95,7 +95,7 @@ class Pulls:
 
 @kernel
 def light_pixels_kernel(lists: TileLists, projected: ProjectedSplats, background: vec3, light: Light):
-    """The colour of each pixel, before a background."""
+    """The color of each pixel, before a background."""
     i = tid()
     pixel = pixel_of_thread(i, lists)
     if pixel >= 0:
@@ -359,7 +359,7 @@ def find_gradients(
 
 
 class Adam:
-    """Steps of one optimisation.
+    """Steps of one optimization.
 
     Args:
         splats: Are changed in place.
@@ -380,6 +380,6 @@ class Adam:
 
 
 def compare_pixels(light: Light, wanted: Vectors) -> None:
-    """Fill `light.errors` with the derivative of the mean absolute difference of colours."""
+    """Fill `light.errors` with the derivative of the mean absolute difference of colors."""
     pixels = wanted.size
     launch(compare_pixels_kernel, pixels, [light, wanted, float(np.float32(1 / (3 * pixels)))])

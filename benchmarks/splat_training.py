@@ -4,7 +4,7 @@
     python benchmarks/splat_training.py --check     gradients beside differences of float64, a second
 
 Splats begin at points of the surface, which structure from motion or a depth camera would give, and are followed by
-Adam with the mean absolute difference of colours; every fifth picture is held out. Prints how near those come before
+Adam with the mean absolute difference of colors; every fifth picture is held out. Prints how near those come before
 and after, how far the surface that splats show is off, and the seconds of a step. Nothing is born, split or removed, so
 that what has no points at the start stays empty: that, harmonics and the structural similarity of the loss are what a
 trainer has beyond this.
@@ -51,7 +51,7 @@ def nearness(colors: Any, wanted: Any) -> float:
 
 
 def beginnings(shots: Any, count: int, seed: int, device: Any) -> Any:
-    """Splats at points of the surface, as large as their neighbours are far, a tenth opaque."""
+    """Splats at points of the surface, as large as their neighbors are far, a tenth opaque."""
     rng = np.random.default_rng(seed)
     points, colors = [], []
     for pose, depth, picture in zip(shots.poses, shots.depths, shots.pictures, strict=True):

@@ -33,7 +33,7 @@ LEVEL_GAP = 2.0  # [%] between lines of methods that all succeed
 LINES = {"register_globally": "black", "RANSAC": "tab:brown", "FGR": "tab:pink"}
 CURVES = {
     "symmetric ICP": "tab:green",
-    "generalised ICP": "tab:red",
+    "generalized ICP": "tab:red",
     "point-to-plane ICP": "tab:orange",
     "point-to-point ICP": "tab:blue",
 }
@@ -108,7 +108,7 @@ def open3d_poses(pair: ScanPair, name: str, starts: Array) -> Array:
     run, kind = {
         "point-to-point ICP": (registration.registration_icp, registration.TransformationEstimationPointToPoint),
         "point-to-plane ICP": (registration.registration_icp, registration.TransformationEstimationPointToPlane),
-        "generalised ICP": (
+        "generalized ICP": (
             registration.registration_generalized_icp,
             registration.TransformationEstimationForGeneralizedICP,
         ),

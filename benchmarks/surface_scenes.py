@@ -87,7 +87,7 @@ def sampled(name: str, mesh: Any, count: int, noise: float, normals: str) -> Sce
 
 
 def fitted_normals(points: Array, sides: Array) -> Array:
-    """Normals fitted to 30 neighbours, on the sides given."""
+    """Normals fitted to 30 neighbors, on the sides given."""
     found = loom.PointCloud(points).estimate_normals(max_nn=30).normals.astype(np.float64)
     return found * np.where((found * sides).sum(axis=1) < 0, -1.0, 1.0)[:, None]
 

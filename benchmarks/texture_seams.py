@@ -1,16 +1,16 @@
-"""Textures of made scenes whose colours are known: steps at seams, and errors, with and without levelling.
+"""Textures of made scenes whose colors are known: steps at seams, and errors, with and without leveling.
 
     python benchmarks/texture_seams.py [--scene owl] [--device cpu]
 
-The pictures are what a camera sees of a mesh with known colours, each with an exposure of its own (0.8 to 1.2), darker
-towards its corners (by a quarter), with noise of 1 of 255; the poses that are handed over are off by 0.05 degrees and a
+The pictures are what a camera sees of a mesh with known colors, each with an exposure of its own (0.8 to 1.2), darker
+toward its corners (by a quarter), with noise of 1 of 255; the poses that are handed over are off by 0.05 degrees and a
 thousandth of the distance. Contestants are the mean over pictures (`project_images_to_albedo` on xatlas's charts), and
-`texture_from_pictures` with less and with all of its levelling.
+`texture_from_pictures` with less and with all of its leveling.
 
-A step is the difference of colours at both sides of an edge of the mesh whose sides lie at different places of the
+A step is the difference of colors at both sides of an edge of the mesh whose sides lie at different places of the
 texture, at eight places of each such edge, bilinear, in the mean of three channels. An error is that of the texture at
 20,000 places of the surface, after one gain for all of it. Sharpness is the contrast of the texture over a texel and a
-half along an edge of the triangle at each of these places, as a share of that of the known colours: the sum of both
+half along an edge of the triangle at each of these places, as a share of that of the known colors: the sum of both
 contrasts' products by that of the known ones' squares, 1 where nothing is blurred; in all, and of triangles with a
 corner on a seam. Seconds are of the processor, compiling included in the first.
 """
@@ -37,7 +37,7 @@ Colors = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
 @dataclass
 class Scene:
-    """A mesh, what colour it has where, pictures of it, and poses that are nearly right."""
+    """A mesh, what color it has where, pictures of it, and poses that are nearly right."""
 
     name: str
     mesh: Any
@@ -48,7 +48,7 @@ class Scene:
 
 
 def painted(length: float) -> Colors:
-    """Colours that change over a length [m], over a quarter of it, and at sharp lines."""
+    """Colors that change over a length [m], over a quarter of it, and at sharp lines."""
 
     def colors(p: NDArray[np.float64]) -> NDArray[np.float64]:
         x, y, z = np.moveaxis(np.asarray(p, np.float64) * (2 * np.pi / length), -1, 0)
@@ -125,7 +125,7 @@ def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
 
 
 def texture_at(picture: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colours at texture coordinates [n, 2], bilinear, 0..255."""
+    """Colors at texture coordinates [n, 2], bilinear, 0..255."""
     height, width = picture.shape[:2]
     x = np.clip(uvs[:, 0] * width - 0.5, 0, width - 1)
     y = np.clip((1 - uvs[:, 1]) * height - 0.5, 0, height - 1)
@@ -174,7 +174,7 @@ def places_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], N
 def colors_on(
     mesh: Any, colors: Colors, rows: NDArray[np.int64], shares: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The colours of the texture, and the known ones, at places, 0..255."""
+    """The colors of the texture, and the known ones, at places, 0..255."""
     corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[rows]]
     uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows]
     points, places = (corners * shares[..., None]).sum(1), (uvs * shares[..., None]).sum(1)
@@ -188,7 +188,7 @@ def color_errors(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> NDArray
 
 
 def sharpness(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> float:
-    """The contrast of the texture over `ACROSS` texels, as a share of that of the known colours; nan without places."""
+    """The contrast of the texture over `ACROSS` texels, as a share of that of the known colors; nan without places."""
     if not shown.any():
         return float("nan")
     rows, shares = places_on(mesh, shown)
@@ -216,9 +216,9 @@ def measure(scene: Scene, device: str) -> dict[str, Any]:
     mesh, maps = scene.mesh.to(device), loom.color_map
     given = (scene.pictures, scene.camera, scene.extrinsics)
     ways: dict[str, dict[str, Any]] = {
-        "one picture each": {"exposures": False, "seam_levelling": False, "local_levelling": False},
-        "at one exposure": {"seam_levelling": False, "local_levelling": False},
-        "and vertices shifted": {"local_levelling": False},
+        "one picture each": {"exposures": False, "seam_leveling": False, "local_leveling": False},
+        "at one exposure": {"seam_leveling": False, "local_leveling": False},
+        "and vertices shifted": {"local_leveling": False},
         "and strips blended": {},
         "without exposures": {"exposures": False},
     }

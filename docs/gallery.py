@@ -81,7 +81,7 @@ def loading() -> Scene:
 
 
 def height() -> Scene:
-    """A view of Open3D's, colours by height."""
+    """A view of Open3D's, colors by height."""
     return {"geometries": {"geometry": room(), "color_by": "height"}, "color_bar": True,
             "camera": {"zoom": 0.5, "front": [0.6, -0.5, 0.7], "up": [0, 0, 1]}}  # fmt: skip
 

@@ -113,7 +113,7 @@ _VOCABULARY = Vocabulary(
         is_builtin=_is_builtin,
         builtin_name=lambda value: value.name,
         is_partial=lambda value: value is partial,
-        specialise=lambda function, given: function.specialised(given),
+        specialize=lambda function, given: function.specialized(given),
     ),
 )
 
@@ -207,7 +207,7 @@ class Func(_DeviceCode):
     def taichi(self) -> Any:
         return taichi_compiler.start().make_func(self.function, self.source.definition, _is_builtin)
 
-    def specialised(self, given: dict[str, Given]) -> Func:
+    def specialized(self, given: dict[str, Given]) -> Func:
         """The function for these callbacks, keyed by parameter name."""
         key = tuple((name, chosen.function, len(chosen.bound)) for name, chosen in given.items())
         if key not in self._special:

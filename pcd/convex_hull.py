@@ -164,18 +164,18 @@ def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDA
 def outer_rows(points: wp.array) -> NDArray[np.int64]:
     """Ascending rows of vec3d points that may be hull vertices, including a few inner ones."""
     rows: wp.array | None = None
-    centre = np.zeros(3)
+    center = np.zeros(3)
     for cells, width in ROUNDS:
         if points.size < FEW:
             break
-        chosen = farthest_rows(points, centre, cells)
+        chosen = farthest_rows(points, center, cells)
         corners = download(gather_positions(points, upload(chosen, int32, points.device)))  # sync
         hull = _run_qhull(corners, "Qt")
         if hull is None:  # nearly flat: all points may be needed
             break
-        centre = corners[hull.vertices].mean(axis=0)
+        center = corners[hull.vertices].mean(axis=0)
         facets = corners[orient(hull.simplices, corners, hull.equations)]
-        left = positions_of(mask_outer(points, centre, facets, hull.equations, width))  # sync
+        left = positions_of(mask_outer(points, center, facets, hull.equations, width))  # sync
         rows = left if rows is None else gather_rows(rows, left)
         points = gather_positions(points, left)
     return np.arange(points.size) if rows is None else download(rows).astype(np.int64)

@@ -95,8 +95,8 @@ class WorldFrame:
         Raises:
             ValueError: If the shape is wrong or a point is not finite.
         """
-        metres = check_finite("points", check_rows("points", points, 3).astype(np.float64))
-        return geodetic(matmul(metres, self._turn) + self._middle)
+        meters = check_finite("points", check_rows("points", points, 3).astype(np.float64))
+        return geodetic(matmul(meters, self._turn) + self._middle)
 
     def to_utm(self, points: ArrayLike, epsg: int | None = None) -> Array:
         """Convert to easting, northing and altitude [m].
@@ -113,7 +113,7 @@ class WorldFrame:
     def __str__(self) -> str:
         ns, ew = "NS"[self.latitude < 0], "EW"[self.longitude < 0]
         place = f"{abs(self.latitude):.7f} {ns} {abs(self.longitude):.7f} {ew}"
-        return f"metres east, north and up of {place} at {self.altitude:.2f} m; EPSG:{self.epsg}"
+        return f"meters east, north and up of {place} at {self.altitude:.2f} m; EPSG:{self.epsg}"
 
 
 def geocentric(places: ArrayLike) -> Array:

@@ -130,4 +130,4 @@ def check_window(window: float, cell: float) -> None:
 def _warn_of_defaults(cloud: PointCloud, has_default: bool) -> None:
     if has_default and not is_same(cloud.unit, METRE):
         remedy = 'give all four lengths in its unit, or cloud.to_unit("metre")'
-        warn_of_units(f"cloud: is in {cloud.unit}, and the default lengths are metres: {remedy}")
+        warn_of_units(f"cloud: is in {cloud.unit}, and the default lengths are meters: {remedy}")

@@ -17,7 +17,7 @@ from ..kernels.lang import NAN, float64, int32, uint8, vec3i
 from ..kernels.memory import cast, download, free_bytes, full, upload
 from ..kernels.terrain.cells import COUNT, HIGHEST, LOWEST, MEAN, CellGroups, FixedCells, check_cell_numbers
 from ..kernels.terrain.cells import heights_of as heights_of_points
-from ..kernels.terrain.inverse_distance import heights_above, interpolate_centres
+from ..kernels.terrain.inverse_distance import heights_above, interpolate_centers
 from ..kernels.terrain.triangle_heights import VALUES, keep_listed, lay_rows, triangle_heights
 from .cloud import PointCloud
 
@@ -46,7 +46,7 @@ def check_box(bounds: Any) -> NDArray[np.float64]:
 
 def check_lengths(cloud: PointCloud) -> None:
     if cloud.unit is not None and is_same(cloud.unit, DEGREE):
-        raise ValueError("cloud: is in degrees, which are no lengths; project_to_utm(cloud) makes metres of them")
+        raise ValueError("cloud: is in degrees, which are no lengths; project_to_utm(cloud) makes meters of them")
 
 
 def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -> FixedCells:
@@ -153,7 +153,7 @@ def ground_heights(ground: Points, window: FixedCells, method: str, reach: float
         return nothing
     _check_room(window.cell, shape, ground.device)
     held = FixedCells(np.array([window.x0, window.y0]), window.cell, begin, shape)
-    return interpolate_centres(CellGroups(ground, held), window, count, far, rings)
+    return interpolate_centers(CellGroups(ground, held), window, count, far, rings)
 
 
 def _triangles(ground: Points) -> Any:

@@ -148,7 +148,7 @@ class NearestNeighborSearch(ToldNames):
 
     def _check_neighbors(self, name: str, count: Any) -> int:
         most = len(self.cloud) + FEW
-        reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbours takes 8 B a query"
+        reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbors takes 8 B a query"
         return check_count(name, count, maximum=most, because=reason)
 
     def _queries(self, queries: PointArrays | ArrayLike) -> _Queries:

@@ -203,7 +203,7 @@ class Segmentation(Selection):
         """Nearest neighbors of each point, int32 device array (n, max_nn), -1 if fewer."""
         if len(self) * max_nn >= 2**31:
             raise ValueError(
-                f"max_nn: {max_nn} neighbours for each of {len(self)} points are 2^31 or more; take fewer or thin the "
+                f"max_nn: {max_nn} neighbors for each of {len(self)} points are 2^31 or more; take fewer or thin the "
                 "cloud with voxel_down_sample"
             )
         points = self._arrays["points"]

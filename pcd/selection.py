@@ -277,7 +277,7 @@ class Selection(PointArrays):
     ) -> tuple[Self, NDArray[np.int32]]:
         """Remove points whose mean neighbor distance exceeds mean + std_ratio * deviation over the cloud.
 
-        O(n) memory, bitwise reproducible. Rusu et al., "Towards 3D point cloud based object maps for household
+        O(n) memory, bitwise reproducible. Rusu et al., "Toward 3D point cloud based object maps for household
         environments", RAS 2008, section 4.
 
         Args:

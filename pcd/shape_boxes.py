@@ -16,7 +16,7 @@ from ..kernels.arrays.sort import positions
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import det, matmul, norm
 from ..kernels.memory import upload
-from ..kernels.segmentation.shape_parts import bounds_in_frame, reach_across, rows_labelled
+from ..kernels.segmentation.shape_parts import bounds_in_frame, reach_across, rows_labeled
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .shape import Shape, ShapeSurface
@@ -215,7 +215,7 @@ def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], 
     labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
     place = planes[next(iter(group))].center
     reach = {
-        k: np.array(bounds_in_frame(points, rows_labelled(labels, every, k), place - cloud.origin, axes)) for k in group
+        k: np.array(bounds_in_frame(points, rows_labeled(labels, every, k), place - cloud.origin, axes)) for k in group
     }
     ends, faces, said = np.zeros((3, 2)), np.full((3, 2), -1, np.int32), []
     for number in range(3):

@@ -20,7 +20,7 @@ from ..kernels.memory import full
 from ..kernels.search.neighbor_distances import nearest_distances
 from ..kernels.segmentation.plane_fit import label_rows
 from ..kernels.segmentation.shape_models import CONE, NUMBERS, PLANE
-from ..kernels.segmentation.shape_parts import largest_part, rows_labelled, write_distances
+from ..kernels.segmentation.shape_parts import largest_part, rows_labeled, write_distances
 from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch, chance_of
 from .cloud import PointCloud
 from .point_arrays import check_cloud
@@ -57,7 +57,7 @@ class DetectedShapes:
 
     def to_dict(self) -> dict[str, Any]:
         """Shapes and number of unassigned points in JSON's types."""
-        return {"shapes": [shape.to_dict() for shape in self.shapes], "unlabelled": int((self.labels < 0).sum())}
+        return {"shapes": [shape.to_dict() for shape in self.shapes], "unlabeled": int((self.labels < 0).sum())}
 
 
 @told_arguments
@@ -181,7 +181,7 @@ class _Rounds:
     def remove(self, found: Found, number: int) -> None:
         self._has_found = True
         label_rows(found.rows, number, self.labels)
-        rows = rows_labelled(self.labels, self.search.rows, -1)
+        rows = rows_labeled(self.labels, self.search.rows, -1)
         if rows.size < self._fewest:
             self.search.rows = rows
             return

@@ -19,7 +19,7 @@ from ..kernels.lang import float32, vec3
 from ..kernels.memory import cast, download, upload
 from ..kernels.terrain.cells import CellGroups, FixedCells
 from ..kernels.terrain.ground_in_reach import reach_in_cells
-from ..kernels.terrain.inverse_distance import interpolate_centres
+from ..kernels.terrain.inverse_distance import interpolate_centers
 from .cloud import PointCloud
 from .geotiff import geotiff
 from .ground import CELL, WINDOW, check_window
@@ -112,7 +112,7 @@ class Raster:
         groups = CellGroups(upload(places, vec3, resolve_device(device or "cpu")), cells)
         within = reach / self.cell
         rings = min(math.ceil(within), max(columns, rows))
-        heights = download(interpolate_centres(groups, cells, count, within, rings)).reshape(columns, rows)
+        heights = download(interpolate_centers(groups, cells, count, within, rings)).reshape(columns, rows)
         made = np.where(known, upright, heights.astype(np.float32)).T[::-1]
         gaps = ~np.isfinite(self.values) & np.isfinite(made)
         return dataclasses.replace(self, values=np.ascontiguousarray(made), filled=self.filled | gaps)

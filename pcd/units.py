@@ -64,9 +64,9 @@ class InUnit:
             raise TypeError("unit: expected the name of a unit, got None")
         if self._unit is None:
             raise ValueError("unit: the own unit is not known; assign it first, as in cloud.unit = 'foot'")
-        if self._unit.metres is None or wanted.metres is None:
-            raise ValueError(f"unit: {self._unit} to {wanted}: degrees are no lengths; project_to_utm makes metres")
-        result = self._enlarged(self._unit.metres / wanted.metres)
+        if self._unit.meters is None or wanted.meters is None:
+            raise ValueError(f"unit: {self._unit} to {wanted}: degrees are no lengths; project_to_utm makes meters")
+        result = self._enlarged(self._unit.meters / wanted.meters)
         result._unit = wanted
         return result
 

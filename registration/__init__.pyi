@@ -20,7 +20,7 @@ from .globally.global_registration import (
 from .globally.global_registration import (
     registration_robust_based_on_feature_matching as registration_robust_based_on_feature_matching,
 )
-from .globally.localisability import localisability as localisability
+from .globally.localizability import localizability as localizability
 from .globally.pair import register_pair as register_pair
 from .globally.ransac import RANSACConvergenceCriteria as RANSACConvergenceCriteria
 from .globally.ransac import registration_ransac_based_on_correspondence as registration_ransac_based_on_correspondence
@@ -44,7 +44,7 @@ from .icp.icp import registration_icp_batch as registration_icp_batch
 from .icp.kinds import registration_colored_icp as registration_colored_icp
 from .icp.kinds import registration_generalized_icp as registration_generalized_icp
 from .icp.kinds import registration_symmetric_icp as registration_symmetric_icp
-from .icp.levelling import levelled as levelled
+from .icp.leveling import leveled as leveled
 from .icp.multi_scale import multi_scale_icp as multi_scale_icp
 from .lidar.deskewing import deskew_point_cloud as deskew_point_cloud
 from .lidar.lidar_odometry import LidarOdometry as LidarOdometry

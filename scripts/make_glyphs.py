@@ -1,9 +1,9 @@
-"""Draws the letters of pictures once: src/pointloom/visualization/render/glyphs.npz, from the font inside Pillow (Aileron, CC0).
+"""Draw the letters of text to src/pointloom/visualization/render/glyphs.npz, from Pillow's font (Aileron, CC0).
 
     python scripts/make_glyphs.py [--show sheet.png]
 
 Letters that this subset of the font lacks are made of those that it has. Another version of Pillow or FreeType may draw
-other shades of grey: then the stored hashes of the tests change too.
+other shades of gray: then the stored hashes of the tests change too.
 """
 
 from __future__ import annotations

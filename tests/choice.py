@@ -28,8 +28,8 @@ TESTS = Path(__file__).parent
 DEAREST = (
     "registration", "pcd", "test_compilers.py", "tiling", "meshing", "visualization/viewer", "io", "cli",
     "kernels/language", "photogrammetry/sfm", "photogrammetry/depth", "rgbd/slam", "test_doctests.py",
-    "kernels/reconstruction", "test_blocks.py", "rgbd/reconstruction", "visualization/render", "open3d", "test_imports.py",
-    "kernels",
+    "kernels/reconstruction", "test_blocks.py", "rgbd/reconstruction", "visualization/render", "open3d",
+    "test_imports.py", "kernels",
 )  # fmt: skip
 
 

@@ -76,7 +76,7 @@ def walk(folder: str) -> Callable[[], dict[str, Any]]:
 
 
 def two_frames() -> dict[str, Any]:
-    """A folder of two neighbouring frames of a room."""
+    """A folder of two neighboring frames of a room."""
     walk = room_sequence(120)
     pair = [(frame.color, frame.depth) for frame in (walk.read(0), walk.read(1))]
     loom.record_frames(loom.frames_from(pair, walk.intrinsic), "desk")

@@ -14,7 +14,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "benchmarks"
 
 @pytest.fixture(scope="module", autouse=True)
 def harness() -> Iterator[None]:
-    """The benchmarks' folder on the path, as it is when they run, and its modules gone afterwards."""
+    """The benchmarks' folder on the path, as it is when they run, and its modules gone afterward."""
     before = set(sys.modules)
     for path in FOLDER.glob("*.py"):
         sys.modules.pop(path.stem, None)  # another test's module may have the name

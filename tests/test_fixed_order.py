@@ -31,7 +31,7 @@ KEPT = {
     ("registration/icp/constraint.py", "_check_reach"): DECIDES,
     ("registration/pose_graphs/pose_graph.py", "*"): DECIDES,
     ("registration/pose_graphs/pose_graph_system.py", ""): "SuperLU orders the unknowns, by whole numbers",
-    ("registration/pose_graphs/pose_graph_system.py", "linearise"): SPARSE,
+    ("registration/pose_graphs/pose_graph_system.py", "linearize"): SPARSE,
     ("registration/stations/adjustment.py", "_cofactors"): SPARSE,
     ("registration/stations/adjustment.py", "_descend"): SPARSE,
     ("registration/stations/adjustment.py", "_null_space"): SPARSE,

@@ -80,7 +80,7 @@ def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
     assert [name for name in inside if not (PACKAGE / name).is_file()] == []
 
 
-def test_the_wheel_holds_the_letters_of_pictures_with_their_licence(wheel):
+def test_the_wheel_holds_the_letters_of_pictures_with_their_license(wheel):
     letters = {"pointloom/visualization/render/glyphs.npz", "pointloom/visualization/render/glyphs.md"}
     assert letters <= set(wheel.namelist())
 

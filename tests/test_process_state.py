@@ -61,5 +61,5 @@ def test_warnings_are_silenced_for_one_thread_and_one_category_only():
             thread = threading.Thread(target=other)
             thread.start()
             thread.join()
-        warn_of_units("afterwards")
-    assert [str(each.message) for each in heard] == ["of another category", "from another thread", "afterwards"]
+        warn_of_units("afterward")
+    assert [str(each.message) for each in heard] == ["of another category", "from another thread", "afterward"]

@@ -32,7 +32,7 @@ TABLE: dict[str, tuple[float, str]] = {
     "normal_dot": (
         0.9999,
         "|dot| with Open3D above this (0.8 degrees) for 99.9 % of points, as was set out; the rest are near-isotropic "
-        "neighbourhoods, where both answers are right",
+        "neighborhoods, where both answers are right",
     ),
     "normal_share": (0.999, "the share of normals that must reach `normal_dot`: what was set out"),
     "unit_length": (2e-7, "three components rounded to float32, each by 6.0e-8 of at most 1"),
@@ -49,7 +49,7 @@ TABLE: dict[str, tuple[float, str]] = {
         "[m] the mean is summed in float64 and rounded once to float32 at coordinates below 4 m: 4 x 6.0e-8; Open3D's "
         "is float64 of the same float32 input",
     ),
-    "voxel_attribute": (6.1e-8, "colours and normals lie within 1 and are rounded once to float32"),
+    "voxel_attribute": (6.1e-8, "colors and normals lie within 1 and are rounded once to float32"),
     "image_relative": (
         3e-7,
         "Open3D divides the raw depth in float32 and unprojects in float64; ours rounds the depth and then the point "
@@ -65,12 +65,12 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "smoothed_share": (
         0.9998,
-        "neighbours whose distances are equal in float32 but not in Open3D's float64 may take each other's last place: "
+        "neighbors whose distances are equal in float32 but not in Open3D's float64 may take each other's last place: "
         "their share was up to 1.4e-4 (LiDAR, terrain)",
     ),
     "smoothed_share_of_two": (
         0.995,
-        "after two passes each point that `smoothed_share` leaves out has been a neighbour of some 12 others, and "
+        "after two passes each point that `smoothed_share` leaves out has been a neighbor of some 12 others, and "
         "rounding to float32 between the passes adds more",
     ),
     "plane_inliers": (
@@ -82,7 +82,7 @@ TABLE: dict[str, tuple[float, str]] = {
     "plane_overlap": (0.8, "inliers that two sets of samples share, of all that either has"),
     "plane_fit_degrees": (
         0.01,
-        "[degrees] Open3D's fit minimises distances along an axis, ours those to the plane: they differ by the tilt "
+        "[degrees] Open3D's fit minimizes distances along an axis, ours those to the plane: they differ by the tilt "
         "times the ratio of the variances across and along; 0.002 were measured",
     ),
     "plane_unit": (1e-12, "a unit vector of float64"),
@@ -145,19 +145,19 @@ TABLE: dict[str, tuple[float, str]] = {
     "fpfh_block": (
         0.02,
         "a bin of a block of 11 that sums to 200: 1e-4 of the sum. Bins are counted exactly as float64 does; the "
-        "weighted sums of 100 positive float32 terms round by 6e-6 of themselves, and one neighbour in another bin "
+        "weighted sums of 100 positive float32 terms round by 6e-6 of themselves, and one neighbor in another bin "
         "changes 1",
     ),
     "fpfh_ties": (
         2e-3,
-        "the share of rows where another of several equally distant neighbours may have been taken: 0.1 % of an "
+        "the share of rows where another of several equally distant neighbors may have been taken: 0.1 % of an "
         "airborne scan whose coordinates are multiples of 0.5 m, none of the other scans",
     ),
     "eigen_feature": (
         2e-6,
         "ratios of eigenvalues, and verticality, rounded once to float32 (6e-8); covariances are float64 of the same "
         "float32 coordinates, but the cube root of three of them feels 1e-16 at zero as 5e-6, the direction of a "
-        "nearly round neighbourhood 1e-15 as 1e-6",
+        "nearly round neighborhood 1e-15 as 1e-6",
     ),
     "covariance_relative": (
         5e-7,
@@ -185,7 +185,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "box_share": (
         1e-9,
-        "[of the cloud's size] a box's extents and centre: float64 vertices turned into eigenvectors that two solvers "
+        "[of the cloud's size] a box's extents and center: float64 vertices turned into eigenvectors that two solvers "
         "find to 1e-15 over the gap of their eigenvalues",
     ),
     "gaussian": (
@@ -195,14 +195,14 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "gradient": (
         1e-5,
-        "a colour gradient, relative to the larger of itself and 1 % of the largest: intensities round to float32 "
-        "(6e-8 of 1) and differ by some 1e-2 between neighbours",
+        "a color gradient, relative to the larger of itself and 1 % of the largest: intensities round to float32 "
+        "(6e-8 of 1) and differ by some 1e-2 between neighbors",
     ),
-    "gradient_share": (0.999, "the share of gradients; another of two neighbours tied for the 30th place changes one"),
+    "gradient_share": (0.999, "the share of gradients; another of two neighbors tied for the 30th place changes one"),
     "plane_covariance": (
         1e-4,
         "a covariance of eigenvalues (1e-3, 1, 1) against small_gicp's: the normal's error of about 1e-7 over the gap "
-        "of the neighbours' eigenvalues; what lies above are nearly round or straight neighbourhoods",
+        "of the neighbors' eigenvalues; what lies above are nearly round or straight neighborhoods",
     ),
     "graph_pose": (
         1e-6,
@@ -211,7 +211,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "graph_cost": (
         1e-8,
-        "relative, of a minimum that two optimisers find: they stop where steps change it by less than 1e-13, and the "
+        "relative, of a minimum that two optimizers find: they stop where steps change it by less than 1e-13, and the "
         "two forms of the residual differ in second order",
     ),
     "graph_confidence": (
@@ -268,7 +268,7 @@ TABLE: dict[str, tuple[float, str]] = {
     "odometry_noisy_distance": (8.0, "[mm] as `odometry_noisy_angle`; seen 3"),
     "odometry_maps": (
         1e-4,
-        "[m] brightness of device maps was weighed in float64, of colours in float32: 1e-7 of it, through ten steps",
+        "[m] brightness of device maps was weighed in float64, of colors in float32: 1e-7 of it, through ten steps",
     ),
     "odometry_open3d_legacy": (
         5e-5,
@@ -305,7 +305,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "icp_pose_colored": (
         1e-6,
-        "as `icp_pose`, of colour gradients that are projected onto the tangent plane where Open3D's are not: about "
+        "as `icp_pose`, of color gradients that are projected onto the tangent plane where Open3D's are not: about "
         "1e-6 of a gradient at radii of 0.3 m, in motions of 0.05",
     ),
     "icp_pose_l1": (
@@ -379,7 +379,7 @@ TABLE: dict[str, tuple[float, str]] = {
     "moved_lidar_distance": (0.01, "[m] as `moved_lidar_degrees`; 9 mm at worst"),
     "kitchen_rest_degrees": (
         1.3,
-        "generalised ICP that begins at the true pose ends 1.18 from it, ours, Open3D's and small_gicp's; none reaches "
+        "generalized ICP that begins at the true pose ends 1.18 from it, ours, Open3D's and small_gicp's; none reaches "
         "0.5: the surfaces lie closer there than under the published pose",
     ),
     "kitchen_rest_distance": (0.04, "[m] as `kitchen_rest_degrees`: 35 mm there"),

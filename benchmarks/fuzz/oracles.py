@@ -164,18 +164,18 @@ def off(path: Path, mesh: MeshTable) -> str | None:
             return "the normals differ"
         at = 6
     if mesh.vertex_colors is not None and not _are_colors(mesh.vertex_colors, table[:, at : at + 3]):
-        return "the colours differ"
+        return "the colors differ"
     corners, colors = [], []
     for line in faces:
         size = whole(line[0], 3, len(line) - 1)
         corners.append([whole(word, 0, counts[0] - 1) for word in line[1 : 1 + size]])
         colors.append([real(word) for word in line[1 + size :]])
-        require(len(colors[-1]) in (0, 1, 3, 4), "more values than colours have")
+        require(len(colors[-1]) in (0, 1, 3, 4), "more values than colors have")
     found = mesh.triangle_attributes.get("colors")
     if found is not None:
         expected = np.repeat(np.array(colors), [len(face) - 2 for face in corners], axis=0)
         if not _are_colors(found, expected):
-            return "the colours of faces differ"
+            return "the colors of faces differ"
     return differing_faces(mesh, corners)
 
 

@@ -130,7 +130,7 @@ def _differences(
             given = np.array([face[channel] for channel in channels], np.float64).T
             scale = full.get(_DTYPES[codes["face"]["red"]]) or color_scale(given)
             if not (np.abs(np.repeat(np.clip(given / scale, 0, 1), lengths, axis=0) - values) <= 2e-7).all():
-                return "the colours of faces differ"
+                return "the colors of faces differ"
         elif not same(values, np.repeat(np.array(face[name]).astype(_DTYPES[codes["face"][name]]), lengths)):
             return f"the values {name!r} of faces differ"
     for row in faces:

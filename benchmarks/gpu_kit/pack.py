@@ -8,7 +8,7 @@
     kernels   pointloom's kernels, compiled ahead, so that nothing is compiled there
     wheels    small packages that tests import and that such a machine lacks
     open3d    Open3D likewise, with the libraries of the system that it links; for the Python of the GPU machine
-    layout    cut into build/gpu-kit/1 to N; each travels with the working tree, which counts towards a call's size
+    layout    cut into build/gpu-kit/1 to N; each travels with the working tree, which counts toward a call's size
 
 Hours before: xz takes minutes and the kernels an hour of two cores, once. Then, there, a call after the other:
 `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (README.md beside this file).

@@ -2,7 +2,7 @@
 
     python -m gpu_kit.suite STATE SECONDS
 
-A stage is a run of pytest, which pytest-xdist shares out a file a worker. A test that passes alone had a neighbour or a
+A stage is a run of pytest, which pytest-xdist shares out a file a worker. A test that passes alone had a neighbor or a
 lost context; one that fails alone is ours. What lacks a package is counted apart. The next run does the stages that
 this one had no time for.
 """

@@ -1,11 +1,11 @@
 """Depth networks: is a file that is not the preset's refused, and is one that is taken?
 
-Files in the shape of published exports (tests/photogrammetry/depth/published_networks.py), as they are and as other programs
-rewrite them: onnxruntime's optimiser (basic and extended, which fuses operations), half precision, weights of 8 bits.
+Files in the shape of published exports (tests/photogrammetry/depth/published_networks.py), unchanged and as other
+programs rewrite them: onnxruntime's optimizer (basic and extended, which fuses operations), half precision, 8 bits.
 Each is opened under every preset, as a user might who has the file and not the preset's name. Right or wrong is
-measured on a picture whose depth is known, with the checks of names and heads switched off: metres that are off by more
+measured on a picture whose depth is known, with the checks of names and heads switched off: meters that are off by more
 than 5 % (median) are wrong, and maps without a unit whose order is not that of the depth (rank correlation below 0.9):
-how well a network bears another normalisation is its weights' affair, which are not here. A preset whose sizes, inputs
+how well a network bears another normalization is its weights' affair, which are not here. A preset whose sizes, inputs
 or outputs do not fit gives no answer to judge, and is left out. Under a preset that is not its own a file may be right
 by luck, as a metric network is under one of depth up to a scale; such cases stand in rows of their own.
 
@@ -67,7 +67,7 @@ def _forms(path: Path) -> Iterator[tuple[str, Path]]:
         options.optimized_model_filepath = str(path.with_suffix(f".{level}.onnx"))
         options.log_severity_level = 4
         ort.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
-        yield f"optimised, {level.lower()}", Path(options.optimized_model_filepath)
+        yield f"optimized, {level.lower()}", Path(options.optimized_model_filepath)
     half = convert_float_to_float16(onnx.load(str(path)), disable_shape_infer=True)
     onnx.save(half, str(path.with_suffix(".half.onnx")))
     yield "half precision", path.with_suffix(".half.onnx")
@@ -81,7 +81,7 @@ def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
     """Its own preset and those that would be wrong; and those that would be right all the same."""
     answers = {preset: found for preset in PRESETS if (found := _answer(path, preset)) is not None}
     truth = depth_of(picture_of(ROWS, COLUMNS))
-    if own in answers and PRESETS[own].focal is not None:  # a picture in whose grey depth lies knows no focal length
+    if own in answers and PRESETS[own].focal is not None:  # a picture in whose gray depth lies knows no focal length
         truth = truth * float(np.median((answers[own].depth / truth)[answers[own].depth > 0]))
     errors = {preset: _error(found, truth) for preset, found in answers.items()}
     figure = f"{100 * errors[own]:.2g} % under its own preset" if np.isfinite(errors.get(own, np.inf)) else ""
@@ -126,7 +126,7 @@ def _answer(path: Path, preset: str) -> DepthEstimate | None:
 
 
 def _error(found: DepthEstimate, truth: NDArray[np.float64]) -> float:
-    """Median relative error of metres; without a unit 0 where the order is right, infinity where not."""
+    """Median relative error of meters; without a unit 0 where the order is right, infinity where not."""
     seen = found.depth > 0
     if seen.mean() < 0.5:
         return np.inf

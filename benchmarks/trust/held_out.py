@@ -279,7 +279,7 @@ Shot = tuple[str, list[tuple[Array, float]], float | None, bool]
 
 
 def picturing() -> Iterator[Judged]:
-    """Pictures alone: their model is wrong where a camera centre is off by 2 % of their extent, or f by 5 %."""
+    """Pictures alone: their model is wrong where a camera center is off by 2 % of their extent, or f by 5 %."""
     for case, kind, shots, given, known in _albums():
         yield _judge_album(case, places.KINDS[kind](SEED + 5), shots, given, known)
 
@@ -342,8 +342,8 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
     off_focal = max(abs(r - 1) for r in ratio)
     is_wrong = errors["share_of_extent"] > 0.02 or off_focal > 0.05
     warnings = "; ".join(result.warnings)
-    centres, count = 100 * errors["share_of_extent"], len(result.model.names)
-    told = f"centres {centres:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
+    centers, count = 100 * errors["share_of_extent"], len(result.model.names)
+    told = f"centers {centers:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
     return Judged(
         "pictures, held out",
         case,

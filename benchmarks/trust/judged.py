@@ -21,7 +21,7 @@ class Judged:
         wrong_believed: How many of the wrong ones were accepted.
         right_refused: How many of the correct ones were rejected.
         said: The warnings, joined; empty if there are none.
-        error: The figure by which it is right or wrong, with its unit, such as "0.03 % of the centres".
+        error: The figure by which it is right or wrong, with its unit, such as "0.03 % of the centers".
         peer: The same of the best baseline on the same input, such as "KISS-ICP: 39.0 m"; empty where none was run.
         held_out: Whether no constant was chosen on the case.
     """

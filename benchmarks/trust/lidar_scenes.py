@@ -92,7 +92,7 @@ def corridor(
     length: float = 160.0, *, doors: float = 0.0, depth: float = 0.06, jitter: float = 0.0, width: float = 2.0,
     ends: bool = False, start: float = 0.0, seed: int = 0,
 ) -> Place:  # fmt: skip
-    """A corridor along x; doors on both sides, one every `doors` metres, up to `jitter` off; walls at its ends."""
+    """A corridor along x; doors on both sides, one every `doors` meters, up to `jitter` off; walls at its ends."""
     place, half, rng = Place(), width / 2, np.random.default_rng(seed)
     place.box(start, -half, -0.2, length, half, 0.0)
     place.box(start, -half, 2.5, length, half, 2.7)
@@ -113,7 +113,7 @@ def corridor(
 
 
 def tunnel(length: float = 160.0, *, radius: float = 2.5, bend: float = 0.0) -> Place:
-    """A round tube along x, level with the scanner, that winds by `bend` metres to either side."""
+    """A round tube along x, level with the scanner, that winds by `bend` meters to either side."""
     x = np.linspace(-40, length, 400)
     place = Place()
     place.add(*tube_mesh(np.column_stack([x, bend * np.sin(x / 25), np.full_like(x, 1.2)]), radius, 48))
@@ -121,7 +121,7 @@ def tunnel(length: float = 160.0, *, radius: float = 2.5, bend: float = 0.0) -> 
 
 
 def field_of(bumps: float = 0.0, *, reach: float = 220.0, things: int = 0, seed: int = 0) -> Place:
-    """Level ground, with waves of so many metres, and boxes standing about."""
+    """Level ground, with waves of so many meters, and boxes standing about."""
     rng, place = np.random.default_rng(seed), Place()
     x, y = np.meshgrid(np.linspace(-60, reach, 200), np.linspace(-60, 60, 90), indexing="ij")
     z = bumps * (np.sin(x / 3.1) * np.cos(y / 2.3) + 0.6 * np.sin(x / 1.7 + y / 2.9))
@@ -156,7 +156,7 @@ def street(*, seed: int = 0, length: float = 160.0, porches: bool = True) -> Pla
 
 
 def with_lorries(place: Place, which: Sequence[tuple[float, float]], speed: float) -> Place:
-    """A place with lorries (8 x 2.5 x 3.6 m) that drive along x, so many metres a scan, from (x, y) at scan 0."""
+    """A place with lorries (8 x 2.5 x 3.6 m) that drive along x, so many meters a scan, from (x, y) at scan 0."""
     for x, y in which:
         place.movers.append(((-4.0, -1.25, 0.3, 4.0, 1.25, 3.9), lambda k, x=x, y=y: (x + speed * k, y, 0.0)))
     return place
@@ -247,7 +247,7 @@ def scan_run(
 def along_x(
     count: int, speed: float, *, start: float = 20.0, height: float = 1.2, standing: int = 0, sway: float = 0.1
 ) -> np.ndarray:
-    """Poses along x, so many metres a scan after some scans of standing; swaying to the sides and in heading."""
+    """Poses along x, so many meters a scan after some scans of standing; swaying to the sides and in heading."""
     way = np.maximum(np.arange(count) - standing, 0) * speed
     poses = np.tile(np.eye(4), (count, 1, 1))
     turn = 0.3 * sway * np.sin(way / 7)

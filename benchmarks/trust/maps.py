@@ -1,7 +1,8 @@
 """Maps of a camera that was lost for long: joined where they show the same place, told apart where nobody can know.
 
 A wrong join is the worst answer. Maps of different rooms ought never to be joined, maps of one room that share a part
-ought to be. Constants were chosen by the figure of eight through the room of `src/pointloom/datasets/scenes`; rooms of boxes are others.
+ought to be. Constants were chosen by the figure of eight through the room of `pointloom.datasets`; rooms of boxes are
+others.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ def _of_map(result: Any, number: int) -> Any:
 
 
 def _off(T: Any, true: Any) -> float:
-    """How far a pose puts what lies two metres before the camera from where it is [m]."""
+    """How far a pose puts what lies two meters before the camera from where it is [m]."""
     points = np.array([[x, y, 2.0, 1.0] for x in (-1, 1) for y in (-0.7, 0.7)])
     return float(np.linalg.norm(((T - true) @ points.T)[:3], axis=0).max())
 

@@ -47,16 +47,16 @@ class Shots:
         return truth
 
 
-def exif_of(model: str, millimetres: float, film: int) -> bytes:
+def exif_of(model: str, millimeters: float, film: int) -> bytes:
     """EXIF data with a camera's model and its focal length, also in terms of 35 mm film."""
     exif = Image.Exif()
     exif[_MAKE], exif[_MODEL] = "Made", model
-    exif[_EXIF] = {_FOCAL: millimetres, _FOCAL_35: film}
+    exif[_EXIF] = {_FOCAL: millimeters, _FOCAL_35: film}
     return exif.tobytes()
 
 
 def film_length(camera: loom.CameraModel) -> int:
-    """A camera's focal length in terms of 35 mm film, by the diagonals as the standard has it, in whole millimetres."""
+    """A camera's focal length in terms of 35 mm film, by the diagonals as the standard has it, in whole millimeters."""
     return round(camera.params[0] * math.hypot(36, 24) / math.hypot(camera.width, camera.height))
 
 
@@ -149,8 +149,8 @@ def ground(relief: float, *, extent: float = 160.0, seed: int = 0) -> Ground:
     heights = _grain(rng, 512, ((4, 0.6), (10, 0.3), (24, 0.1)))
     heights = relief * (heights - heights.mean()) / heights.std()
     layers = [_grain(rng, 3072, _CELLS) for _ in range(2)]
-    grey, tint = ((layer - layer.mean()) / layer.std() for layer in layers)
-    light = 120 + 38 * grey[..., None] + 12 * tint[..., None] * np.array([1.0, 0.2, -0.8])
+    gray, tint = ((layer - layer.mean()) / layer.std() for layer in layers)
+    light = 120 + 38 * gray[..., None] + 12 * tint[..., None] * np.array([1.0, 0.2, -0.8])
     return Ground(heights, np.clip(light, 0, 255).astype(np.uint8), extent)
 
 

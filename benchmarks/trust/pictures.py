@@ -3,7 +3,7 @@
     python benchmarks/trust/pictures.py [CASE ...]      the cases, or those with this in their name, as rows
 
 Made pictures of the furnished room and of ground from above, with exact cameras, and real sets whose cameras are known.
-A result is wrong if a focal length is more than 5 % off, the centres of the cameras more than 1 % of their extent
+A result is wrong if a focal length is more than 5 % off, the centers of the cameras more than 1 % of their extent
 (root mean square, after the similarity that fits best), or fewer than 60 % of the pictures are placed.
 """
 
@@ -62,7 +62,7 @@ def made(shots: Callable[[], Shots]) -> Callable[[Path], Truth]:
 
 
 def with_exif(shots: Shots) -> Shots:
-    """The same, with EXIF as a telephone writes it: whole millimetres in terms of 35 mm film."""
+    """The same, with EXIF as a telephone writes it: whole millimeters in terms of 35 mm film."""
     said = [scenes.film_length(camera) for camera in shots.cameras]
     shots.exif = [("Made 1", round(0.15 * film, 2), film) for film in said]
     return shots
@@ -177,7 +177,7 @@ def errors_of(model: loom.SfmModel | None, truth: Truth) -> tuple[int, str]:
     said = f"focal length {100 * worst:+.1f} %"
     if all(truth[name][0] is not None for name in model.names):
         centers = camera_errors(model, {name: truth[name][0] for name in model.names})["share_of_extent"]
-        said += f", centres {100 * centers:.2f} %"
+        said += f", centers {100 * centers:.2f} %"
     return int(abs(worst) > WRONG_FOCAL or centers > WRONG_CENTERS), said
 
 

@@ -81,7 +81,7 @@ class Builder:
         self.mesh(points.reshape(-1, 3), np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])]))
 
     def trunk(self, x: float, y: float, low: float, high: float, radius: float, lean: float = 0.0) -> None:
-        """An upright cylinder that leans along x by so many metres, thinner at its top."""
+        """An upright cylinder that leans along x by so many meters, thinner at its top."""
         angles, heights = np.linspace(0, 2 * math.pi, 17), np.linspace(0, 1, 4)
         a, h = np.meshgrid(angles, heights)
         r = radius * (1 - 0.3 * h)
@@ -136,7 +136,7 @@ def corridor(seed: int, *, contrast: float = 28.0, niches: bool = True, doors: f
 
 
 def tunnel(seed: int, *, contrast: float = 28.0, rough: float = 0.25) -> Place:
-    """A round tunnel of 80 m along x; rock that is rough by so many metres, or a smooth bore."""
+    """A round tunnel of 80 m along x; rock that is rough by so many meters, or a smooth bore."""
     rng, b = np.random.default_rng([seed, 2]), Builder()
     radius = rng.uniform(1.8, 2.6)
     x, a = np.meshgrid(np.arange(-40, 40, 0.2), np.linspace(0, 2 * math.pi, 65))

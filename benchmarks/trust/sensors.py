@@ -25,7 +25,7 @@ RATE = 30.0  # [Hz]
 
 @dataclass(frozen=True)
 class CameraFrame:
-    """What `loom.track` takes: depth [m], colours, time [s], and the true pose T_world_camera."""
+    """What `loom.track` takes: depth [m], colors, time [s], and the true pose T_world_camera."""
 
     depth: NDArray[np.float32]
     color: NDArray[np.uint8]
@@ -65,7 +65,7 @@ class DepthCamera:
         return CameraFrame(depth, self._paint(pose, ways, rng), index / RATE, f"{index:06d}", pose)
 
     def picture(self, pose: Array, index: int) -> NDArray[np.uint8]:
-        """Colours alone."""
+        """Colors alone."""
         return self._paint(pose, self.rays @ pose[:3, :3].T, np.random.default_rng([self.seed, index]))
 
     def _paint(self, pose: Array, ways: Array, rng: np.random.Generator) -> NDArray[np.uint8]:
@@ -88,7 +88,7 @@ def _rays(pose: Array, ways: Array) -> NDArray[np.float32]:
 
 
 def in_hand(poses: Sequence[Array], seed: int) -> list[Array]:
-    """Poses that shake as a hand does: some tenths of a degree, some millimetres."""
+    """Poses that shake as a hand does: some tenths of a degree, some millimeters."""
     rng = np.random.default_rng([seed, 8])
     rates, phases = rng.uniform(2, 20, (6, 3)), rng.uniform(0, 6.28, (6, 3))
     shaken = []
@@ -137,7 +137,7 @@ def climb(count: int, seed: int, *, speed: float = 0.35) -> list[Array]:
 
 
 def frozen(frames: Sequence[CameraFrame], start: int) -> list[CameraFrame]:
-    """Frames whose depth stands still from a frame on while their colour goes on."""
+    """Frames whose depth stands still from a frame on while their color goes on."""
     return [dataclasses.replace(f, depth=frames[min(k, start)].depth) for k, f in enumerate(frames)]
 
 
@@ -199,7 +199,7 @@ class Scanner:
 
 
 def drive(count: int, step: float, *, height: float = 1.5, start: float = -15.0, sway: float = 0.15) -> list[Array]:
-    """Poses along x that speed up from rest to so many metres a scan, and turn to and fro."""
+    """Poses along x that speed up from rest to so many meters a scan, and turn to and fro."""
     poses, x = [], start
     for k in range(count):
         x += step * min(k / 5, 1.0)

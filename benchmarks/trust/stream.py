@@ -1,4 +1,4 @@
-"""Streams of a depth camera: depth that stands still, colours that come late, what is fixed to the camera or moves.
+"""Streams of a depth camera: depth that stands still, colors that come late, what is fixed to the camera or moves.
 
     POINTLOOM_DATA=<folder> python benchmarks/trust/stream.py
 

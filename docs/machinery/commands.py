@@ -45,11 +45,11 @@ def page_of(name: str, command: click.Command) -> str:
     for option in options:
         record = option.get_help_record(context)
         if record is not None:
-            text += f".. option:: {spelt(record[0])}\n\n{indented(plain(record[1]))}\n\n"
+            text += f".. option:: {spelled(record[0])}\n\n{indented(plain(record[1]))}\n\n"
     return text
 
 
-def spelt(names: str) -> str:
+def spelled(names: str) -> str:
     """An option's names as Sphinx's directive takes them."""
     return names.replace(" / ", ", ").replace("\\", "\\\\")
 

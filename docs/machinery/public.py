@@ -73,7 +73,7 @@ class PublicName:
 
 @cache
 def public_modules() -> dict[str, types.ModuleType]:
-    """The public modules by the name that users write, `pointloom` first; each can be imported by it afterwards."""
+    """The public modules by the name that users write, `pointloom` first; each can be imported by it afterward."""
     modules = {"pointloom": pointloom}
     for name in public_names._read("pointloom"):
         value = getattr(pointloom, name)

@@ -1,7 +1,7 @@
 """Atomic in-place changes of arrays under interruption (Ctrl-C, out of memory).
 
 Interrupts occur before or after a launch. One launch writes all that counts and records the change number, so it can be
-determined afterwards whether the change was made. Everything else may stay inconsistent.
+determined afterward whether the change was made. Everything else may stay inconsistent.
 """
 
 from collections.abc import Callable

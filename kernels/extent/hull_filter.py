@@ -109,10 +109,10 @@ def scale_points_kernel(points: array(dtype=vec3), middle: vec3d, scale: vec3d, 
 
 
 @kernel
-def find_farthest_kernel(points: array(dtype=vec3d), centre: vec3d, width: int, keys: array(dtype=int64)):
+def find_farthest_kernel(points: array(dtype=vec3d), center: vec3d, width: int, keys: array(dtype=int64)):
     """Farthest point of each cell (atomic maximum; ties: smaller index)."""
     i = tid()
-    p = points[i] - centre
+    p = points[i] - center
     if isfinite(p):
         place = locate_direction(p)
         if place[3] > 0.0:
@@ -167,11 +167,11 @@ def draw_facets_kernel(
 
 @kernel
 def mask_outer_kernel(
-    points: array(dtype=vec3d), centre: vec3d, width: int, nodes: array(dtype=float64), mask: array(dtype=uint8)
+    points: array(dtype=vec3d), center: vec3d, width: int, nodes: array(dtype=float64), mask: array(dtype=uint8)
 ):
     """0 for points strictly inside the coarse hull or not finite."""
     i = tid()
-    p = points[i] - centre
+    p = points[i] - center
     keep = 0
     if isfinite(p):
         keep = 1
@@ -211,26 +211,26 @@ def scale_points(points: Points, middle: np.ndarray, scale: np.ndarray) -> Posit
     return out
 
 
-def farthest_rows(points: Positions, centre: np.ndarray, width: int) -> np.ndarray:
+def farthest_rows(points: Positions, center: np.ndarray, width: int) -> np.ndarray:
     """Ascending indices of the farthest finite point per cell, int64 on the host; `width` cells per edge. One sync."""
     keys = zeros(6 * width * width, int64, points.device)
-    launch(find_farthest_kernel, points.size, [points, vec3d(*centre), width, keys])
+    launch(find_farthest_kernel, points.size, [points, vec3d(*center), width, keys])
     found = download(keys)  # sync
     return np.sort(LAST_INDEX - (found[found > 0] & LAST_INDEX))
 
 
-def mask_outer(points: Positions, centre: np.ndarray, corners: np.ndarray, planes: np.ndarray, width: int) -> Mask:
-    """0 for points strictly inside a hull about `centre`, or not finite; `planes`: normal . p + offset <= 0 inside."""
+def mask_outer(points: Positions, center: np.ndarray, corners: np.ndarray, planes: np.ndarray, width: int) -> Mask:
+    """0 for points strictly inside a hull about `center`, or not finite; `planes`: normal . p + offset <= 0 inside."""
     device = points.device
-    normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], centre))
-    arms = corners - centre
+    normals, offsets = planes[:, :3], -(planes[:, 3] + matmul(planes[:, :3], center))
+    arms = corners - center
     ahead = offsets > MIN_OFFSET * np.abs(arms).max(initial=0)
     nodes = full(6 * (width + 1) ** 2, UNCOVERED, float64, device)
     facets = upload(arms[ahead].reshape(-1, 3), vec3d, device)
     slopes = upload(normals[ahead] / offsets[ahead, None], vec3d, device)
     launch(draw_facets_kernel, slopes.size, [facets, slopes, width, nodes])
     mask = empty(points.size, uint8, device)
-    launch(mask_outer_kernel, points.size, [points, vec3d(*centre), width, nodes, mask])
+    launch(mask_outer_kernel, points.size, [points, vec3d(*center), width, nodes, mask])
     return mask
 
 

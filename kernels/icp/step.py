@@ -247,7 +247,7 @@ def first_lane_leads() -> int:
 
 @func
 def said_by_leader(x: int) -> int:
-    """Value of the writing thread; afterwards its writes are visible to the job's other threads."""
+    """Value of the writing thread; afterward its writes are visible to the job's other threads."""
     return x
 
 

@@ -53,11 +53,11 @@ def decode_nyu_kernel(raw: array(dtype=uint16), depth: array(dtype=uint16)):
     i = tid()
     x = int(raw[i])
     x = ((x & BYTE) << 8) | (x >> 8)
-    metres = float64(NYU_SCALE) / (float64(NYU_OFFSET) - float64(x))
-    millimetres = 0
-    if metres > 0.0:
-        millimetres = min(int(floor(metres * 1000.0 + 0.5)), WORD)
-    depth[i] = uint16(millimetres)
+    meters = float64(NYU_SCALE) / (float64(NYU_OFFSET) - float64(x))
+    millimeters = 0
+    if meters > 0.0:
+        millimeters = min(int(floor(meters * 1000.0 + 0.5)), WORD)
+    depth[i] = uint16(millimeters)
 
 
 @kernel
@@ -96,11 +96,11 @@ def limit_depth_kernel(
     most = 0
     for j in elements_of(i, runs):
         d = raw[j] / scale
-        metres = 0.0
+        meters = 0.0
         if d > 0.0 and d <= farthest and isfinite(d):
-            metres = d
-        depth[j] = metres
-        most = max(most, float_bits(metres))
+            meters = d
+        depth[j] = meters
+        most = max(most, float_bits(meters))
     if most > 0:
         atomic_max(largest, row_of(i, runs), most)  # maximum: resolves the race
 
@@ -163,7 +163,7 @@ def fit_pixel_normals_kernel(
     normals: array(dtype=vec3),
     valid: array(dtype=uint8),
 ):
-    """R times unit normals, towards the camera, from the right and lower neighbors; `fill` if one has no depth."""
+    """R times unit normals, toward the camera, from the right and lower neighbors; `fill` if one has no depth."""
     i = tid()
     u = (i % grid.columns) * grid.stride
     v = (i // grid.columns) * grid.stride
@@ -195,7 +195,7 @@ def color_pixels_kernel(pixels: array(dtype=uint8, ndim=2), grid: PixelGrid, col
 
 
 @kernel
-def grey_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors: array(dtype=vec3)):
+def gray_pixels_kernel(intensity: array(dtype=float32), grid: PixelGrid, colors: array(dtype=vec3)):
     """Gray colors 0..1 of a pixel grid of a grayscale image."""
     i = tid()
     g = intensity[grid_pixel(i, grid)]
@@ -255,7 +255,7 @@ def unproject_depth(
 def pixel_normals(
     depth: Scalars, grid: PixelGrid, camera: CameraLike, R: np.ndarray, fill: float = NAN
 ) -> tuple[Vectors, Bytes]:
-    """(normals vec3 (grid.count) towards the camera, `fill` for none; valid uint8), rotated by the float64 matrix R."""
+    """(normals vec3 (grid.count) toward the camera, `fill` for none; valid uint8), rotated by the float64 matrix R."""
     normals, valid = empty(grid.count, vec3, depth.device), empty(grid.count, uint8, depth.device)
     arguments = [depth, grid, camera, mat33d(*R.ravel()), float(fill), normals, valid]
     launch(fit_pixel_normals_kernel, grid.count, arguments)
@@ -265,7 +265,7 @@ def pixel_normals(
 def color_pixels(pixels: Scalars | Array2[uint8], grid: PixelGrid) -> Vectors:
     """Colors 0..1, vec3 (grid.count), of an image uint8 (pixels, 3) or grayscale float32 (pixels)."""
     colors = empty(grid.count, vec3, pixels.device)
-    pick = grey_pixels_kernel if pixels.dtype == float32 else color_pixels_kernel
+    pick = gray_pixels_kernel if pixels.dtype == float32 else color_pixels_kernel
     launch(pick, grid.count, [pixels, grid, colors])
     return colors
 

@@ -1,6 +1,6 @@
 """Log record (INFO, logger "pointloom") for a kernel whose compilation lasts longer than `PATIENCE`.
 
-Loading from a cache is not announced. Taichi blocks other threads while it compiles, so its record comes afterwards.
+Loading from a cache is not announced. Taichi blocks other threads while it compiles, so its record comes afterward.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class FirstLaunch:
     def compiling(self) -> None:
         if not self._began:
             self._began = time.monotonic()
-            with contextlib.suppress(RuntimeError):  # the system refuses a thread: the record comes afterwards
+            with contextlib.suppress(RuntimeError):  # the system refuses a thread: the record comes afterward
                 self._timer.start()
 
     def end(self) -> None:

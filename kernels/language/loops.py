@@ -72,7 +72,7 @@ class Words(NamedTuple):
     is_builtin: Callable[[Any], bool]
     builtin_name: Callable[[Any], str]
     is_partial: Callable[[Any], bool]
-    specialise: Callable[[Any, dict[str, Given]], Any]  # the function of a `@func` for these callbacks
+    specialize: Callable[[Any, dict[str, Given]], Any]  # the function of a `@func` for these callbacks
 
 
 class Writer(ast.NodeTransformer):
@@ -223,7 +223,7 @@ class Writer(ast.NodeTransformer):
                 arguments += given[parameter].bound
             else:
                 arguments.append(argument)
-        special = self.words.specialise(callee, given)
+        special = self.words.specialize(callee, given)
         self.count += 1
         name = special.source.definition.name
         self.names[name] = special

@@ -87,7 +87,7 @@ class Elimination:
         total = sum_counts(counts)  # sync
         if total > MAX_PAIRS:
             raise CrowdedError(total)
-        check_room(device, 8 * total, f"{total:,} neighbours of {count:,} samples")
+        check_room(device, 8 * total, f"{total:,} neighbors of {count:,} samples")
         starts = offsets_of(counts)
         self.firsts, self.lasts = starts[:count], starts[1:]
         self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
@@ -100,7 +100,7 @@ class Elimination:
 
 class CrowdedError(ValueError):
     def __init__(self, pair_count: int) -> None:
-        super().__init__(f"{pair_count} pairs of neighbours")
+        super().__init__(f"{pair_count} pairs of neighbors")
         self.pair_count = pair_count
 
 

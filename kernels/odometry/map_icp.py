@@ -1,6 +1,6 @@
 """Robust ICP terms of scan point and voxel map pairs, to points or planes.
 
-Float64 sums about the sensor, independent of the distance travelled. Points on a plane count along the normal (plus a
+Float64 sums about the sensor, independent of the distance traveled. Points on a plane count along the normal (plus a
 little regularization), points among scattered neighbors in all directions, points on lines almost nothing, since scan
 rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight; Chen and
 Medioni 1991 for planes.

@@ -2,8 +2,8 @@
 
 An edge is a feature without exactly two triangles, or with different texture coordinates or materials across it. A
 vertex is free, on a line (two features), or a corner (Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge
-contraction", 1999). Removed elements are compacted at a quarter of all (compacted_mesh.py). Sizes are in a record on the
-device: CUDA launches cover the maximum. About 300 B per triangle.
+contraction", 1999). Removed elements are compacted at a quarter of all (compacted_mesh.py). Sizes are in a device
+record: CUDA launches cover the maximum. About 300 B per triangle.
 """
 
 import copy

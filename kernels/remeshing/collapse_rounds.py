@@ -2,7 +2,7 @@
 
 A round computes missing costs, considers edges up to a histogram limit, selects an independent set (Luby, "A simple
 parallel algorithm for the maximal independent set problem", 1986, with costs for random numbers), and collapses the
-cheapest. An edge is selected if its key is minimal at all vertices around both ends. Towards the end, a radix selection
+cheapest. An edge is selected if its key is minimal at all vertices around both ends. Toward the end, a radix selection
 finds the edges that reach the target. About 70 launches per round.
 """
 

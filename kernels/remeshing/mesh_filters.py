@@ -70,7 +70,7 @@ def inverse_distance(p: vec3d, q: vec3d) -> float64:
 
 @kernel
 def approach_mean_kernel(rule: FilterPass, values: array(dtype=vec3d), factor: float64, out: array(dtype=vec3d)):
-    """Move a vertex by `factor` towards the weighted mean of its neighbors, closer ones with larger weights."""
+    """Move a vertex by `factor` toward the weighted mean of its neighbors, closer ones with larger weights."""
     i = tid()
     own = values[i]
     way = vec3d(0.0, 0.0, 0.0)

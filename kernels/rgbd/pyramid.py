@@ -25,7 +25,7 @@ MIN_SUPPORT = 0.55  # fraction of a window's pixels required for a plane
 @struct
 class FrameLevels:
     """Concatenated levels, finest first. `layout`: width, height, first pixel, pixel count; `depth` [m], 0 for none;
-    `brightness` or NO_COLOR; `planes`: unit normal n towards the camera and n . q of surface points q [m], or zero.
+    `brightness` or NO_COLOR; `planes`: unit normal n toward the camera and n . q of surface points q [m], or zero.
     """
 
     layout: array(dtype=vec4i)

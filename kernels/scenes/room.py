@@ -47,7 +47,7 @@ LAMP_REACH = 3.2  # [m] distance at which the lamp's light has halved
 LAMP_RADIUS = 0.25  # [m] objects closer to the lamp cast no shadow, such as its own glass
 NEAR_CORNER = 0.07  # [m] range of corner darkening
 FAR_CORNER = 0.28
-SHADOW_STEP = 0.04  # [m] shortest and longest step towards the lamp
+SHADOW_STEP = 0.04  # [m] shortest and longest step toward the lamp
 SHADOW_STRIDE = 0.12
 PENUMBRA = 6.0  # distance over width of a penumbra
 

@@ -1,7 +1,7 @@
 """Many clouds in one array, each in Hilbert order, for batched searches.
 
 Finite points are padded with points at infinity to whole buckets, so that a bucket belongs to one cloud. All share one
-curve through the common box and one sort (40 B per point while it runs, 16 B afterwards).
+curve through the common box and one sort (40 B per point while it runs, 16 B afterward).
 """
 
 from collections.abc import Sequence

@@ -118,7 +118,7 @@ def largest_part(points: Points, rows: Indices, reach: float) -> Indices:
     return gather_rows(rows, positions_of(mask))
 
 
-def rows_labelled(labels: Integers, rows: Indices, label: int) -> Indices:
+def rows_labeled(labels: Integers, rows: Indices, label: int) -> Indices:
     """Rows with a label, in order; one sync."""
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_label_kernel, rows.size, [labels, rows, label, mask])

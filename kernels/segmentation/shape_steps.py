@@ -217,7 +217,7 @@ def take_over(to: array(dtype=float64, ndim=2), values: array(dtype=float64, ndi
 
 
 @func
-def centre_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
+def center_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
     """Move the position of a plane or cylinder along itself to the mean of its rows."""
     moved = fits.frames[k, 2] * (sums[PLACES + 2] / sums[COUNT])
     if kind == PLANE:
@@ -283,7 +283,7 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
         if phase == SELECT:
             phase = end_round(k, int(trial[COUNT]), fits)
             if phase == BEGIN and (kind == PLANE or kind == CYLINDER):
-                centre_offer(kind, k, trial, fits)
+                center_offer(kind, k, trial, fits)
                 asks = 1
         if phase == STEP:
             ended = weigh_offer(k, trial, rules, fits)

@@ -265,8 +265,8 @@ def project_splats_kernel(
             projected.conics[i] = vec3(shape[2], -shape[1], shape[0]) / shape[3]
             projected.opacities[i] = opacity
             projected.limits[i] = limit
-            towards = splats.points[i] - eye
-            projected.colors[i] = color_towards(i, towards / length(towards), splats)
+            toward = splats.points[i] - eye
+            projected.colors[i] = color_towards(i, toward / length(toward), splats)
             if projected.depths.shape[0] > 0:
                 note_surface(i, q, turn, scales, projected)
     tiles = 0

@@ -74,17 +74,17 @@ def orient_normals_kernel(
     """Orient normals to a direction or a point; a zero normal becomes the reference direction."""
     i = tid()
     n = normals[i]
-    towards = reference + vec3(0.0, 0.0, 0.0)
+    toward = reference + vec3(0.0, 0.0, 0.0)
     if to_point == 1:
-        towards = reference - points[i]
+        toward = reference - points[i]
     if dot(n, n) == 0.0:
-        size = sqrt(dot(towards, towards))
+        size = sqrt(dot(toward, toward))
         if size > 0.0:
-            n = towards / size
+            n = toward / size
         else:
             n = vec3(0.0, 0.0, 1.0)
     else:
-        if dot(n, towards) < 0.0:
+        if dot(n, toward) < 0.0:
             n = -n
     oriented[i] = n
 

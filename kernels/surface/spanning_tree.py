@@ -260,7 +260,7 @@ def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int
     an entry equal to its vertex is no edge. Raises ValueError for 2^33 entries or more.
     """
     if forest.count * k > ENTRY_MASK:
-        raise ValueError(f"{forest.count} points with {k} neighbours each are more than 2^33; lower k")
+        raise ValueError(f"{forest.count} points with {k} neighbors each are more than 2^33; lower k")
     keys = empty(forest.count, int64, forest.device)
     graph = []
     for begin, lists in parts:

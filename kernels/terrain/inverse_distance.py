@@ -65,7 +65,7 @@ def height_near(
 
 
 @kernel
-def interpolate_centres_kernel(
+def interpolate_centers_kernel(
     cells: FixedCells,
     most: int,
     neighbors: int,
@@ -109,11 +109,11 @@ def interpolate_places_kernel(
     heights[i] = height
 
 
-def interpolate_centres(groups: CellGroups, cells: FixedCells, neighbors: int, reach: float, rings: int) -> Doubles:
+def interpolate_centers(groups: CellGroups, cells: FixedCells, neighbors: int, reach: float, rings: int) -> Doubles:
     """Heights at cell centers, float64 device array; `cells` are of the groups' grid."""
     heights = empty(cells.size, float64, groups.points.device)
     arguments = [cells, rings, neighbors, reach * reach, groups.cells, groups, heights]
-    launch(interpolate_centres_kernel, cells.size, arguments)
+    launch(interpolate_centers_kernel, cells.size, arguments)
     return heights
 
 

@@ -101,7 +101,7 @@ def voxel_at(q: vec3d, grid: DistanceGrid) -> int:
 
 
 @func
-def cell_centre(cell: vec3i) -> vec3d:
+def cell_center(cell: vec3i) -> vec3d:
     return vec3d(float64(cell[0]) + 0.5, float64(cell[1]) + 0.5, float64(cell[2]) + 0.5)
 
 
@@ -167,7 +167,7 @@ def free_room(p: vec3d, grid: DistanceGrid) -> float64:
     corner = float64(HALF_DIAGONAL)
     apart = float64(HALF_DIAGONAL)
     if is_inner(q) == 1:
-        apart = length(q - cell_centre(cell_at(q)))
+        apart = length(q - cell_center(cell_at(q)))
     room = distance_at(voxel, grid) - (apart + corner) * grid.voxel_size
     if not isfinite(p):
         room = -float64(INFINITY)
@@ -236,7 +236,7 @@ def find_obstacles_kernel(
     if voxel >= 0:
         if grid.sqdists[voxel] != FAR:
             row = grid.nearest[voxel]
-            place = cell_centre(grid.occupied[row]) * grid.voxel_size + grid.origin
+            place = cell_center(grid.occupied[row]) * grid.voxel_size + grid.origin
             d = length(p - place)
     rows[i] = row
     positions[i] = place

@@ -150,7 +150,7 @@ def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> Pos
         kind = type(trajectory).__name__
         raise TypeError(f"camera_trajectory: expected a Trajectory, got {kind}; make one of poses, camera to world")
     if not len(mesh.array("vertices")):
-        raise ValueError("mesh: it has no vertices, so there is nothing to colour")
+        raise ValueError("mesh: it has no vertices, so there is nothing to color")
     checked = check_images(NAMES, images, intrinsic, trajectory.poses, mesh.device)
     inverse = [inv(pose) for pose in checked.T_camera_world]
     return PosedImages(checked.colors, checked.depths, checked.cameras, np.array(inverse))

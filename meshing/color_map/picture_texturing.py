@@ -49,8 +49,8 @@ def texture_from_pictures(
     smoothness: float = 1.0,
     outliers: bool = True,
     exposures: bool = True,
-    seam_levelling: bool = True,
-    local_levelling: bool = True,
+    seam_leveling: bool = True,
+    local_leveling: bool = True,
     depth_max: float = np.inf,
     plain: Any = PLAIN,
     progress: ReportProgress | None = None,
@@ -73,8 +73,8 @@ def texture_from_pictures(
         smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
         outliers: Ignore images where a triangle's color differs from most of at least four.
         exposures: First equalize exposure and vignetting per channel by shared triangles.
-        seam_levelling: Shift the colors of charts at vertices to agree at seams.
-        local_levelling: Blend strips of 20 texels beside seams.
+        seam_leveling: Shift the colors of charts at vertices to agree at seams.
+        local_leveling: Blend strips of 20 texels beside seams.
         depth_max: Maximum distance of a usable image [unit of the poses].
         plain: Color of unseen triangles without vertex colors, 0..1.
         progress: Called with the stage ("pictures", "views", "choice", "seams", "texture"), progress and total or 0.
@@ -113,10 +113,10 @@ def texture_from_pictures(
     say("seams", 0, 0)
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
     before = levels.mean_step()
-    if seam_levelling:
+    if seam_leveling:
         levels.solve(level=bool(exposures))
     say("texture", 0, 0)
-    painted = _paint(mesh, choice, levels, size, background, local_levelling)
+    painted = _paint(mesh, choice, levels, size, background, local_leveling)
     views = download(choice.seams.views).copy()
     counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
     mean, most = painted.steps if painted.steps is not None else (None, None)

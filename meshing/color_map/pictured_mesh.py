@@ -95,7 +95,7 @@ class PicturedMesh(Report, Assessed):
 
     def fields(self) -> Fields:
         blind = len(self.views) - self.seen_count
-        rest = f"; {blind:,} {'in the colours of vertices' if self.drew_colors else 'plain'}" if blind else ""
+        rest = f"; {blind:,} {'in the colors of vertices' if self.drew_colors else 'plain'}" if blind else ""
         fields = [
             ("triangles", f"{len(self.views):,} on {self.mesh.device}"),
             ("pictures", f"{self.picture_count}, {self.used_count} of them used"),

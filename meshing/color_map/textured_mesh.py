@@ -72,7 +72,7 @@ class TexturedMesh(Report, Assessed):
         if self.method != "none" and before > AGREED and after > WON * before:
             reasons.append(
                 f"the pictures agree no better than before (residual {before:.4f} to {after:.4f}): the poses are too "
-                "far off, or the colours change with the light; compare with method='none'"
+                "far off, or the colors change with the light; compare with method='none'"
             )
         return tuple(reasons)
 

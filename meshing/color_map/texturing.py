@@ -55,7 +55,7 @@ def texture_mesh(
         size: Texels per side of a texture, which replaces vertex colors; an atlas is created if necessary
             (`pip install "pointloom[mesh]"`). If None: vertex colors.
         depth_max: Maximum depth of used pixels [m].
-        progress: Called with the stage ("frames", "colours", "texture"), its progress and total, 0 if unknown.
+        progress: Called with the stage ("frames", "colors", "texture"), its progress and total, 0 if unknown.
 
     Raises:
         TypeError: If `mesh` is not a TriangleMesh, or `frames` has another type.
@@ -75,7 +75,7 @@ def texture_mesh(
     _check(mesh, frames, method, size)
     farthest, say = check_positive("depth_max", depth_max), check_progress(progress)
     images, path = _read_frames(frames, poses, farthest, mesh.device, say)
-    say("colours", 0, 0)
+    say("colors", 0, 0)
     colors = _color(mesh, images, path, frames.intrinsic, method, farthest)
     turned, moved = mean_motion(path, colors.trajectory)
     found = TexturedMesh(colors.mesh, colors, method, farthest, turned, moved)
@@ -109,7 +109,7 @@ def _read_frames(
     say("frames", 0, count)
     for i, frame in enumerate(frames):
         if frame.color is None:
-            raise ValueError(f"frames: {frame.name} has no colour, which is what a mesh would take from it")
+            raise ValueError(f"frames: {frame.name} has no color, which is what a mesh would take from it")
         path.append(_pose_of(frame, i, given))
         scale = {"depth_scale": depth_unit(frames, frame), "depth_trunc": depth_max}
         images.append(RGBDImage(frame.color, frame.depth, **scale, device=device))

@@ -48,7 +48,7 @@ class CleanedMesh(ChangedMesh):
     Attributes:
         mesh: The result.
         repair: Report of `TriangleMesh.repair` for the complete mesh.
-        removed_parts, parts: Small parts removed afterwards, and remaining parts.
+        removed_parts, parts: Small parts removed afterward, and remaining parts.
         is_watertight, boundary_edges, self_intersections: Of the result; pairs of intersecting triangles.
         was_watertight, area_in: Of the input; area of its finite triangles [m^2].
         merge_distance, hole_size: As given [m].

@@ -120,7 +120,7 @@ class MeshMeasures(MeshSelection):
         if not is_closed(topology):
             raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
         if topology.has_twisted_edge:
-            raise ValueError("get_volume: neighbouring triangles turn different ways; orient them alike")
+            raise ValueError("get_volume: neighboring triangles turn different ways; orient them alike")
         return abs(self._signed_volume())
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:

@@ -451,7 +451,7 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
     share = cloud.normal_disagreement()
     if share > OPPOSED:
         warn_of_units(
-            f"{100 * share:.0f} % of near neighbours have normals to opposite sides, so the surface is none of the "
+            f"{100 * share:.0f} % of near neighbors have normals to opposite sides, so the surface is none of the "
             "points'; call cloud.orient_normals_consistent_tangent_plane(30) first",
             NormalsWarning,
         )

@@ -633,7 +633,7 @@ def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bo
         if topology.has_boundary or topology.has_crowded_edge:
             raise ValueError(f"{what} is not closed, so it is no solid; repair(hole_size=...) closes holes")
         if topology.has_twisted_edge:
-            raise ValueError(f"{what} has neighbouring triangles that turn different ways; see orient_triangles")
+            raise ValueError(f"{what} has neighboring triangles that turn different ways; see orient_triangles")
         if mesh._signed_volume() < 0:
             raise ValueError(f"{what} looks inwards; orient_triangles(outward=True) turns it")
     columns = [mesh.vertices - origin]

@@ -85,7 +85,7 @@ def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | No
         check_same_device("device", image.device, device)
         check_intrinsic(camera, image.width, image.height)
         if image.color_array.dtype != uint8:
-            raise ValueError("brightness only; make the image with convert_rgb_to_intensity=False to keep its colours")
+            raise ValueError("brightness only; make the image with convert_rgb_to_intensity=False to keep its colors")
         return image.color_array, image.depth_array
     pixels = np.asarray(unmasked("image", image))
     if pixels.ndim not in (2, 3) or 0 in pixels.shape:

@@ -36,7 +36,7 @@ class NormalsUsed:
         share = self.disagreement
         if share is None or share <= OPPOSED:
             return None
-        said = f"{format_share(share)} of neighbouring normals point to opposite sides"
+        said = f"{format_share(share)} of neighboring normals point to opposite sides"
         if self.given:
             return f"{said}; give new_normals, or orient those of the input"
         return f"{said} though they were oriented: the points hardly lie on a surface; clean or smooth them first"
@@ -124,7 +124,7 @@ class SurfaceResult(Report, Assessed):
         settings = ", ".join(f"{name.replace('_', ' ')} {_shown(value)}" for name, value in self.settings.items())
         lost, normals, found = self.points_in - self.points, self.normals.origin, self.summary
         if self.normals.disagreement is not None:
-            normals += f"; {format_share(self.normals.disagreement)} of neighbours to opposite sides"
+            normals += f"; {format_share(self.normals.disagreement)} of neighbors to opposite sides"
         edges = f"{found.boundary_edges:,} of {found.edges:,} at a border"
         if found.crowded_edges:
             edges += f", {found.crowded_edges:,} of three triangles or more"

@@ -53,7 +53,7 @@ class Orthophoto:
     def __repr__(self) -> str:
         (rows, columns), cell = self.heights.values.shape, self.heights.cell
         seen, system = int(np.isfinite(self.heights.values).sum()), self.heights.crs or "no system"
-        kind = "" if self.colors is not None else ", no colours"
+        kind = "" if self.colors is not None else ", no colors"
         return f"Orthophoto({columns} x {rows} cells of {cell:g}, {seen:,} seen{kind}, {system})"
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
@@ -69,7 +69,7 @@ class Orthophoto:
             'ortho.tif'
         """
         if self.colors is None:
-            raise ValueError("colors: the mesh has neither a texture nor colours of vertices; write its heights")
+            raise ValueError("colors: the mesh has neither a texture nor colors of vertices; write its heights")
         told, (rows, _, _) = self.heights, self.colors.shape
         place = self.colors.shape[:2], (told.corner[0], told.corner[1]), told.cell, told
         with geotiff(path, *place, overwrite=overwrite, for_maps=True, is_picture=True) as file:
@@ -157,7 +157,7 @@ def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) ->
     if crs is not None:
         raise ValueError("crs: the frame has a UTM zone of its own; leave it out, or give epsg")
     if not is_same(mesh.unit, METRE):
-        raise ValueError(f"mesh: is in {mesh.unit}, and a frame counts metres")
+        raise ValueError(f"mesh: is in {mesh.unit}, and a frame counts meters")
     frame.to_utm(np.zeros((1, 3)), epsg)
     return f"EPSG:{frame.epsg if epsg is None else epsg}"
 

@@ -207,7 +207,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             return None
         if image.color_array.dtype != wp.uint8:
             raise TypeError(
-                "depth: the RGBDImage holds brightness, and the volume keeps colour: make it with "
+                "depth: the RGBDImage holds brightness, and the volume keeps color: make it with "
                 "convert_rgb_to_intensity=False, or the volume with color=False"
             )
         return image.color_array
@@ -218,7 +218,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             raise ValueError("color: the volume was made with color=False")
         frames = self._settled
         if self.has_color and frames.count and frames.colored != colored:
-            have = "with colour" if frames.colored else "without"
+            have = "with color" if frames.colored else "without"
             raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:

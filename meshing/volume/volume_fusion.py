@@ -99,7 +99,7 @@ def fuse_volumes(
         raise ValueError(f"truncation: {limit} m is below one voxel ({size} m)")
     has_color = all(v.has_frame_colors for v in filled or [first]) if color is None else bool(color)
     if color and not all(v.has_frame_colors for v in filled):
-        raise ValueError("color: a volume has no colours; give color=False, or None to keep them where all have them")
+        raise ValueError("color: a volume has no colors; give color=False, or None to keep them where all have them")
     result = TSDFVolume(voxel_size=size, truncation=limit, color=has_color, device=first.device)
     if not filled:
         return result

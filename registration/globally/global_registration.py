@@ -92,7 +92,7 @@ def register_globally(
             30,000 voxels should be occupied (5 cm for rooms, 0.3 to 0.5 m for streets).
         seed: Selects 16,384 of the correspondences if there are more; otherwise unused.
         refine: Refine poses by ICP before they are compared.
-        free: None, or ("x", "y", "z", "yaw") for clouds that are both level (`levelled`): poses that tilt by more than
+        free: None, or ("x", "y", "z", "yaw") for clouds that are both level (`leveled`): poses that tilt by more than
             15 degrees are rejected, the others are leveled and refined so.
 
     Returns:

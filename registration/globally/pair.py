@@ -271,7 +271,7 @@ def _check_freedom(
 def _check_colors(clouds: dict[str, PointCloud], method: str, needed: bool) -> None:
     for role, cloud in clouds.items():
         if needed and not cloud.has_colors:
-            reason = f"has no colours, which method={method!r} needs"
+            reason = f"has no colors, which method={method!r} needs"
             raise UnfitCloudError(role, "colors", reason, "Choose another method, such as point-to-plane")
 
 

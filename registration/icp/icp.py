@@ -102,7 +102,7 @@ def registration_icp(
         callback_after_iteration: Called with a dict of `iteration_index`, `transformation`, `fitness` and `inlier_rmse`
             after each iteration; costs a device round trip.
         free: Free motions of "x", "y", "z", "roll", "pitch" and "yaw"; None: all. The others keep `init` exactly: ("x",
-            "y", "z", "yaw") keeps a leveled scan level (`levelled`), ("x",) is a rail. Rotations are Rz(yaw) Ry(pitch)
+            "y", "z", "yaw") keeps a leveled scan level (`leveled`), ("x",) is a rail. Rotations are Rz(yaw) Ry(pitch)
             Rx(roll) from `init`. Not for the symmetric and the Doppler estimator.
         frame: Axes of those motions as columns in target coordinates, 3x3; None: the target's axes.
         pivot: Center of rotation [3] in target coordinates, whose image moves along x, y and z; None: the center of the
@@ -304,7 +304,7 @@ def _make_problem(
     if max_normal_angle is not None:
         max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
         if method._target_voxel_size is not None:
-            raise ValueError("max_normal_angle: the voxels of a voxelised target have no normals; leave it out")
+            raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
     if degeneracy >= 1:
         raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
     check_held(method, constraint)

@@ -81,13 +81,13 @@ def normals_of(clouds: Sequence[PointCloud], names: Sequence[str], method: str) 
 
 def require_colors(cloud: PointCloud, name: str, method: str) -> wp.array:
     if not cloud.has_colors:
-        raise ValueError(f"{name}: {method} needs colours, and it has none; assign cloud.colors")
+        raise ValueError(f"{name}: {method} needs colors, and it has none; assign cloud.colors")
     return cloud._device_array("colors")
 
 
 def colored_source(cloud: PointCloud, name: str = "source") -> wp.array:
     """Intensities for colored ICP, float32 [n]: the mean of red, green and blue."""
-    return average_colors(require_colors(cloud, name, "coloured ICP"))
+    return average_colors(require_colors(cloud, name, "colored ICP"))
 
 
 def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, name: str = "target") -> ColoredSurface:
@@ -96,8 +96,8 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
     Gradients come from the 30 nearest neighbors within twice `max_correspondence_distance` [m], as in Open3D, but with
     the projection onto the tangent plane, which Open3D dropped in 2022.
     """
-    normals = require_normals(cloud, name, "coloured ICP")
-    colors = require_colors(cloud, name, "coloured ICP")
+    normals = require_normals(cloud, name, "colored ICP")
+    colors = require_colors(cloud, name, "colored ICP")
     radius = GRADIENT_RADIUS * max_correspondence_distance
     found = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
     return ColoredSurface(normals, *found)

@@ -197,7 +197,7 @@ class LidarOdometry:
         """
         check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
-        common_unit("scan, LidarOdometry, which counts in metres", (scan.unit, METRE))
+        common_unit("scan, LidarOdometry, which counts in meters", (scan.unit, METRE))
         motion = None if prior is None else check_rigid("prior", prior)
         self._settle()
         known = self._known
@@ -391,7 +391,7 @@ class Known:
 
 @dataclass(frozen=True, eq=False)
 class Next:
-    """A scan being added to the map: `known` is the state afterwards, `parts` are the points and poses to add."""
+    """A scan being added to the map: `known` is the state afterward, `parts` are the points and poses to add."""
 
     step: OdometryStep
     known: Known

@@ -139,7 +139,7 @@ def register_fragments(
         seed: As of `register_globally`.
         known: Pairs with known poses (odometry), refined but not globally registered. Their score is their confidence.
         pairs: Index pairs to try; None: by `neighbors`.
-        free: None, or ("x", "y", "z", "yaw") for level clouds (`levelled`) and level known pairs: no pose tilts.
+        free: None, or ("x", "y", "z", "yaw") for level clouds (`leveled`) and level known pairs: no pose tilts.
         progress: Called with ("pairs", pairs done, pairs in all).
 
     Returns:

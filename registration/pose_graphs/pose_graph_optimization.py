@@ -194,7 +194,7 @@ def global_optimization(
             raise TypeError(f"{name}: expected a {kind.__name__}, got {shown(value)}")
     motions = _check_motions(free, option)
     graph = check_pose_graph(pose_graph)
-    reference = _check_optimisable(graph, option)
+    reference = _check_optimizable(graph, option)
     if not len(graph.poses):
         return _with_report(PoseGraph(), graph, [], 0, np.empty(0, np.int64))
     given, centers = graph.poses, np.zeros((len(graph.poses), 3))
@@ -206,7 +206,7 @@ def global_optimization(
     for _ in range(2):
         part = graph.edges_at(kept)
         weight = _line_process_weight(part, option)
-        found = minimise(part, poses, reference, weight, criteria, damped=damped, motions=motions)
+        found = minimize(part, poses, reference, weight, criteria, damped=damped, motions=motions)
         believed = ~part.uncertain | (found.confidences > option.edge_prune_threshold)
         kept, confidences, poses = kept[believed], found.confidences[believed], found.poses
         passes.append(found)
@@ -242,7 +242,7 @@ def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bo
     return None if motions.all() else motions
 
 
-def _check_optimisable(graph: GraphArrays, option: GlobalOptimizationOption) -> int:
+def _check_optimizable(graph: GraphArrays, option: GlobalOptimizationOption) -> int:
     """Check that the graph determines all poses; the anchor node."""
     count = len(graph.poses)
     if option.reference_node >= count > 0:
@@ -260,7 +260,7 @@ def _check_optimisable(graph: GraphArrays, option: GlobalOptimizationOption) -> 
         unreached = np.flatnonzero(parts != parts[reference])
         if len(unreached):
             raise ValueError(
-                f"pose_graph: no path of edges joins node {reference} to {_listed(unreached)}. Optimise the "
+                f"pose_graph: no path of edges joins node {reference} to {_listed(unreached)}. Optimize the "
                 f"{parts.max() + 1} parts one by one, or add edges between them"
             )
     return reference
@@ -341,7 +341,7 @@ class Pass:
     reason: str
 
 
-def minimise(
+def minimize(
     graph: GraphArrays,
     poses: NodePoses,
     reference: int,
@@ -403,7 +403,7 @@ class _Descent:
     def _step(self) -> str:
         """Take one step, with more damping until the residual falls; returns the criterion that was met, or ""."""
         system, criteria = self.system, self.criteria
-        system.linearise(self.poses, self.misfit, self.confidences)
+        system.linearize(self.poses, self.misfit, self.confidences)
         if np.abs(system.right).max() < criteria.min_right_term:
             return "min_right_term"
         for _ in range(criteria.max_iteration_lm if self.damped else 1):
@@ -458,5 +458,5 @@ def _extent(poses: NodePoses) -> float:
     """Norm of all poses: rotation vectors [rad], and positions about their mean [m]."""
     quaternions = rotations_to_quaternions(poses.rotations)
     half_angles = elementwise(math.atan2, np.sqrt((quaternions[:, :3] ** 2).sum(axis=1)), quaternions[:, 3])
-    centred = poses.positions - poses.positions.mean(axis=0)
-    return float(np.sqrt((4 * half_angles * half_angles).sum() + (centred * centred).sum()))
+    centerd = poses.positions - poses.positions.mean(axis=0)
+    return float(np.sqrt((4 * half_angles * half_angles).sum() + (centerd * centerd).sum()))

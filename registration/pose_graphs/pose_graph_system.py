@@ -113,7 +113,7 @@ class NormalEquations:
         self.factor = SparseFactor(ones.indptr, ones.indices)
         self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
 
-    def linearise(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
+    def linearize(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
         """Linearize with edge weights; sets `right` (minus half the gradient) and `scale` (stiffness), [6 f]."""
         by_source, by_target = self.edges.jacobians(poses, misfit)
         information = weights[:, None, None] * self.edges.information

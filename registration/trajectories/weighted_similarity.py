@@ -110,9 +110,9 @@ def _system(
         block[:, 1:4] = -skew(up)
         blocks.append(block / rows.up_sigma)
         gaps.append((up - (0.0, 0.0, 1.0)) / rows.up_sigma)
-    for length, metres, sigma in rows.lengths.tolist():
+    for length, meters, sigma in rows.lengths.tolist():
         blocks.append(np.array([[scale * length / sigma, 0, 0, 0, 0, 0, 0]]))
-        gaps.append(np.array([(scale * length - metres) / sigma]))
+        gaps.append(np.array([(scale * length - meters) / sigma]))
     return np.concatenate(blocks), np.concatenate(gaps)
 
 

@@ -1,4 +1,4 @@
-"""`draw` in Chromium: each kind of geometry is there in its colour, where it lies."""
+"""`draw` in Chromium: each kind of geometry is there in its color, where it lies."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ KINDS: dict[str, tuple[Callable[[], Any], int]] = {
 }
 
 
-def test_each_kind_is_seen_in_its_colour(show):
+def test_each_kind_is_seen_in_its_color(show):
     viewer, page = show([])
     for kind, (make, least) in KINDS.items():
         viewer.clear()
@@ -54,7 +54,7 @@ def test_each_kind_is_seen_in_its_colour(show):
         assert count_pixels(image, WHITE, 5) > 0.2 * image[..., 0].size, kind
 
 
-def test_geometries_in_one_scene_keep_their_colours_and_places(show):
+def test_geometries_in_one_scene_keep_their_colors_and_places(show):
     scene = [
         {"geometry": grid_cloud().translate((-2.5, 0, 0)), "name": "cloud", "color": (1, 0, 0)},
         brick(sphere(), name="ball"),
@@ -72,7 +72,7 @@ def test_a_million_points_are_seen(show):
     see(page, lambda image: count_pixels(image, BLUE) > 40_000)
 
 
-def test_a_mesh_without_colours_is_lit_as_in_our_pictures_from_all_sides(show):
+def test_a_mesh_without_colors_is_lit_as_in_our_pictures_from_all_sides(show):
     ball = loom.TriangleMesh.create_sphere(1.0, 40).compute_vertex_normals()
     viewer, page = show(ball)
     for front in ((0, -1, 0.2), (1, 0.3, -0.5)):
@@ -106,7 +106,7 @@ def pixels_of(viewer: loom.Viewer, points: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("origin", [(0, 0, 0), (691_000.0, 5_336_000.0, 520.0)], ids=["near", "UTM"])
 def test_points_are_drawn_where_they_lie_and_do_not_jitter_as_the_camera_turns(origin, show):
-    """Four single points of their own colours, 1 m apart; float32 at 5,336 km would step by half a metre."""
+    """Four single points of their own colors, 1 m apart; float32 at 5,336 km would step by half a metre."""
     points = FOUR + origin
     cloud = loom.PointCloud(points, colors=np.array(FOUR_COLORS, np.uint8))
     viewer, page = show({"geometry": cloud, "point_size": 9})

@@ -238,10 +238,10 @@ def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
     np.testing.assert_array_equal(seen(engine), before)
 
 
-def test_uncoloured_surfaces_stand_out_and_a_page_follows_the_dark(engine):
+def test_uncolored_surfaces_stand_out_and_a_page_follows_the_dark(engine):
     add(engine, 1, "triangles", arrays=MESH)
     light = seen(engine)
-    assert (light[240, 320] < 230).all() and np.ptp(light[240, 320].astype(int)) > 8  # warm grey, not white on white
+    assert (light[240, 320] < 230).all() and np.ptp(light[240, 320].astype(int)) > 8  # warm gray, not white on white
     engine.emulate_media(color_scheme="dark")
     engine.evaluate("engine.setBackground([1, 1, 1], false)")
     dark = seen(engine)

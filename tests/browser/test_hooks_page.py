@@ -28,19 +28,19 @@ def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
         if len(pressed) == 2:
             raise ValueError("that was the last scan")
 
-    size = viewer.add_slider("neighbours", 1, 9, 5)
+    size = viewer.add_slider("neighbors", 1, 9, 5)
     viewer.add_button("Next scan", press, hotkey="G")
     viewer.on_pick(picks.append)
     page = open_page(viewer, width=1000, height=700)
     ready(page)
-    page.get_by_role("slider", name="neighbours").press("ArrowRight")
+    page.get_by_role("slider", name="neighbors").press("ArrowRight")
     page.get_by_role("button", name="Next scan (G)").click()
     wait_until(page, lambda: pressed == [6])
     page.locator("body").press("g")
     page.get_by_text("ValueError: that was the last scan").wait_for()
     size.value = 2
     ready(page)
-    assert page.get_by_role("slider", name="neighbours").input_value() == "1"  # steps
+    assert page.get_by_role("slider", name="neighbors").input_value() == "1"  # steps
     (number,) = viewer.sessions
     box = page.locator("#picture").bounding_box()
     x, y, _ = project(viewer.get_view(number), POINTS[3])

@@ -56,7 +56,7 @@ def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
     expect(grip).to_have_attribute("aria-expanded", "false")
 
 
-def test_the_panel_and_what_colours_mean_lie_beside_the_picture(program, visit):
+def test_the_panel_and_what_colors_mean_lie_beside_the_picture(program, visit):
     program.pages.gui.add_checkbox("check", False)
     bar = program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
     program.pages.gui.add_legend([("ground", (10, 20, 30), "12")])

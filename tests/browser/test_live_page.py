@@ -40,7 +40,7 @@ def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
     number = hear(gui.add_number("number", 2.5, step=0.5, min=0.0, max=9.0))
     text = hear(gui.add_text("text", "before"))
     choice = hear(gui.add_dropdown("choice", ("one", "two")))
-    color = hear(gui.add_rgb("colour", (1, 2, 3)))
+    color = hear(gui.add_rgb("color", (1, 2, 3)))
     hear(gui.add_range("span", 0.0, 10.0, 1.0, (2.0, 8.0)))
     button = hear(gui.add_button("press"))
     upload = hear(gui.add_upload_button("bring", accept=""))

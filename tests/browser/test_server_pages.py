@@ -40,7 +40,7 @@ def all_there(image: np.ndarray) -> bool:
     return all(count_pixels(image, color) > 700 for color in (RED, GREEN, BLUE))
 
 
-def test_what_is_drawn_is_seen_in_its_colour_and_nothing_is_asked_of_others(server, open_page):
+def test_what_is_drawn_is_seen_in_its_color_and_nothing_is_asked_of_others(server, open_page):
     page = open_page(server.url)
     image = see(page, all_there)
     red, green, blue = (count_pixels(image, color) for color in (RED, GREEN, BLUE))

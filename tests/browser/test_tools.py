@@ -88,7 +88,7 @@ def test_a_click_on_a_point_tells_its_index_coordinates_and_attributes(viewer, o
         names, texts = (table.locator(kind).all_inner_texts() for kind in ("th", "td"))
         values = dict(zip(names, texts, strict=True))
         assert [float(values[axis]) for axis in "xyz"] == pytest.approx(points[index], abs=2e-5)
-        assert values["colour"] == "0 0 255" and values[EVIL] == f"{2 * index}"  # as text, to the letter
+        assert values["color"] == "0 0 255" and values[EVIL] == f"{2 * index}"  # as text, to the letter
     visitor.click(640, 20)
     visitor.until(lambda: "Nothing there" in visitor.box.stage.status.value)
     assert visitor.page.title() == title and visitor.page.locator("img[src=x]").count() == 0

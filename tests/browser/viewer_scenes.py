@@ -8,7 +8,7 @@ from playwright.sync_api import Page
 import pointloom as loom
 
 RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
-# Surfaces are not given a primary colour: the page's tone mapping reaches none there, so that no mistake would show.
+# Surfaces are not given a primary color: the page's tone mapping reaches none there, so that no mistake would show.
 WHITE, BRICK = (255, 255, 255), (204, 64, 51)
 WIDTH, HEIGHT = 720, 480  # of the window [px]; the panel stands in its right half
 
@@ -28,7 +28,7 @@ def at(x: float) -> np.ndarray:
 
 
 def brick(geometry: object, **style: object) -> dict[str, object]:
-    """A surface in its own colour, without light."""
+    """A surface in its own color, without light."""
     return {"geometry": geometry, "color": np.array(BRICK) / 255, "shaded": False, **style}
 
 

@@ -184,7 +184,7 @@ def open3d_halves(o3d, pictures):
     return [pixels_of(tensor_image(o3d, picture).pyrdown()) for picture in pictures]
 
 
-def test_halved_colours_are_open3ds(device, rng, oracle):
+def test_halved_colors_are_open3ds(device, rng, oracle):
     color, depth = rng.integers(0, 256, (36, 40, 3)).astype(np.uint8), relief(rng)
     image = loom.RGBDImage.create_from_color_and_depth(color[:24], depth, device=device)
     pictures = [color, color[:, :, 1], np.array(image.color)]

@@ -1,4 +1,4 @@
-"""Points from depth and RGB-D images: Open3D's, pixel by pixel, and organised clouds."""
+"""Points from depth and RGB-D images: Open3D's, pixel by pixel, and organized clouds."""
 
 from types import SimpleNamespace
 
@@ -27,7 +27,7 @@ def frame(shipped_file):
 
 
 def open3d_points(o3d, depth, color, stride):
-    """Of a cut of the frame: points of the depth with options and without, an organised cloud, an RGB-D image's."""
+    """Of a cut of the frame: points of the depth with options and without, an organized cloud, an RGB-D image's."""
     height, width = depth.shape
     camera = o3d.camera.PinholeCameraIntrinsic(width, height, 525.0, 525.0, width / 2, height / 2)
     image, shade = (o3d.geometry.Image(np.array(pixels, order="C")) for pixels in (depth, color))
@@ -50,7 +50,7 @@ def assert_points(found, expected, tolerances):
 @pytest.mark.parametrize("stride", [1, 3])
 def test_points_of_depth_and_rgbd_images_are_open3ds(device, stride, frame, oracle, tolerances):
     depth, color = frame.depth[::20, ::20], frame.color[::20, ::20]
-    expected, colors, metres = oracle(f"cameras/points-{stride}", open3d_points, depth, color, stride)
+    expected, colors, meters = oracle(f"cameras/points-{stride}", open3d_points, depth, color, stride)
     camera, far = loom.PinholeCameraIntrinsic(32, 24, 525.0, 525.0, 16.0, 12.0), {"depth_trunc": 2.7431}
     image = loom.RGBDImage(color, depth, device=device, **far)
     make, options = loom.PointCloud.create_from_depth_image, {"device": device}
@@ -65,10 +65,10 @@ def test_points_of_depth_and_rgbd_images_are_open3ds(device, stride, frame, orac
     assert 0 < len(clouds[0]) < len(clouds[2]) == 768 and clouds[2].grid == (24, 32)
     np.testing.assert_allclose(clouds[3].colors, colors, rtol=tolerances.float32_relative)
     np.testing.assert_array_equal(image.color, color)
-    np.testing.assert_allclose(image.depth, metres, rtol=tolerances.float32_relative)
+    np.testing.assert_allclose(image.depth, meters, rtol=tolerances.float32_relative)
 
 
-def test_an_organised_cloud_keeps_the_grid(device, frame):
+def test_an_organized_cloud_keeps_the_grid(device, frame):
     options = {"project_valid_depth_only": False, "device": device}
     cloud = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, EXTRINSIC, **options)
     assert cloud.grid == (480, 640) and len(cloud) == 480 * 640
@@ -82,13 +82,13 @@ def test_an_organised_cloud_keeps_the_grid(device, frame):
     assert strided.grid == (69, 92)
     np.testing.assert_array_equal(strided.points, cloud.points.reshape(480, 640, 3)[::7, ::7].reshape(-1, 3))
     image = loom.RGBDImage(frame.color, frame.depth, device=device)
-    organised = loom.PointCloud.create_from_rgbd_image(image, INTRINSIC, project_valid_depth_only=False, stride=2)
-    assert organised.grid == (240, 320)
+    organized = loom.PointCloud.create_from_rgbd_image(image, INTRINSIC, project_valid_depth_only=False, stride=2)
+    assert organized.grid == (240, 320)
     shades = frame.color[::2, ::2].astype(np.float32) / np.float32(255)
-    np.testing.assert_array_equal(organised.colors.reshape(240, 320, 3), shades)
+    np.testing.assert_array_equal(organized.colors.reshape(240, 320, 3), shades)
 
 
-def test_an_organised_cloud_keeps_its_grid_where_its_points_stay(device, frame):
+def test_an_organized_cloud_keeps_its_grid_where_its_points_stay(device, frame):
     cloud = loom.PointCloud.create_from_depth_image(
         frame.depth, INTRINSIC, stride=8, project_valid_depth_only=False, device=device
     )
@@ -102,8 +102,8 @@ def test_an_organised_cloud_keeps_its_grid_where_its_points_stay(device, frame):
 
 def test_depth_in_metres_gives_the_same_points_and_is_cut_too(device, frame, tolerances):
     """Open3D ignores depth_trunc where depth is float."""
-    metres = (frame.depth / 1000).astype(np.float32)
-    from_floats = loom.PointCloud.create_from_depth_image(metres, INTRINSIC, depth_trunc=2.7431, device=device)
+    meters = (frame.depth / 1000).astype(np.float32)
+    from_floats = loom.PointCloud.create_from_depth_image(meters, INTRINSIC, depth_trunc=2.7431, device=device)
     from_integers = loom.PointCloud.create_from_depth_image(frame.depth, INTRINSIC, depth_trunc=2.7431, device=device)
     assert_points(from_floats.points, from_integers.points, tolerances)
 
@@ -138,7 +138,7 @@ def test_depth_of_any_type_is_taken(device, dtype):
         np.testing.assert_array_equal(cloud.points[:, 2], expected)
 
 
-def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances):
+def test_a_camera_at_utm_coordinates_keeps_millimeters(device, frame, tolerances):
     extrinsic = EXTRINSIC.copy()
     utm = np.array([5e5, 5.4e6, 100.25])
     extrinsic[:3, 3] -= extrinsic[:3, :3] @ utm
@@ -148,12 +148,12 @@ def test_a_camera_at_utm_coordinates_keeps_millimetres(device, frame, tolerances
     np.testing.assert_allclose(far.points - utm, near.points, rtol=0, atol=tolerances.position / 100)
 
 
-def test_grey_is_repeated_to_colours(device):
-    grey = np.array([[0, 51, 255], [102, 1, 2]], np.uint8)
-    image = loom.RGBDImage(grey, np.full((2, 3), 1000, np.uint16), device=device)
+def test_gray_is_repeated_to_colors(device):
+    gray = np.array([[0, 51, 255], [102, 1, 2]], np.uint8)
+    image = loom.RGBDImage(gray, np.full((2, 3), 1000, np.uint16), device=device)
     cloud = loom.PointCloud.create_from_rgbd_image(image, small()["intrinsic"])
     np.testing.assert_array_equal(
-        cloud.colors, np.repeat(grey.reshape(-1, 1).astype(np.float32) / np.float32(255), 3, axis=1)
+        cloud.colors, np.repeat(gray.reshape(-1, 1).astype(np.float32) / np.float32(255), 3, axis=1)
     )
 
 

@@ -11,7 +11,7 @@ WIDTH, HEIGHT = 256, 128
 
 
 def colors(rays: np.ndarray) -> np.ndarray:
-    """A smooth colour of each direction, [..., 3]."""
+    """A smooth color of each direction, [..., 3]."""
     unit = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
     return 127.5 + 90 * np.sin(3 * unit + [0.3, 1.1, 2.0])
 
@@ -42,5 +42,5 @@ def test_faces_are_named_by_where_they_look():
     forward = dict(zip(panorama.names, panorama.turns[:, :, 2].tolist(), strict=True))
     assert forward["right"] == [1, 0, 0] and forward["up"] == [0, -1, 0] and forward["back"] == [0, 0, -1]
     assert np.allclose(np.linalg.det(panorama.turns), 1)
-    grey = panorama.apply(sphere()[..., 0])
-    assert np.array_equal(grey, panorama.apply(sphere())[..., 0])
+    gray = panorama.apply(sphere()[..., 0])
+    assert np.array_equal(gray, panorama.apply(sphere())[..., 0])

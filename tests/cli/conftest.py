@@ -27,7 +27,7 @@ def no_lines_of_progress(monkeypatch):
 
 @pytest.fixture
 def cloud(tmp_path, rng) -> Path:
-    """A file of 500 points in a unit cube, with colours and an intensity."""
+    """A file of 500 points in a unit cube, with colors and an intensity."""
     path = tmp_path / "cloud.ply"
     points, colors = rng.random((500, 3)), rng.integers(0, 256, (500, 3)).astype(np.uint8)
     loom.write_point_cloud(path, loom.PointCloud(points, colors=colors, intensity=np.arange(500, dtype=np.float32)))
@@ -36,7 +36,7 @@ def cloud(tmp_path, rng) -> Path:
 
 @pytest.fixture
 def mesh(tmp_path) -> Path:
-    """A file of two triangles with colours."""
+    """A file of two triangles with colors."""
     path = tmp_path / "mesh.ply"
     square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     loom.write_triangle_mesh(path, loom.TriangleMesh(square, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.ones((4, 3))))
@@ -87,7 +87,7 @@ def points(rng):
 
 @pytest.fixture
 def scene(tmp_path, points) -> Path:
-    """`points` in float64, with their rows, a time in float64, normals and colours."""
+    """`points` in float64, with their rows, a time in float64, normals and colors."""
     path, rows = tmp_path / "scene.npz", np.arange(len(points), dtype=np.int32)
     normals, colors = np.tile(np.float32([0, 0, 1]), (len(rows), 1)), np.full((len(rows), 3), 0.25, np.float32)
     np.savez(path, points=points, row=rows, time=rows / 3, normals=normals, colors=colors)

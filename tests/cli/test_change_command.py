@@ -69,8 +69,8 @@ def test_lengths_that_are_not_given_follow_from_the_points(files):
     painted = loom.read_point_cloud(files / "p.ply")
     assert len(painted) == told["cores"] and 400 <= len(painted) < 500
     colors = painted.colors.astype(float)
-    grey = np.ptp(colors, axis=1) < 0.05
-    assert 0.7 < grey.mean() < 0.95 and (colors[~grey, 2] > colors[~grey, 0]).mean() > 0.8  # blue: below
+    gray = np.ptp(colors, axis=1) < 0.05
+    assert 0.7 < gray.mean() < 0.95 and (colors[~gray, 2] > colors[~gray, 0]).mean() > 0.8  # blue: below
     assert loom.read_color(files / "c.png").shape == (960, 1280, 3)
 
 

@@ -224,7 +224,7 @@ def test_a_cloud_without_finite_points_is_unreliable(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("options", "side"), [(["--direction", "0", "0", "-1"], -1), (["--towards", "0.5", "0.5", "9"], 1)]
+    ("options", "side"), [(["--direction", "0", "0", "-1"], -1), (["--toward", "0.5", "0.5", "9"], 1)]
 )
 def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side):
     flat = np.column_stack([rng.random((200, 2)), np.zeros(200)])
@@ -236,7 +236,7 @@ def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side
 
 
 @pytest.mark.filterwarnings("default::UserWarning")
-def test_a_radius_without_neighbours_is_unreliable(cloud, tmp_path):
+def test_a_radius_without_neighbors_is_unreliable(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
     assert "take a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
@@ -250,7 +250,7 @@ def test_normals_are_unreliable_where_more_than_half_of_the_points_are_alone(tmp
     loom.write_point_cloud(tmp_path / "in.ply", loom.PointCloud(np.concatenate([together, alone])))
     result = run("normals", tmp_path / "in.ply", tmp_path / "out.ply", "--radius", 1)
     assert result.exit_code == exit_code, result.stderr
-    assert ("60.0% of the points have fewer than 3 neighbours within 1 m" in result.stderr) == (exit_code == 3)
+    assert ("60.0% of the points have fewer than 3 neighbors within 1 m" in result.stderr) == (exit_code == 3)
 
 
 MODEL = ring_model()

@@ -46,7 +46,7 @@ def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):
     json.dumps(report, allow_nan=False)
 
 
-def test_stl_comes_without_the_colours_that_it_cannot_hold(folder, tmp_path):
+def test_stl_comes_without_the_colors_that_it_cannot_hold(folder, tmp_path):
     report = fuse_folder(folder, ModelOutputs(tmp_path / "mesh.stl"), voxel_size=0.1).to_dict()
     assert (tmp_path / "mesh.stl").stat().st_size == 84 + 50 * report["triangles"]
 

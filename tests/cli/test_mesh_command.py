@@ -19,7 +19,7 @@ from .commands import answer, names_in, refusal, run, unreliable
 
 @pytest.fixture
 def ball(tmp_path):
-    """A file of 3,000 points of a ball without normals, with colours and intensities, one of them not finite."""
+    """A file of 3,000 points of a ball without normals, with colors and intensities, one of them not finite."""
     points = np.random.default_rng(0).normal(size=(3001, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     colors, intensity = np.abs(points), np.arange(3001, dtype=np.float32)
@@ -108,7 +108,7 @@ def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tm
     assert report["normals"] == "made of the 30 nearest points of each and oriented" and report["disagreement"] == 0
 
 
-def test_stl_leaves_normals_and_colours_out_and_says_so(ball, tmp_path):
+def test_stl_leaves_normals_and_colors_out_and_says_so(ball, tmp_path):
     shown = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
     assert shown.exit_code == 0, shown.stderr
     for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 not finite left out", "normals, colors (the"):

@@ -166,7 +166,7 @@ def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, t
     picture = read_color(tmp_path / "map.png").astype(int)
     assert picture.shape == (900, 1600, 3)
     mesh, bars = picture[:, :860], picture[:, 1000:]
-    assert (np.ptp(mesh, axis=2) > 40).mean() > 0.3  # the ball in colours, on a grey ground
+    assert (np.ptp(mesh, axis=2) > 40).mean() > 0.3  # the ball in colors, on a gray ground
     assert (np.ptp(bars, axis=2) > 40).sum() > 1000 and (bars[:, -3:] == 255).all()
 
 

@@ -80,7 +80,7 @@ def made_up(monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("colored", [True, False], ids=["with colour", "without"])
+@pytest.mark.parametrize("colored", [True, False], ids=["with color", "without"])
 def test_loops_move_all_frames_between(walked, tmp_path, made_up, colored):
     for path in [] if colored else walked.glob("*.color.png"):
         path.unlink()

@@ -32,7 +32,7 @@ def pair(tmp_path, rng) -> tuple[Path, Path]:
 
 @pytest.fixture
 def near(tmp_path, rng) -> tuple[Path, Path]:
-    """A surface sampled twice, the second 2 degrees and 4 cm off, with colours."""
+    """A surface sampled twice, the second 2 degrees and 4 cm off, with colors."""
     paths = tmp_path / "a.ply", tmp_path / "b.ply"
     for path, points, T in zip(paths, (bumpy(rng), bumpy(rng)), (np.linalg.inv(NEAR), np.eye(4)), strict=True):
         loom.write_point_cloud(path, loom.PointCloud(moved(points, T), colors=colors_at(points)))
@@ -238,7 +238,7 @@ def test_clouds_that_cannot_be_registered_are_named(near, tmp_path):
         assert why in refusal("register", bad, near[0], *VOXEL)
     assert "has points in 1 voxel of 1 m" in refusal("register", bad, bad)
     write(bad, loom.PointCloud(loom.read_point_cloud(near[0]).points), overwrite=True)
-    assert "bad.ply: has no colours, which --method colored needs" in refusal(
+    assert "bad.ply: has no colors, which --method colored needs" in refusal(
         "register", near[0], bad, "--method", "colored"
     )
     bad.write_bytes(near[0].read_bytes()[:-1])

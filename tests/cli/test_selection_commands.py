@@ -127,7 +127,7 @@ def test_cluster_paints_labels_and_noise(scene, tmp_path):
 
 
 def test_cluster_wants_a_format_that_holds_what_it_finds(scene, tmp_path):
-    for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colours")):
+    for suffix, options, reason in ((".xyzrgb", [], "labels are not"), (".xyz", ["--paint"], "labels or colors")):
         assert reason in refusal("cluster", scene, tmp_path / f"out{suffix}", "--radius", "0.2", *options)
 
 

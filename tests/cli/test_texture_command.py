@@ -16,7 +16,7 @@ from .commands import answer, names_in, refusal, run, unreliable
 
 @pytest.fixture(scope="module")
 def scan(tmp_path_factory):
-    """Frames of the room, and a mesh of them without colours."""
+    """Frames of the room, and a mesh of them without colors."""
     folder = tmp_path_factory.mktemp("texture")
     write_room_sequence(folder / "room", frame_count=12, width=160, height=120)
     fused = loom.fuse(open_dataset(folder / "room"), voxel_size=0.06).mesh
@@ -106,10 +106,10 @@ def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
 
 
 def test_frames_without_color_are_refused(scan, tmp_path):
-    write_room_sequence(tmp_path / "grey", frame_count=2, width=64, height=48)
-    for path in (tmp_path / "grey").glob("*.color.png"):
+    write_room_sequence(tmp_path / "gray", frame_count=2, width=64, height=48)
+    for path in (tmp_path / "gray").glob("*.color.png"):
         path.unlink()
-    assert "no colour" in refusal("texture", scan / "bare.ply", tmp_path / "grey", "-o", tmp_path / "out.ply")
+    assert "no color" in refusal("texture", scan / "bare.ply", tmp_path / "gray", "-o", tmp_path / "out.ply")
 
 
 def test_pictures_of_a_model_give_a_texture(tmp_path):

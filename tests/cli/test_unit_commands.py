@@ -1,4 +1,4 @@
-"""What commands say of lengths in a file whose unit is another one than metres."""
+"""What commands say of lengths in a file whose unit is another one than meters."""
 
 import re
 
@@ -58,7 +58,7 @@ def test_a_file_in_metres_or_of_unknown_unit_is_spoken_of_as_ever(tmp_path):
 
 @pytest.mark.filterwarnings("always::pointloom.UnitWarning")
 def test_two_files_in_two_units_are_a_warning(feet, tmp_path):
-    other = tmp_path / "metres.ply"
+    other = tmp_path / "meters.ply"
     cloud = loom.read_point_cloud(feet)
     loom.write_point_cloud(other, cloud.to_unit("metre"))
     result = run("register", feet, other, "--init", "identity", "--voxel", 1, "--device", "cpu")
@@ -73,7 +73,7 @@ def test_a_file_that_cannot_tell_the_unit_is_said_to(feet, tmp_path):
     result = run("convert", feet, tmp_path / "a.xyz")
     assert result.exit_code == 0 and "does not tell that coordinates are in foot" in result.stderr
     result = run("convert", feet, tmp_path / "a.e57")
-    assert result.exit_code == 0 and "metres by its standard" in result.stderr
+    assert result.exit_code == 0 and "meters by its standard" in result.stderr
     assert loom.read_point_cloud(tmp_path / "a.e57").points.max() < 3.05
 
 

@@ -217,7 +217,7 @@ def test_a_pickled_result_needs_no_device(clouds):
     )
 
 
-def test_depth_and_colour_pictures_are_taken_where_they_are(library, device, rng):
+def test_depth_and_color_pictures_are_taken_where_they_are(library, device, rng):
     camera = loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5)
     color = rng.integers(0, 256, (12, 16, 3)).astype(np.uint8)
     for depth in (

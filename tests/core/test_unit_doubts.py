@@ -31,7 +31,7 @@ def test_a_radius_that_finds_nobody_is_told(ball):
     ("depth", "options", "told"),
     [
         (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
-        (np.full((48, 64), 1500.0, np.float32), {}, "taken for metres, lie beyond 3 m"),
+        (np.full((48, 64), 1500.0, np.float32), {}, "taken for meters, lie beyond 3 m"),
         (np.full((48, 64), 1.5, np.float32), {"depth_scale": 1000.0}, "within 0.05 m: .* 1.5..1.5, divided by 1000"),
         (
             np.full((48, 64), 1500, np.uint16),

@@ -38,7 +38,7 @@ def test_units_go_by_the_names_that_are_in_use(name, unit):
 
 
 @pytest.mark.parametrize(
-    ("name", "metres", "unit"),
+    ("name", "meters", "unit"),
     [
         ("metre", 1.0, METRE),
         ("foot", 0.3048, FOOT),
@@ -52,20 +52,20 @@ def test_units_go_by_the_names_that_are_in_use(name, unit):
         ("metre", 0.0, None),
     ],
 )
-def test_a_unit_is_its_length_unless_its_name_says_otherwise(name, metres, unit):
-    assert unit_by_length(name, metres) is unit
+def test_a_unit_is_its_length_unless_its_name_says_otherwise(name, meters, unit):
+    assert unit_by_length(name, meters) is unit
 
 
 def test_an_unknown_name_with_a_length_is_a_unit_of_its_own():
     found = unit_by_length("Clarke's link", 0.201166195164)
-    assert (found.name, found.symbol, found.metres) == ("Clarke's link", "Clarke's link", 0.201166195164)
+    assert (found.name, found.symbol, found.meters) == ("Clarke's link", "Clarke's link", 0.201166195164)
     assert unit_by_length("pied\u00e9", 0.3249).name == "unit of 0.3249 m"  # which no header in ASCII could hold
 
 
 @pytest.mark.parametrize("unit", [*KNOWN, LINK], ids=str)
 def test_a_unit_survives_text_pickles_and_copies(unit):
     for back in (unit_of_text(text_of(unit)), pickle.loads(pickle.dumps(unit)), copy.deepcopy(unit)):
-        assert back == unit and hash(back) == hash(unit) and back.metres == unit.metres
+        assert back == unit and hash(back) == hash(unit) and back.meters == unit.meters
     assert unit == unit.name and unit != "ell" and unit != 3
 
 

@@ -170,10 +170,10 @@ def test_an_unknown_set_is_told_with_the_nearest():
         loom.datasets.fetch("buny")
 
 
-def test_every_set_has_a_checksum_an_address_and_a_licence():
+def test_every_set_has_a_checksum_an_address_and_a_license():
     lengths = {"md5": 32, "sha256": 64}
     for one in public_sets():
-        assert one.licence and one.citation and one.files
+        assert one.license and one.citation and one.files
         for file in one.files:
             kind, _, digest = file.checksum.partition(":")
             assert file.url.startswith("https://") and len(digest) == lengths[kind] and int(digest, 16)

@@ -15,7 +15,7 @@ def local_contrast(picture):
     return (blocks.std(axis=1) > 0.03 * 255).mean()
 
 
-def test_texture_changes_colours_and_no_depth(device):
+def test_texture_changes_colors_and_no_depth(device):
     plain, textured = (room_sequence(40, **SMALL, noise=False, texture=t, device=device).read(0) for t in (False, True))
     assert np.array_equal(plain.depth, textured.depth)
     assert (plain.color != textured.color).mean() > 0.9
@@ -53,7 +53,7 @@ def test_frames_of_one_camera_differ_by_noise_of_the_deviation_asked_for(device)
     assert abs((noisy - other)[inside].std() - 4 * 2**0.5) < 0.15
 
 
-def test_noise_of_colours_is_two_with_texture_and_none_without():
+def test_noise_of_colors_is_two_with_texture_and_none_without():
     textured, clean = (room_sequence(40, **SMALL, texture=True, color_noise=n).read(3).color for n in (None, 0))
     assert 1.5 < (textured.astype(float) - clean).std() < 2.1
     plain, clean = (room_sequence(40, **SMALL, color_noise=n).read(3).color for n in (None, 0))

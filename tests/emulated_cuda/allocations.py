@@ -112,7 +112,7 @@ class Allocations:
             real = self.memory.real(source, n, "copy from")
             if unwritten := self.memory.unwritten(source, n):
                 text = f"{unwritten} of {n} bytes, {where}; {self.memory.describe(source)}"
-                self.findings.note("copies", "uninitialised bytes copied to the host", text)
+                self.findings.note("copies", "uninitialized bytes copied to the host", text)
             ctypes.memmove(to, real, n)
 
         self.findings.counts["copies to host"] += 1

@@ -98,6 +98,6 @@ class Arrays:
                     self.findings.note("radix sort", UNWRITTEN, "keys or values")
             sort(areas[0][0], areas[1][0], count, begin, end, value_size)
             for real, size in areas:
-                ctypes.memset(real + size, FRESH, size)  # scratch: undefined afterwards
+                ctypes.memset(real + size, FRESH, size)  # scratch: undefined afterward
 
         self._queue(run)

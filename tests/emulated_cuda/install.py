@@ -36,7 +36,7 @@ class Device:
     def __init__(self, real: ctypes.CDLL):
         self.real = real
         self.findings = Findings()
-        self.memory = Memory(settings.memory, uninitialised=settings.uninitialised, races=settings.races)
+        self.memory = Memory(settings.memory, uninitialized=settings.uninitialized, races=settings.races)
         self.streams = Streams(self.findings)
         self.graphs = Graphs(self.streams, self.memory, self.findings)
         self.allocations = Allocations(self.streams, self.memory, self.findings, self.graphs)

@@ -39,12 +39,12 @@ class Memory:
     it last.
     """
 
-    def __init__(self, room: int, *, uninitialised: bool, races: bool) -> None:
+    def __init__(self, room: int, *, uninitialized: bool, races: bool) -> None:
         self.room = room
         self.base = _map(SPAN, _PROT_NONE)
         self.bytes = _map(SPAN, _PROT_READ_WRITE)
         self.valid = _map(SPAN // 8, _PROT_READ_WRITE)
-        self.written = _map(SPAN, _PROT_READ_WRITE) if uninitialised else 0
+        self.written = _map(SPAN, _PROT_READ_WRITE) if uninitialized else 0
         self.tracks = _map(SPAN // 4 * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
         self.byte_tracks = _map(SPAN * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
         self.next_small, self.next_large = ALIGNMENT, SMALL_SPAN
@@ -94,7 +94,7 @@ class Memory:
         self.reserved = max(self.used, min(self.reserved, kept))
 
     def release(self, address: int) -> None:
-        """Give an array back; whoever touches it afterwards is at fault."""
+        """Give an array back; whoever touches it afterward is at fault."""
         if address not in self.live:
             raise CudaFault(f"invalid argument: {address:#x} is released, and is no live allocation")
         self.released[address] = self.live.pop(address)

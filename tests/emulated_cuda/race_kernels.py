@@ -92,7 +92,7 @@ def tiles_kernel(a: wp.array(dtype=int), out: wp.array(dtype=int)):
 
 
 # Each thread writes its word and reads that of another.
-NEIGHBOUR = """
+NEIGHBOR = """
 .visible .entry NAME(.param .u64 a)
 {
     .reg .b32 %r<5>; .reg .b64 %rd<5>;
@@ -112,7 +112,7 @@ NEIGHBOUR = """
 """
 
 
-NEIGHBOURS = (
+NEIGHBORS = (
     ("with_barrier", "1", "bar.sync 0;"),
     ("without_barrier", "1", ""),
     ("with_warp_barrier", "1", "bar.warp.sync 0xffffffff;"),
@@ -134,8 +134,8 @@ def main() -> None:
     assert device is not None
     with tempfile.TemporaryDirectory() as folder:
         programs = Programs(device, Path(folder))
-        for name, other, barrier in NEIGHBOURS:
-            text = NEIGHBOUR.replace("NAME", name).replace("BARRIER", barrier).replace("OTHER", other)
+        for name, other, barrier in NEIGHBORS:
+            text = NEIGHBOR.replace("NAME", name).replace("BARRIER", barrier).replace("OTHER", other)
             a = wp.zeros(64, dtype=int, device=DEVICE)
             programs.launch(text, [a], threads=64, block=64, name=name)
     wp.synchronize()

@@ -26,7 +26,7 @@ class Settings:
     seed: int = 1  # of orders 2 and 3
     lazy: bool = True  # a launch runs when something waits for it; False: at once
     races: bool = False  # note accesses of two threads to the same bytes
-    uninitialised: bool = True  # note reads of bytes that nobody wrote
+    uninitialized: bool = True  # note reads of bytes that nobody wrote
     memory: int = 8 << 30  # bytes of the device
     devices: int = 1  # how many; they share the memory, and none reaches another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault

@@ -108,7 +108,7 @@ def test_answers_of_a_scene_come_in_one_copy(emulated):
 
 
 def test_samples_are_spread_with_four_waits(emulated):
-    """Whether all corners are finite, the area, the box of the samples, and how many neighbours they have."""
+    """Whether all corners are finite, the area, the box of the samples, and how many neighbors they have."""
     mesh = loom.TriangleMesh.create_sphere().to("cuda:0")
     asked = emulated.asked(lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
     assert asked["copies to host"] == 4

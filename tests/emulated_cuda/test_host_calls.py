@@ -45,7 +45,7 @@ MORE = {
     "covariances of pairs come of float64 rows of thinned matches, on the host": ("register_stations",),
     "what pages are sent": ("detail tree",),
     "blocks on their way to a disk and back": ("tsdf, paged",),
-    "up to 20,000 colours, of which a legend shows the mean": ("render, values",),
+    "up to 20,000 colors, of which a legend shows the mean": ("render, values",),
     "which part of a mesh lies in which is asked of NumPy": ("mesh, repair", "mesh, sheets"),
     "vertices are projected on the host, in float64": ("orthophoto",),
     "numbers of each patch": ("detect_planar_patches",),
@@ -62,7 +62,7 @@ def scenes():
 
 
 def as_listed(name: str, scenes: DeviceScenes, settings) -> None:
-    settings(order=Order.FORWARD, uninitialised=False)
+    settings(order=Order.FORWARD, uninitialized=False)
     found, listed = measured(operations(scenes)[name]), ROWS[name]
     more = {column: (listed[column], count) for column, count in found.items() if count > listed[column]}
     assert not more, f"more than host_calls.json says: {more}"
@@ -99,7 +99,7 @@ def test_no_reason_is_out_of_date():
 
 @pytest.mark.parametrize("name", [name for name in ROWS if name in ON_CLOUDS])
 def test_what_goes_to_the_host_beside_the_result_does_not_grow_with_the_cloud(scenes, settings, name):
-    settings(order=Order.FORWARD, uninitialised=False)
+    settings(order=Order.FORWARD, uninitialized=False)
     few, many = (measured(lambda: ON_CLOUDS[name](scenes.surfaces(n)))["beyond"] for n in SIZES)  # noqa: B023  at once
     reason = name.startswith(
         (

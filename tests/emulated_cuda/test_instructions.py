@@ -181,17 +181,17 @@ def test_arithmetic_is_numpys(programs, rng, instruction):
     np.testing.assert_array_equal(found, np.array(RANDOM[instruction](a, b), np.uint64))
 
 
-@pytest.mark.parametrize("towards", ["rm", "rp", "rz"])
-def test_directed_sums_lie_on_their_side_of_the_exact_result(programs, rng, towards):
+@pytest.mark.parametrize("toward", ["rm", "rp", "rz"])
+def test_directed_sums_lie_on_their_side_of_the_exact_result(programs, rng, toward):
     from fractions import Fraction
 
     instructions = [f"fma.{mode}.f32 %f0, %f1, %f2, %f3;" for mode in ("rm", "rp", "rz")]
     given = np.ldexp(rng.random((3, 256)) - 0.5, rng.integers(-30, 30, (3, 256))).astype(np.float32)
     bits = given.view(np.uint32).astype(np.uint64)
-    found = programs.rows(instructions, f"fma.{towards}.f32 %f0, %f1, %f2, %f3;", *bits)
+    found = programs.rows(instructions, f"fma.{toward}.f32 %f0, %f1, %f2, %f3;", *bits)
     for a, b, c, x in zip(*given, found.astype(np.uint32).view(np.float32), strict=True):
         exact = Fraction(float(a)) * Fraction(float(b)) + Fraction(float(c))
-        up = towards == "rp" or (towards == "rz" and exact < 0)
+        up = toward == "rp" or (toward == "rz" and exact < 0)
         beside = np.nextafter(x, np.float32(-np.inf if up else np.inf))
         near, far = Fraction(float(x)), Fraction(float(beside))
         assert (far < exact <= near) if up else (near <= exact < far)

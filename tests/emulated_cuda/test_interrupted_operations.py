@@ -15,14 +15,14 @@ from pointloom.kernels.language import device_lock
 from ..small_scenes import ON_CLOUDS, ONCE, digest
 
 CAMERA = loom.PinholeCameraIntrinsic(24, 18, 20.0, 20.0, 12.0, 9.0)
-RECORDED = ("icp, point to plane", "icp, generalised", "registration_icp_batch, three poses")
+RECORDED = ("icp, point to plane", "icp, generalized", "registration_icp_batch, three poses")
 RECORDED_ONCE = (
     "iterate_odometry",
     "mesh, deform_as_rigid_as_possible",
     "multi_scale_icp",
     "ransac, features",
     "rgbd odometry",
-    "icp, coloured",
+    "icp, colored",
 )
 
 

@@ -133,7 +133,7 @@ def test_a_copy_outside_its_array_is_refused(refused):
 
 def test_fresh_memory_is_no_zeros(emulated):
     assert (wp.empty(4, dtype=wp.uint8, device=DEVICE).numpy() == 0xCB).all()
-    assert ("copies", "uninitialised bytes copied to the host") in emulated.findings.notes
+    assert ("copies", "uninitialized bytes copied to the host") in emulated.findings.notes
 
 
 def test_a_read_of_what_nobody_wrote_is_noted_with_its_argument(emulated, settings):

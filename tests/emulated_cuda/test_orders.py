@@ -15,7 +15,7 @@ ON_SCENES = (
     *("create_from_depth_image, normals", "create_from_rgbd_image", "filter_depth", "erode_depth", "create_normal_map"),
     *("tsdf, integrate", "tsdf, extract", "tsdf, ray_cast", "marching_cubes", "iterate_odometry"),
     *("ransac, pairs", "ransac, features", "fast global", "robust registration", "register_globally"),
-    *("icp, coloured", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),
+    *("icp, colored", "icp, overlap", "icp, degeneracy", "registration_icp_batch", "multi_scale_icp"),
     *("mesh, ", "rays, ", "scene, ", "color_map", "render, "),
     *("mvs, ", "rgbd odometry", "deskew_point_cloud", "undistort_picture", "tsdf, fuse_volumes"),
 )

@@ -1,4 +1,4 @@
-"""Memory that runs out in any operation is a MemoryError by the device's name, and the operation goes on afterwards.
+"""Memory that runs out in any operation is a MemoryError by the device's name, and the operation goes on afterward.
 
 At a few allocations of each, spread over its course; test_scarce_memory.py tries every one of some of them.
 """

@@ -28,8 +28,8 @@ class RealSenseStub:
     """pyrealsense2, as far as it is used.
 
     Args:
-        frames: What comes: a number is a frame with that number, a pair one whose colour has another number, "late" one
-            without colour, "silence" a timeout, and an error is raised.
+        frames: What comes: a number is a frame with that number, a pair one whose color has another number, "late" one
+            without color, "silence" a timeout, and an error is raised.
         coefficients, model: Of the lens.
     """
 

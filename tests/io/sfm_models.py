@@ -11,7 +11,7 @@ OTHER = loom.CameraModel("OPENCV", 640, 480, [510.0, 505.0, 322.0, 239.0, -0.1, 
 
 
 def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.SfmModel:
-    """Pictures with long and odd names of two cameras, points with colours and errors, most of them seen by most."""
+    """Pictures with long and odd names of two cameras, points with colors and errors, most of them seen by most."""
     rng = np.random.default_rng(seed)
     poses = np.tile(np.eye(4), (pictures, 1, 1))
     for pose, angle in zip(poses, np.arange(pictures) * (2 * np.pi / pictures), strict=True):

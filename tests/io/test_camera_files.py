@@ -11,7 +11,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.core.errors import FileError
 
-# A camera at (1, 2, 3) that looks along the world's +x, its top towards the world's +y (ARKit: y is up).
+# A camera at (1, 2, 3) that looks along the world's +x, its top toward the world's +y (ARKit: y is up).
 LOOK = np.array([[0.0, 0, 1], [0, -1, 0], [1, 0, 0]])  # T_world_camera's rotation, x right, y down, z forward
 ARKIT = np.array([[0.0, 0, -1, 1], [0, 1, 0, 2], [1, 0, 0, 3], [0, 0, 0, 1]])  # x right, y up, z back
 SIZE = {"w": 64, "h": 48, "fl_x": 60.0, "fl_y": 61.0, "cx": 32.5, "cy": 24.0}

@@ -27,7 +27,7 @@ INFO_AT = 375 + 54  # the first record's bytes, as the specification wants
 
 def survey(rng, count=12_000, at=(6.3e5, 8.5e6, 120.0)):
     """A hilly surface with what a scanner tells of each point."""
-    xy = rng.random((count, 2)) ** 3 * (400, 250)  # denser towards a corner, so that the octree is deep there
+    xy = rng.random((count, 2)) ** 3 * (400, 250)  # denser toward a corner, so that the octree is deep there
     z = 8 * np.sin(xy[:, 0] / 40) + rng.normal(size=count)
     points = np.column_stack([xy, z]) + at
     attributes = {

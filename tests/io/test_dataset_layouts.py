@@ -68,7 +68,7 @@ def test_redwood_knows_the_other_names_of_color(tmp_path, name):
     (folder / "color").rename(folder / name)
     assert list_redwood(folder)[0].color == folder / name / "00000.jpg"
     (folder / "color").mkdir()
-    with pytest.raises(DatasetError, match="Keep one folder of colour"):
+    with pytest.raises(DatasetError, match="Keep one folder of color"):
         list_redwood(folder)
 
 
@@ -131,7 +131,7 @@ def test_tum_leaves_out_what_has_no_partner_and_says_so(tmp_path):
     frames, left_out = list_tum(folder)
     assert [frame.name for frame in frames] == ["100.000000"]
     reasons = [text.split(": ")[1] for text in left_out]
-    assert reasons == ["no colour within 0.02 s", "no colour within 0.02 s", "no pose within 0.02 s"]
+    assert reasons == ["no color within 0.02 s", "no color within 0.02 s", "no pose within 0.02 s"]
 
 
 def test_tum_clocks_that_differ_are_refused(tmp_path):

@@ -226,7 +226,7 @@ def test_the_red_kitchen_opens_with_its_own_camera(real_file):
 
 
 def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
-    """The depth of the last frame, seen from the first, agrees to centimetres where both see."""
+    """The depth of the last frame, seen from the first, agrees to centimeters where both see."""
     dataset = open_dataset(scan_file("rgbd-cupoch-redwood5"))
     assert dataset.layout == "redwood" and len(dataset) == {"shipped": 3, "real": 5}[scan_set]
     first, last = dataset.read(0), dataset.read(len(dataset) - 1)

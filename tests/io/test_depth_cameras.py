@@ -70,7 +70,7 @@ def test_frames_of_a_realsense_come_with_calibration_and_time(realsense):
     assert [frame.name for frame in frames] == ["frame-000000", "frame-000001", "frame-000002"]
 
 
-def test_frames_without_colour_yet_are_passed_over(realsense):
+def test_frames_without_color_yet_are_passed_over(realsense):
     realsense(["late", 1])
     assert np.array_equal(take(loom.RealSenseCamera(), 1)[0].color, color_of(1))
     realsense(["late"])
@@ -78,7 +78,7 @@ def test_frames_without_colour_yet_are_passed_over(realsense):
     assert frame.color is None and np.array_equal(frame.depth, depth_of(0))
 
 
-def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense):
+def test_each_depth_map_comes_once_and_with_the_color_closest_in_time(realsense):
     """As the driver gives them: a picture again and again while it waits for the other camera."""
     realsense([(1, 1), (2, 1), (2, 2), (3, 2), (4, 3), (4, 4), (5, 5)])
     camera = loom.RealSenseCamera()
@@ -87,7 +87,7 @@ def test_each_depth_map_comes_once_and_with_the_colour_closest_in_time(realsense
     assert (camera.dropped, camera.notes) == (0, [])
 
 
-def test_a_frame_that_waits_for_its_colour_is_not_lost_with_the_camera(realsense):
+def test_a_frame_that_waits_for_its_color_is_not_lost_with_the_camera(realsense):
     realsense([1, (2, 1), RuntimeError("Device disconnected")])
     taken = []
     with pytest.raises(CameraError, match="stopped after 2 frames: Device disconnected"):
@@ -167,7 +167,7 @@ def test_a_kinect_that_is_not_there_is_an_error(kinect):
 
 
 def bent_scene(lens_coefficients):
-    """Depth and colour of a plane through a lens, and through a pinhole, at 160 x 120."""
+    """Depth and color of a plane through a lens, and through a pinhole, at 160 x 120."""
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     v, u = np.mgrid[:120, :160].astype(float)
     x, y = (u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy
@@ -186,15 +186,15 @@ def bent_scene(lens_coefficients):
 @pytest.mark.parametrize(
     "coefficients", [(0.12, -0.2, 0.001, -0.002, 0.05), (0.5, -2.5, 3e-4, 1e-4, 1.5, 0.4, -2.3, 1.4)]
 )
-def test_the_lens_is_taken_out_of_depth_and_colour(coefficients):
-    camera, (depth, grey), (straight_depth, straight_grey) = bent_scene(coefficients)
+def test_the_lens_is_taken_out_of_depth_and_color(coefficients):
+    camera, (depth, gray), (straight_depth, straight_gray) = bent_scene(coefficients)
     lens = LensMap(camera, coefficients)
     assert lens.shift > 0.3
-    got, color = lens.straighten_depth(depth), lens.straighten_color(np.dstack([grey] * 3))
+    got, color = lens.straighten_depth(depth), lens.straighten_color(np.dstack([gray] * 3))
     seen = got > 0
     assert seen.mean() > 0.9
     assert np.abs(got.astype(int) - straight_depth)[seen].max() <= 3  # half a pixel of slope
-    assert np.abs(color[..., 1].astype(int) - straight_grey)[seen].max() <= 3
+    assert np.abs(color[..., 1].astype(int) - straight_gray)[seen].max() <= 3
 
 
 def test_the_inverse_model_undoes_the_model():

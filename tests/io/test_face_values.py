@@ -1,4 +1,4 @@
-"""What PLY faces have beside corners: values and colours, triangle strips, and what is left behind."""
+"""What PLY faces have beside corners: values and colors, triangle strips, and what is left behind."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def mesh(**attributes):
 
 
 @pytest.mark.parametrize("ascii", [False, True])
-def test_values_and_colours_of_faces_survive_a_round_trip(tmp_path, ascii):
+def test_values_and_colors_of_faces_survive_a_round_trip(tmp_path, ascii):
     rng = np.random.default_rng(1)
     for channels in (3, 4):
         written = mesh(
@@ -76,9 +76,9 @@ def test_colors_of_faces_out_of_range_are_scaled_clamped_or_left_behind_with_a_w
     ("attributes", "reason"),
     [
         ({"colors": np.zeros((7, 3)), "red": np.zeros(7)}, "another property 'red'"),
-        ({"red": np.zeros(7), "green": np.zeros(7), "blue": np.zeros(7)}, "would be read as colours"),
-        ({"colors": np.zeros((7, 3)), "alpha": np.zeros(7, np.uint8)}, "would be read with the colours"),
-        ({"colors": np.full((7, 3), 2.0)}, r"a colour is outside 0\.\.1"),
+        ({"red": np.zeros(7), "green": np.zeros(7), "blue": np.zeros(7)}, "would be read as colors"),
+        ({"colors": np.zeros((7, 3)), "alpha": np.zeros(7, np.uint8)}, "would be read with the colors"),
+        ({"colors": np.full((7, 3), 2.0)}, r"a color is outside 0\.\.1"),
         ({"colors": np.zeros(7)}, r"expected shape \[t, 3\] or \[t, 4\], got \[7\]"),
         ({"a b": np.zeros(7)}, "cannot be named"),
         ({"a": np.zeros(7, np.int64)}, "no type for int64"),
@@ -148,7 +148,7 @@ def test_lists_and_elements_that_no_mesh_has_are_told_once(tmp_path):
     assert (len(told), len(read.triangles)) == (1, 1)
 
 
-def test_colours_of_corners_that_vcglib_does_not_declare_are_left_behind(tmp_path):
+def test_colors_of_corners_that_vcglib_does_not_declare_are_left_behind(tmp_path):
     colors = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue", "alpha"))
     element = f"element face 2\n{CORNERS}property list uchar float texcoord\n{colors}"
     row = "3 {} 6 0 0 0.5 0 0.5 1 9 1 1 1 1 1 1 1 1 1\n"

@@ -129,7 +129,7 @@ def test_fusing_frames_without_pose_says_what_it_needs(tmp_path):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_colour_of_another_size_is_named_or_brought_to_that_of_depth(tmp_path, layout):
+def test_color_of_another_size_is_named_or_brought_to_that_of_depth(tmp_path, layout):
     folder = without_poses(make(layout, tmp_path / "set"))
     for path in [p for p in folder.rglob("*.*") if "color" in str(p) or "rgb" in str(p)]:
         if path.suffix in (".png", ".jpg"):
@@ -241,6 +241,6 @@ def test_small_real_sets_open(scan_file, name, layout, count, posed):
     source = open_frames(scan_file(name), **options)
     assert (source.layout, len(source)) == (layout, count)
     for frame in source:
-        metres = frame.depth[frame.depth > 0] / source.depth_scale
-        assert 0.5 < np.median(metres) < 5
+        meters = frame.depth[frame.depth > 0] / source.depth_scale
+        assert 0.5 < np.median(meters) < 5
         assert (frame.T_world_camera is not None) == posed and frame.color.shape == (480, 640, 3)

@@ -384,7 +384,7 @@ def test_a_masked_factor_is_shown_or_not_by_its_cutoff(tmp_path, alpha, shown):
     assert pixel == [255, 0, 0] + ([] if shown is None else [shown])
 
 
-def test_the_older_materials_of_specular_and_glossiness_have_a_colour(tmp_path):
+def test_the_older_materials_of_specular_and_glossiness_have_a_color(tmp_path):
     name = "KHR_materials_pbrSpecularGlossiness"
     scene = one_triangle(extra={"material": 0})
     scene.more = {"materials": [{"extensions": {name: {"diffuseFactor": [0, 0, 1, 1]}}}], "extensionsRequired": [name]}
@@ -422,7 +422,7 @@ def test_all_that_is_left_behind_is_told_of_once(tmp_path):
     for words in (
         "normal maps (2)", "occlusion maps (2)", "emissive maps (2)",
         "metallic-roughness maps (2)",
-        "metallic and roughness factors (2)", "factors of base colours beside a texture (2)",
+        "metallic and roughness factors (2)", "factors of base colors beside a texture (2)",
         "the texture coordinates TEXCOORD_1", "names of nodes (2)", "names of materials (2)", "animations (2)",
         "cameras (1)", "what the extension KHR_materials_sheen says",
     ):  # fmt: skip

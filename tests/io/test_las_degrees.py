@@ -1,4 +1,4 @@
-"""LAS in degrees: the file's steps survive, its user is told, metres are a call away; coordinate systems survive."""
+"""LAS in degrees: the file's steps survive, its user is told, meters are a call away; coordinate systems survive."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ KEYS = {name: struct.pack("<8H", 1, 1, 0, 1, 1024, 0, 1, value) for name, value 
 
 
 def write_degrees(path, records, rng, count=500, *, has_stray=False):
-    """Points in about 100 m around a place in degrees, heights in millimetres; gives the stored integers.
+    """Points in about 100 m around a place in degrees, heights in millimeters; gives the stored integers.
 
     The last point may lie next to zero instead, as those do that a program could not place.
     """
@@ -100,12 +100,12 @@ def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng
 @pytest.mark.filterwarnings("ignore::pointloom.io.points.las_crs.GeographicWarning")
 def test_degrees_become_metres_to_the_step_of_the_file(degrees):
     path, raw = degrees
-    metres = loom.project_to_utm(loom.read_point_cloud(path)).points
+    meters = loom.project_to_utm(loom.read_point_cloud(path)).points
     step = 111_132 * STEP  # along the meridian, within a percent
     north = raw[:, 1] - raw[0, 1]
     near = np.abs(raw[:, 0] - raw[0, 0]) < 200
-    np.testing.assert_allclose((metres[:, 1] - metres[0, 1])[near], north[near] * step, rtol=2e-3, atol=0.3)
-    assert 70 < np.ptp(metres[:, 0]) < 90
+    np.testing.assert_allclose((meters[:, 1] - meters[0, 1])[near], north[near] * step, rtol=2e-3, atol=0.3)
+    assert 70 < np.ptp(meters[:, 0]) < 90
 
 
 @pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.ply", "a.pcd", "a.npz"])

@@ -148,7 +148,7 @@ def test_a_file_that_is_written_tells_the_unit_of_the_cloud(name, unit, tmp_path
     cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit)
     loom.write_point_cloud(tmp_path / name, cloud)
     back = loom.read_point_cloud(tmp_path / name)
-    assert back.unit.metres == cloud.unit.metres and back.unit.name == cloud.unit.name
+    assert back.unit.meters == cloud.unit.meters and back.unit.name == cloud.unit.name
     assert back.points.tolist() == cloud.points.tolist()
     assert laspy.read(tmp_path / name).header.global_encoding.wkt
 

@@ -90,7 +90,7 @@ def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
     [
         (SQUARE, "vt 0 0\nf 1/2 2/1 3/1\n", "texture coordinates are left behind, since a face names 2 of 1"),
         (SQUARE, "vt 0 0\nvn 0 0 1\nf 1/1/0 2/1/1 3/1/1\n", "normals are left behind, since a face names 0 of 1"),
-        ("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n", "f 1 2 3\n", "colours are left behind, since only 2 of 4"),
+        ("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n", "f 1 2 3\n", "colors are left behind, since only 2 of 4"),
         ("v 0 0 0 1 0 nan\nv 1 0 0 0 0 0\nv 1 1 0 0 0 1\n", "f 1 2 3\n", "colors are left behind, since a color is"),
         (SQUARE, "o a\ng b c\nf 1 2 3\n", "names are left behind.*: objects 'a'; groups 'b c'"),
         (SQUARE, "usemtl red\nf 1 2 3\n", "names are left behind.*: materials 'red'"),

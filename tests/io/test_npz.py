@@ -83,7 +83,7 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
         ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], found float64 [3]"),
         ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
         ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
-        ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a colour is outside 0..1"),
+        ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a color is outside 0..1"),
         (
             {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
             "ring: expected shape [2] or [2, c], found [2, 2, 2]",

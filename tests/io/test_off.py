@@ -72,7 +72,7 @@ def test_every_header_says_what_stands_at_vertices(tmp_path):
                         np.testing.assert_array_equal(read.triangle_uvs, [[0.25, 0.75]] * 3)
 
 
-def test_colours_up_to_one_are_parts(tmp_path):
+def test_colors_up_to_one_are_parts(tmp_path):
     read = read_off(off(tmp_path, "COFF\n3 1 0\n" + "0 0 0 1 0.5 0 1\n" * 3 + "3 0 1 2\n"))
     np.testing.assert_array_equal(read.vertex_colors, [[1, 0.5, 0]] * 3)
 
@@ -80,12 +80,12 @@ def test_colours_up_to_one_are_parts(tmp_path):
 @pytest.mark.parametrize(
     ("values", "faces", "lost"),
     [
-        ("", "3 0 1 2 5\n3 0 2 1 6", "colours of faces are left behind, since [0-2] of 2 faces"),
-        ("", "3 0 1 2\n3 0 2 1 9 9 9", "colours of faces are left behind, since [0-2] of 2 faces"),
-        ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colours of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2 5\n3 0 2 1 6", "colors of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2\n3 0 2 1 9 9 9", "colors of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colors of faces are left behind, since [0-2] of 2 faces"),
     ],
 )
-def test_colours_that_are_not_whole_are_left_behind_and_told(tmp_path, values, faces, lost):
+def test_colors_that_are_not_whole_are_left_behind_and_told(tmp_path, values, faces, lost):
     head, count = "COFF" if values else "OFF", faces.count("\n") + 1
     path = off(tmp_path, f"{head}\n3 {count} 0\n" + f"0 0 0 {values}\n" * 3 + f"{faces}\n")
     with pytest.warns(UserWarning, match=lost):
@@ -108,7 +108,7 @@ def test_an_alpha_that_is_not_opaque_is_an_attribute_and_comes_back(tmp_path):
     np.testing.assert_array_equal(floats.attributes["alpha"], np.float32([0.5] * 3))
 
 
-def test_colours_of_faces_are_the_triangles(tmp_path):
+def test_colors_of_faces_are_the_triangles(tmp_path):
     faces = "4 0 1 2 3 255 0 51\n3 0 1 2 0 0 255\n"
     read = read_off(off(tmp_path, f"OFF\n4 2 0\n{SQUARE}{faces}"))
     expected = np.float32([[1, 0, 0.2], [1, 0, 0.2], [0, 0, 1]])

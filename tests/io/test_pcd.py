@@ -1,4 +1,4 @@
-"""PCD: the three encodings, organised clouds, packed colours, what is refused, LZF, and agreement with Open3D."""
+"""PCD: the three encodings, organized clouds, packed colors, what is refused, LZF, and agreement with Open3D."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_more_rows_than_one_chunk_survive(path):
 
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
-def test_an_organised_cloud_keeps_its_grid_and_its_nan_points(path, encoding):
+def test_an_organized_cloud_keeps_its_grid_and_its_nan_points(path, encoding):
     table = table_of(120, grid=(8, 15))
     table.points[::7] = np.nan
     write_pcd(path, table, encoding=encoding)
@@ -66,7 +66,7 @@ def test_alpha_travels_in_the_rgba_field(path, encoding):
 @pytest.mark.parametrize("encoding", ["ascii", "binary"])
 @pytest.mark.parametrize("name", ["rgb", "rgba"])
 @pytest.mark.parametrize("kind", ["F", "U", "I"])
-def test_packed_colours_are_read_from_any_type(path, encoding, name, kind):
+def test_packed_colors_are_read_from_any_type(path, encoding, name, kind):
     packed = np.array([0x00FF8000, 0x00010203], "<u4").view({"F": "<f4", "U": "<u4", "I": "<i4"}[kind])
     head = HEAD.replace("x y z", f"x y z {name}").replace("4 4 4", "4 4 4 4").replace("F F F", f"F F F {kind}")
     head = head.replace("COUNT 1 1 1", "COUNT 1 1 1 1").replace("ascii", encoding)
@@ -82,7 +82,7 @@ def test_packed_colours_are_read_from_any_type(path, encoding, name, kind):
     assert list(table.attributes) == (["alpha"] if name == "rgba" else [])
 
 
-def test_padding_is_skipped_and_separate_channels_are_colours(path):
+def test_padding_is_skipped_and_separate_channels_are_colors(path):
     row = np.dtype([("p", "<f4", 3), ("_", "u1", 4), ("c", "u1", 3), ("_2", "u1"), ("t", "<f8")])
     values = np.zeros(2, row)
     values["p"], values["c"], values["t"] = [[1, 2, 3], [4, 5, 6]], [[255, 0, 51], [0, 255, 102]], [0.5, 1.5]
@@ -206,8 +206,8 @@ def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and
         ({"two words": np.zeros(2)}, "cannot be named"),
         ({"x": np.zeros(2)}, "uses this name itself"),
         ({"none": np.zeros((2, 0))}, "no components"),
-        ({"rgb": np.zeros(2, np.uint32)}, "would be read as normals or colours"),
-        ({name: np.zeros(2) for name in ("normal_x", "normal_y", "normal_z")}, "would be read as normals or colours"),
+        ({"rgb": np.zeros(2, np.uint32)}, "would be read as normals or colors"),
+        ({name: np.zeros(2) for name in ("normal_x", "normal_y", "normal_z")}, "would be read as normals or colors"),
     ],
 )
 def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):

@@ -64,7 +64,7 @@ def test_what_else_a_png_may_not_have_is_refused(tmp_path, monkeypatch):
         "goes on behind its end": png_of(4, 4, whole + b"more"),
         "not zlib's": png_of(4, 4, b"no stream"),
         "unknown filter": png_of(4, 4, zlib.compress(row * 3 + b"\5" + bytes(8))),
-        "no 16 bits a channel for colour type 3": png_of(4, 4, whole, color_type=3),
+        "no 16 bits a channel for color type 3": png_of(4, 4, whole, color_type=3),
         "interlacing 2": png_of(4, 4, whole, interlace=2),
         "holds 36": png_of(4, 4, whole, interlace=1),
     }
@@ -117,12 +117,12 @@ JPEGS = {
 
 
 @pytest.mark.parametrize("kind", JPEGS)
-@pytest.mark.parametrize("is_grey", [False, True])
+@pytest.mark.parametrize("is_gray", [False, True])
 @pytest.mark.parametrize("end", [b"", b"\xff\xd9"])
-def test_a_jpeg_that_ends_early_is_refused_with_and_without_an_end_mark(tmp_path, kind, is_grey, end):
+def test_a_jpeg_that_ends_early_is_refused_with_and_without_an_end_mark(tmp_path, kind, is_gray, end):
     path, file = tmp_path / "c.jpg", io.BytesIO()
     picture = np.random.default_rng(3).integers(0, 256, (53, 70, 3), np.uint8) // 3 + 80
-    Image.fromarray(picture[:, :, 0] if is_grey else picture).save(file, "JPEG", **JPEGS[kind])
+    Image.fromarray(picture[:, :, 0] if is_gray else picture).save(file, "JPEG", **JPEGS[kind])
     data = file.getvalue()
     path.write_bytes(data + b"what some cameras append")
     assert np.array_equal(read_color(path), np.asarray(Image.open(file).convert("RGB")))

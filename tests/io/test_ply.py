@@ -120,7 +120,7 @@ def test_any_line_end_is_read(path, end, form):
     "names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), tuple("rgb")]
 )
 @pytest.mark.parametrize(("code", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1)])
-def test_colours_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
+def test_colors_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
     head = HEAD.replace("end_header\n", "".join(f"property {code} {name}\n" for name in names) + "end_header\n")
     table = read_ply(write(path, head + f"0 0 0 0 0 {full}\n0 0 0 {full} 0 0\n"))
     assert table.colors is not None
@@ -235,7 +235,7 @@ def test_what_is_no_file_is_refused(tmp_path):
         ({"größe": np.zeros(2)}, "cannot be named"),
         ({"a_0": np.zeros(2), "a": np.zeros((2, 1))}, "'a_0' exists already"),
         ({"none": np.zeros((2, 0))}, "no components"),
-        ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colours"),
+        ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colors"),
     ],
 )
 def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):
@@ -246,7 +246,7 @@ def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written
 
 
 @pytest.mark.parametrize("value", [np.nan, -0.1, 1.1])
-def test_a_colour_outside_0_to_1_is_refused_with_its_row(path, value):
+def test_a_color_outside_0_to_1_is_refused_with_its_row(path, value):
     colors = np.zeros((3, 3), np.float32)
     colors[1, 2] = value
     with pytest.raises(FileError, match=r"/cloud\.ply \(row 1\):.*0\.\.1") as caught:

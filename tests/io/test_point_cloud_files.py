@@ -18,7 +18,7 @@ EVERYTHING = ["points", "normals", "colors", "ring", "label", "code", "curvature
 
 
 def full_cloud(rng, device=None, count=150, shift=0.0):
-    """A cloud with the attributes of a scanner, colours in steps of 1/255."""
+    """A cloud with the attributes of a scanner, colors in steps of 1/255."""
     normals = rng.normal(size=(count, 3))
     return loom.PointCloud(
         rng.normal(size=(count, 3)) * 30 + shift,
@@ -60,7 +60,7 @@ def test_utm_coordinates_are_exact_in_every_format(extension, ascii, rng, tmp_pa
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
-def test_colours_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_path, tolerances):
+def test_colors_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_path, tolerances):
     cloud = loom.PointCloud(rng.random((300, 3)), colors=rng.random((300, 3)))
     path = tmp_path / f"cloud{extension}"
     loom.write_point_cloud(path, cloud)
@@ -69,7 +69,7 @@ def test_colours_between_the_steps_of_8_bits_are_rounded(extension, rng, tmp_pat
 
 
 @pytest.mark.parametrize("extension", [".pcd", ".npz"])
-def test_an_organised_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_path):
+def test_an_organized_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_path):
     depth = np.full((4, 6), 1500, np.uint16)
     depth[1, 2:4] = 0
     camera = loom.PinholeCameraIntrinsic(6, 4, 5, 5, 2.5, 1.5)

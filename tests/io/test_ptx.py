@@ -32,7 +32,7 @@ def test_scans_lie_where_their_matrices_place_them(tmp_path, end):
     assert cloud["intensity"].tolist() == [0.5, 0.25, 1] * 2
     assert cloud["scan_index"].tolist() == [0] * 3 + [1] * 3
     assert cloud["column_index"].tolist() == [0, 1, 1] * 2 and cloud["row_index"].tolist() == [0, 0, 1] * 2
-    assert cloud.unit is not None and cloud.unit.metres == 1
+    assert cloud.unit is not None and cloud.unit.meters == 1
     second = loom.read_point_cloud(tmp_path / "a.ptx", scan=1)
     np.testing.assert_allclose(second.points, cloud.points[3:], atol=1e-6)
     with pytest.raises(IndexError, match="scan:"):

@@ -99,7 +99,7 @@ def write(folder, form="mcap", count=5, apart=0.004):
 
 
 @pytest.mark.parametrize("form", ["bag1", "mcap"])
-def test_frames_come_with_camera_colour_and_times(tmp_path, form):
+def test_frames_come_with_camera_color_and_times(tmp_path, form):
     frames = loom.open_recording(write(tmp_path, form)).frames()
     camera = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 20.0, 21.0, 7.5, 5.5)
     assert (len(frames), frames.intrinsic, frames.depth_scale) == (5, camera, 1000)
@@ -115,7 +115,7 @@ def test_frames_come_with_camera_colour_and_times(tmp_path, form):
     ("rgb8", [0, 1, 2]), ("bgr8", [2, 1, 0]), ("8UC3", [2, 1, 0]), ("rgba8", [0, 1, 2, 0]), ("bgra8", [2, 1, 0, 0]),
 ])  # fmt: skip
 @pytest.mark.parametrize("padding", [0, 3])
-def test_colours_of_every_order_come_as_rgb(tmp_path, encoding, channels, padding):
+def test_colors_of_every_order_come_as_rgb(tmp_path, encoding, channels, padding):
     with Writer(tmp_path) as out:
         out.info()
         out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
@@ -125,21 +125,21 @@ def test_colours_of_every_order_come_as_rgb(tmp_path, encoding, channels, paddin
 
 @pytest.mark.parametrize("big", [False, True])
 def test_depth_in_floats_is_metres(tmp_path, big):
-    metres = (depth_of(0) / 1000).astype(np.float32)
-    metres[1, 1] = np.nan
+    meters = (depth_of(0) / 1000).astype(np.float32)
+    meters[1, 1] = np.nan
     with Writer(tmp_path) as out:
         out.info()
-        out.image(DEPTH_TOPIC, 1.0, "32FC1", metres, big=big, padding=4)
+        out.image(DEPTH_TOPIC, 1.0, "32FC1", meters, big=big, padding=4)
     frame = loom.open_recording(out.path).frames().read(0)
-    np.testing.assert_array_equal(frame.depth, metres)
+    np.testing.assert_array_equal(frame.depth, meters)
     assert frame.color is None
 
 
 def test_packed_pictures_are_unpacked(tmp_path):
     a, b = 100.0, -20.0
-    metres = depth_of(0) / 1000.0
+    meters = depth_of(0) / 1000.0
     inverse = np.zeros((HEIGHT, WIDTH), np.uint16)
-    inverse[metres > 0] = np.rint(a / metres[metres > 0] + b).astype(np.uint16)
+    inverse[meters > 0] = np.rint(a / meters[meters > 0] + b).astype(np.uint16)
     head = struct.pack("<iff", 0, a, b)
     with Writer(tmp_path) as out:
         out.info()
@@ -155,7 +155,7 @@ def test_packed_pictures_are_unpacked(tmp_path):
     np.testing.assert_array_equal(frame.color, color_of(0))
     floats = recording.frames("/cam/float/image_raw/compressedDepth").read(0).depth
     assert floats.dtype == np.float32 and floats[0, 0] == 0
-    np.testing.assert_allclose(floats, metres, rtol=0.02)
+    np.testing.assert_allclose(floats, meters, rtol=0.02)
 
 
 def test_pictures_pair_by_their_headers_and_the_rest_is_listed(tmp_path):

@@ -78,7 +78,7 @@ def test_a_frame_that_is_none_is_named_and_the_frames_before_it_are_given(item, 
     assert taken == ["frame-000000"]
 
 
-def test_colour_of_another_size_is_resized_where_asked_for():
+def test_color_of_another_size_is_resized_where_asked_for():
     large = np.repeat(np.repeat(COLOR, 3, axis=0), 3, axis=1)
     large[:3, :3] = 100
     (frame,) = stream((large, DEPTH), resize_color=True)
@@ -225,16 +225,16 @@ def test_a_recording_keeps_the_unit_of_depth_and_what_is_not_known(tmp_path):
     assert (frame.color, frame.T_world_camera, frame.timestamp) == (None, None, None)
 
 
-def test_metres_are_rounded_to_millimetres_and_what_is_no_depth_is_none(tmp_path):
-    metres = np.full((6, 8), 1.2345, np.float32)
-    metres[0, :4] = np.nan, -1, 0, 65.0
-    loom.record_frames(stream((None, metres)), tmp_path / "set")
+def test_metres_are_rounded_to_millimeters_and_what_is_no_depth_is_none(tmp_path):
+    meters = np.full((6, 8), 1.2345, np.float32)
+    meters[0, :4] = np.nan, -1, 0, 65.0
+    loom.record_frames(stream((None, meters)), tmp_path / "set")
     (frame,) = loom.open_frames(tmp_path / "set")
     assert frame.depth[0, :4].tolist() == [0, 0, 0, 65000]
     assert np.abs(frame.depth[1:] / 1000 - 1.2345).max() < 0.000501
-    metres[2, 2] = np.inf
+    meters[2, 2] = np.inf
     with pytest.raises(ValueError, match=r"frame frame-000000:.*16.*65\.53"):
-        loom.record_frames(stream((None, metres)), tmp_path / "too far")
+        loom.record_frames(stream((None, meters)), tmp_path / "too far")
 
 
 def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeypatch):
@@ -286,7 +286,7 @@ def test_a_stream_that_fails_leaves_a_recording_of_what_came(tmp_path):
     assert len(loom.open_frames(tmp_path / "set")) == 2
 
 
-def test_colour_comes_with_all_frames_or_none(tmp_path):
+def test_color_comes_with_all_frames_or_none(tmp_path):
     with pytest.raises(ValueError, match="frame frame-000001:"):
         loom.record_frames(stream((COLOR, DEPTH), (None, DEPTH)), tmp_path / "set")
 

@@ -67,7 +67,7 @@ def test_further_columns_of_ply_stay(tmp_path):
 
 
 @pytest.mark.parametrize("extension", [".splat", ".spz"])
-def test_centres_that_a_format_would_round_are_refused(tmp_path, extension):
+def test_centers_that_a_format_would_round_are_refused(tmp_path, extension):
     far = made(3, 0, at=(500_000.0, 4_000_000.0, 0))
     with pytest.raises(FileError, match=r"would be rounded by .* translate the splats"):
         loom.write_splats(tmp_path / f"a{extension}", far)

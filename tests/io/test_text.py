@@ -44,7 +44,7 @@ def test_comments_and_blank_lines_are_skipped_in_the_xyz_family(tmp_path, end):
 @pytest.mark.parametrize("with_intensity", [False, True])
 @pytest.mark.parametrize("with_colors", [False, True])
 @pytest.mark.parametrize("count", [0, 1, 9])
-def test_pts_holds_intensity_and_colours_in_any_combination(tmp_path, with_intensity, with_colors, count):
+def test_pts_holds_intensity_and_colors_in_any_combination(tmp_path, with_intensity, with_colors, count):
     path, table = tmp_path / "c.pts", table_for(".pts", count)
     if not with_colors:
         table.colors = None
@@ -69,7 +69,7 @@ def test_pts_holds_intensity_and_colours_in_any_combination(tmp_path, with_inten
         ("c.xyz", "1 2 3\n4 5 1_0\n", "line 2", "not a number: '1_0'"),
         ("c.xyz", "1 2 3\n4 5 1e400\n", "line 2", "beyond the range of float64"),
         ("c.xyzn", "1 2 3 0 0 1e39\n", "row 0", "a normal is beyond the range of float32"),
-        ("c.xyzrgb", "1 2 3 0 0 1\n1 2 3 0 0 255\n", "row 1", "a colour is outside 0..1"),
+        ("c.xyzrgb", "1 2 3 0 0 1\n1 2 3 0 0 255\n", "row 1", "a color is outside 0..1"),
         ("c.pts", "-1\n", "line 1", "negative"),
         ("c.pts", "1e3\n", "line 1", "not a whole number"),
         ("c.pts", "10000000000\n1 2 3\n", "line 2", "truncated: 1 of 10000000000 points"),

@@ -68,13 +68,13 @@ def test_names_say_what_columns_are(tmp_path):
         ("0 0 0\n0 0 0", np.zeros((2, 3))),
     ],
 )
-def test_the_range_of_colours_is_that_of_the_file(tmp_path, colors, expected):
+def test_the_range_of_colors_is_that_of_the_file(tmp_path, colors, expected):
     first, second = colors.split("\n")
     table = read_text_table(write(tmp_path / "a.txt", f"x y z r g b\n0 0 0 {first}\n0 0 0 {second}\n"))
     np.testing.assert_allclose(table.colors, expected, atol=1e-7)
 
 
-def test_names_of_cloudcompare_say_that_colours_are_parts_of_1(tmp_path):
+def test_names_of_cloudcompare_say_that_colors_are_parts_of_1(tmp_path):
     text = "//X Y Z Rf Gf Bf Nx Ny Nz Scalar_field\n2\n1.5 2 3 1 0 0 0 0 1 7\n4 5 -0.25 0 1 1 1 0 0 8\n"
     table = read_text_table(write(tmp_path / "a.asc", text))
     np.testing.assert_array_equal(table.points, POINTS)
@@ -97,20 +97,20 @@ def test_names_of_cloudcompare_say_that_colours_are_parts_of_1(tmp_path):
         ("x y z\n1\n1 2 3\n4 5 6\n", "", "expected 1 points"),
         ("x y z\n2\n2\n1 2 3\n", "line 2", "expected 3 values, found 1"),
         ("ncols 2\nnrows 2\nxllcorner 0\n", "", "is an Esri grid of heights"),
-        ("x y z Rf Gf Bf\n1 2 3 255 0 0\n", "row 0", "a colour is outside 0..1"),
+        ("x y z Rf Gf Bf\n1 2 3 255 0 0\n", "row 0", "a color is outside 0..1"),
         ("x,y,z\n", "", "holds no points"),
         ("x,y,z,x\n1,2,3,4\n", "line 1", "two columns are named x"),
         ("# note\nx,y,height\n1,2,3\n", "line 2", "no column is named z"),
-        ("x,y,z,r\n1,2,3,0\n", "line 1", "colours need r, g, b"),
+        ("x,y,z,r\n1,2,3,0\n", "line 1", "colors need r, g, b"),
         (",x,y,z\n0,1,2,3\n", "line 1", "column 1 has no name"),
         ("x,y,z\n1,2,3\n\n1,2\n", "line 4", "expected 3 values, found 2"),
         ("x,y,z\n1,2,3\n,,\n", "line 3", "column 1 has no value"),
         ("1,2 3,4\n", "line 1", "not a number: '2 3'"),
         ("1,5;2;3\n", "line 1", "not a number: '1,5'"),
         ("x,y,z\n1,2,-\n", "line 2", "not a number: '-'"),
-        ("x y z r g b\n0 0 0 0 1 0\n", "", "all colours are 0 or 1, which may be parts of 1 or of 255"),
+        ("x y z r g b\n0 0 0 0 1 0\n", "", "all colors are 0 or 1, which may be parts of 1 or of 255"),
         ("x y z r g b\n0 0 0 0 1 256\n", "", "neither parts in 0..1 nor whole numbers in 0..255"),
-        ("x y z r g b\n0 0 0 0.5 1 -0.5\n", "row 0", "a colour is outside 0..1"),
+        ("x y z r g b\n0 0 0 0.5 1 -0.5\n", "row 0", "a color is outside 0..1"),
     ],
 )
 def test_what_is_not_plain_is_refused_with_its_place(tmp_path, text, where, reason):

@@ -63,7 +63,7 @@ def test_we_see_pictures_of_trimesh_upright(tmp_path):
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
     for name in ("t.glb", "t.obj"):
         other.export(tmp_path / name)
-        lost = "left behind: factors of base colours beside a texture" if name == "t.glb" else None
+        lost = "left behind: factors of base colors beside a texture" if name == "t.glb" else None
         with pytest.warns(UserWarning, match=lost) if lost else nullcontext():
             assert seen_at_corners(FORMATS[name[1:]][1](tmp_path / name)) == CORNERS
 
@@ -164,7 +164,7 @@ def obj(tmp_path, faces, mtl="newmtl a\nmap_Kd p.png\nnewmtl b\nKd 1 0.5 0\nnewm
     return tmp_path / "m.obj"
 
 
-def test_materials_are_pictures_colours_and_white(tmp_path):
+def test_materials_are_pictures_colors_and_white(tmp_path):
     mesh = read_obj(obj(tmp_path, "f 1 2 3\nusemtl c\nf 1 2 3\nusemtl b\nf 1 2 3 4\nusemtl a\n" + FACE))
     np.testing.assert_array_equal(mesh.triangle_material_ids, [3, 2, 1, 1, 0, 0])
     np.testing.assert_array_equal(mesh.textures[0], PICTURE)

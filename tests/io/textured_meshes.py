@@ -28,7 +28,7 @@ def square() -> MeshTable:
 
 
 def textured(dtype=np.float32, *, normals=True, colors=True) -> MeshTable:
-    """A mesh with seams, two pictures and a colour, in no order."""
+    """A mesh with seams, two pictures and a color, in no order."""
     rng = np.random.default_rng(3)
     vectors = rng.normal(size=(20, 3))
     return MeshTable(
@@ -54,7 +54,7 @@ def corner_table(mesh) -> np.ndarray:
 
 
 def seen_at_corners(mesh) -> dict:
-    """The colour of the picture at each corner of a mesh, its rows from above, v from below."""
+    """The color of the picture at each corner of a mesh, its rows from above, v from below."""
     found = {}
     for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
         picture = mesh.textures[0]

@@ -27,7 +27,7 @@ class Scene:
 
 
 def paint(points):
-    """Colours 0..1 at places [..., 3]."""
+    """Colors 0..1 at places [..., 3]."""
     x, y, z = points[..., 0], points[..., 1], points[..., 2]
     red = np.sin(11 * x + 3 * z) * np.cos(9 * y) + 0.4 * np.sin(23 * y + 17 * x)
     green = np.cos(8 * x - 5 * y) + 0.5 * np.sin(19 * x + 4 * z)
@@ -36,7 +36,7 @@ def paint(points):
 
 
 def take(camera, pose, bend=0.0):
-    """Colours uint8 and depth [m] of the scene; `bend` shifts pixels outwards by that share of the squared radius."""
+    """Colors uint8 and depth [m] of the scene; `bend` shifts pixels outwards by that share of the squared radius."""
     v, u = np.mgrid[: camera.height, : camera.width].astype(float)
     x, y = (u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy
 
@@ -86,7 +86,7 @@ def make_scene(device="cpu", *, views=5, width=160, height=120, rows=41, bend=0.
     return Scene(mesh, frames, camera, poses)
 
 
-def perturb(poses, degrees=0.5, metres=0.01, seed=0):
+def perturb(poses, degrees=0.5, meters=0.01, seed=0):
     """Poses with each turned and moved a little on its own."""
     rng, result = np.random.default_rng(seed), poses.copy()
     for pose in result:
@@ -96,12 +96,12 @@ def perturb(poses, degrees=0.5, metres=0.01, seed=0):
         angle = np.radians(degrees)
         pose[:3, :3] = (np.eye(3) + np.sin(angle) / angle * K + (1 - np.cos(angle)) / angle**2 * K @ K) @ pose[:3, :3]
         step = rng.normal(size=3)
-        pose[:3, 3] += metres * step / np.linalg.norm(step)
+        pose[:3, 3] += meters * step / np.linalg.norm(step)
     return result
 
 
 def pose_errors(found, true):
-    """Degrees and metres by which the pictures' mutual poses differ from the true ones, all relative to the first."""
+    """Degrees and meters by which the pictures' mutual poses differ from the true ones, all relative to the first."""
     turns, moves = [], []
     for a, b in zip(found[1:], true[1:], strict=True):
         D = np.linalg.inv(np.linalg.inv(true[0]) @ b) @ (np.linalg.inv(found[0]) @ a)

@@ -21,7 +21,7 @@ class WallScene(NamedTuple):
 
 
 def wall_colors(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colours of places on the wall, 0..1."""
+    """Colors of places on the wall, 0..1."""
     return np.stack([0.5 + 0.1 * np.sin(9 * x), 0.45 + 0.1 * np.cos(7 * y), 0.5 + 0.1 * np.sin(5 * (x + y))], -1)
 
 

@@ -43,7 +43,7 @@ def shaken_grid(cells: int, shake: float = 0.3) -> tuple[np.ndarray, np.ndarray]
 
 
 def torn_ball(device: str, rounds: int = 2, **options: Any) -> TriangleMesh:
-    """A bumpy sphere with a hole, loose vertices, normals and colours."""
+    """A bumpy sphere with a hole, loose vertices, normals and colors."""
     rng = np.random.default_rng(0)
     vertices, triangles = icosphere(rounds)
     vertices = vertices * (1 + 0.1 * rng.random((len(vertices), 1)))

@@ -55,7 +55,7 @@ def as_open3d_has_them(cloud):
 
 
 def assert_manifold(mesh):
-    """No directed edge twice: hence no edge with more than two triangles, and neighbours that turn the same way."""
+    """No directed edge twice: hence no edge with more than two triangles, and neighbors that turn the same way."""
     assert max(directed_edges(mesh.triangles).values()) == 1
 
 
@@ -78,10 +78,10 @@ def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(o3d, real_f
     path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     bunny = loom.read_triangle_mesh(path).remove_unreferenced_vertices().compute_vertex_normals()
     cloud = loom.PointCloud(bunny.vertices, normals=bunny.vertex_normals)
-    # Open3D's threshold of area makes nothing of triangles of 2 mm in metres: it gets millimetres
-    millimetres = loom.PointCloud(bunny.vertices.astype(np.float32) * 1000.0, normals=bunny.vertex_normals)
+    # Open3D's threshold of area makes nothing of triangles of 2 mm in meters: it gets millimeters
+    millimeters = loom.PointCloud(bunny.vertices.astype(np.float32) * 1000.0, normals=bunny.vertex_normals)
     mesh = pivot(cloud, [radius])
-    theirs = open3d_triangles(o3d, *as_open3d_has_them(millimetres), [radius * 1000])
+    theirs = open3d_triangles(o3d, *as_open3d_has_them(millimeters), [radius * 1000])
     ours, others = directed_edges(mesh.triangles), directed_edges(theirs)
     missing = corner_sets(theirs) - corner_sets(mesh.triangles)
     assert_manifold(mesh)

@@ -54,7 +54,7 @@ def test_points_beside_an_open_mesh_are_told(device):
     assert found.is_significant.tolist() == [False, False, False, True]
 
 
-def test_neighbours_say_what_is_noise(device, rng):
+def test_neighbors_say_what_is_noise(device, rng):
     corners, triangles = ground()
     mesh = loom.TriangleMesh(corners * (1, 1, 0), triangles, device=device)
     points = np.column_stack([rng.random((8000, 2)) * 30, 0.05 * rng.normal(size=8000)])

@@ -1,4 +1,4 @@
-"""Colour maps: conformance with Open3D, poses and bent pictures that come back, and bad input."""
+"""Color maps: conformance with Open3D, poses and bent pictures that come back, and bad input."""
 
 import numpy as np
 import pytest
@@ -151,7 +151,7 @@ def test_without_depth_rays_say_what_the_mesh_hides(device):
     assert (by_rays.seen != by_depth.seen).mean() < 0.01  # chords of the ball's triangles
     both = by_rays.seen & by_depth.seen
     true = paint(scene.mesh.vertices)
-    # neighbouring pixels of this paint differ by less
+    # neighboring pixels of this paint differ by less
     assert np.abs(by_rays.mesh.vertex_colors - true)[both].max() < 0.06
     asked = color(scene, occlusion="rays")
     assert (asked.mesh.vertex_colors == by_rays.mesh.vertex_colors).all()
@@ -224,7 +224,7 @@ BAD = [
     (lambda s: {"camera_trajectory": s.poses}, TypeError, "expected a Trajectory"),
     (lambda s: {"occlusion": "no"}, ValueError, "occlusion: "),
     (lambda s: {"images_rgbd": [f.color for f in s.frames], "occlusion": "depth"}, ValueError, "has no depth"),
-    (lambda s: {"images_rgbd": [grey_of(s)] * 5}, ValueError, "convert_rgb_to_intensity=False"),
+    (lambda s: {"images_rgbd": [gray_of(s)] * 5}, ValueError, "convert_rgb_to_intensity=False"),
     (lambda s: {"images_rgbd": [np.zeros((24, 32, 3))] * 5}, TypeError, "expected uint8"),
 ]
 
@@ -235,7 +235,7 @@ def with_nan(poses):
     return poses
 
 
-def grey_of(scene):
+def gray_of(scene):
     return loom.RGBDImage.create_from_color_and_depth(scene.frames[0].color, scene.frames[0].depth)
 
 

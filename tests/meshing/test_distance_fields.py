@@ -99,7 +99,7 @@ def field_of(scan, device):
     return loom.DistanceField.from_point_cloud(loom.PointCloud(scan, device=device), SIZE, REACH)
 
 
-def centres_of(field):
+def centers_of(field):
     return (field.occupied_voxels + 0.5) * field.voxel_size + field.origin
 
 
@@ -110,17 +110,17 @@ def test_a_cloud_at_utm_has_the_distances_of_brute_force(device, scan):
     cells = np.floor((finite - field.origin) / SIZE)
     on_border = np.abs((finite - field.origin) / SIZE - cells - 0.5).max(axis=1) > 0.49
     assert {*map(tuple, field.occupied_voxels)} >= {*map(tuple, cells[~on_border].astype(int))}
-    centres = centres_of(field)
+    centers = centers_of(field)
     queries = UTM + np.random.default_rng(6).uniform((-4, -4, -4), (16, 13, 7), (4000, 3))
     middles = (np.floor((queries - field.origin) / SIZE) + 0.5) * SIZE + field.origin
-    distances, _ = cKDTree(centres).query(middles)
+    distances, _ = cKDTree(centers).query(middles)
     known = distances <= REACH + 1e-9
     assert 500 < known.sum() < 3500
     np.testing.assert_array_equal(field.is_known(queries), known)
     np.testing.assert_allclose(field.distances(queries), np.where(known, distances, REACH), rtol=1e-6)
     found = field.nearest_obstacles(queries)
     np.testing.assert_array_equal(found.rows >= 0, known)
-    np.testing.assert_array_equal(found.positions[known], centres[found.rows[known]])
+    np.testing.assert_array_equal(found.positions[known], centers[found.rows[known]])
     np.testing.assert_allclose(np.linalg.norm(found.positions - middles, axis=1)[known], distances[known], rtol=1e-9)
 
 
@@ -161,7 +161,7 @@ def test_no_sphere_that_touches_is_told_to_be_free(device, scan):
     centers, radii = UTM + rng.uniform((-3, -3, -3), (15, 12, 6), (20_000, 3)), rng.uniform(0, 1.2, 20_000)
     collides = field.collides(centers, radii)
     assert collides[walls.query(centers)[0] <= radii].all()
-    apart = cKDTree(centres_of(field)).query(centers)[0]
+    apart = cKDTree(centers_of(field)).query(centers)[0]
     assert not collides[apart > radii + 2 * np.sqrt(3) * SIZE].any()
     spheres = np.array([[0, 0, 0, 0.3], [0.9, 0, 0.2, 0.5], [-0.4, 0.1, 0, 0.2]])
     poses = np.tile(np.eye(4), (500, 1, 1))

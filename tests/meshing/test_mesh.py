@@ -190,7 +190,7 @@ def test_a_mesh_is_moved_turned_and_scaled_about_its_middle_as_in_open3d(device,
         np.testing.assert_allclose(ours.vertices, theirs, atol=2e-6, rtol=2e-7)
 
 
-def test_a_painted_mesh_has_one_colour_and_the_old_one_keeps_its_own(device):
+def test_a_painted_mesh_has_one_color_and_the_old_one_keeps_its_own(device):
     mesh = rough_ball(device)
     painted = mesh.paint_uniform_color([1, 0.5, 0.25])
     assert (painted.vertex_colors == [1, 0.5, 0.25]).all() and len(painted.vertex_colors) == len(mesh.vertices)

@@ -1,4 +1,4 @@
-"""Textures from posed pictures: colours, what hides what, gutters, files, and bad input."""
+"""Textures from posed pictures: colors, what hides what, gutters, files, and bad input."""
 
 import numpy as np
 import pytest
@@ -53,7 +53,7 @@ def test_texels_have_the_paint_of_their_places(device):
 
 
 def test_what_stands_before_is_not_painted_on_what_stands_behind(device):
-    """A red ball before a wall of another colour, both plain: no red on the wall, and no wall on the ball."""
+    """A red ball before a wall of another color, both plain: no red on the wall, and no wall on the ball."""
     scene = make_scene(device, rows=ROWS)
     plain = []
     for frame, pose in zip(scene.frames, scene.poses, strict=True):

@@ -1,4 +1,4 @@
-"""Charts of a mesh on a picture, and vertex colours drawn there."""
+"""Charts of a mesh on a picture, and vertex colors drawn there."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(sys.version_info >= (3, 14), reason="xatlas has 
 
 
 def covered(uvs: np.ndarray, size: int, slack: float = 0.0) -> np.ndarray:
-    """How many triangles have each texel's centre well within them, or (with slack) no further than that outside."""
+    """How many triangles have each texel's center well within them, or (with slack) no further than that outside."""
     counts = np.zeros((size, size), int)
     places = uvs.reshape(-1, 3, 2) * [size, -size] + [0, size]
     for corners in places:
@@ -127,7 +127,7 @@ def sampled(picture: np.ndarray, uvs: np.ndarray) -> np.ndarray:
     return upper * (1 - t) + lower * t
 
 
-def test_a_baked_texture_shows_the_colours_of_the_surface(device):
+def test_a_baked_texture_shows_the_colors_of_the_surface(device):
     mesh = colored(TriangleMesh.create_torus(device=device)).compute_uvatlas(256, 4)
     baked = mesh.bake_vertex_colors(256)
     assert baked.vertex_colors is None
@@ -140,7 +140,7 @@ def test_a_baked_texture_shows_the_colours_of_the_surface(device):
     assert error.max() < 0.03  # a texel is 1/40 of the ring; background would be off by up to 1
 
 
-def test_texels_are_the_colours_at_their_centres(device):
+def test_texels_are_the_colors_at_their_centers(device):
     plane = TriangleMesh.create_plane(create_uv_map=True, device=device)
     plane.vertex_colors = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     (picture,) = plane.bake_vertex_colors(16, gutter=0).textures

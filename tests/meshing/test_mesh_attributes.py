@@ -12,7 +12,7 @@ import pytest
 from pointloom import AxisAlignedBoundingBox, TriangleMesh, read_triangle_mesh, write_triangle_mesh
 
 
-def labelled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
+def labeled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
     """A mesh whose attributes say where a vertex and which triangle each was."""
     mesh = TriangleMesh.create_sphere(1.0, 6, device=device) if mesh is None else mesh
     mesh.vertex_attributes["place"] = mesh.vertices
@@ -34,7 +34,7 @@ KINDS = {"place": ("float64", [3]), "number": ("uint16", []), "row": ("int64", [
 
 
 def test_values_keep_their_types_and_shapes(device):
-    mesh = labelled(device)
+    mesh = labeled(device)
     assert held(mesh) == KINDS
     assert repr(mesh).endswith(
         f"vertex_attributes[place, number], triangle_attributes[row, middle, even], {mesh.device})"
@@ -46,7 +46,7 @@ def test_values_keep_their_types_and_shapes(device):
 
 
 def test_copies_hold_their_own_attributes(device):
-    mesh = labelled(device)
+    mesh = labeled(device)
     other = mesh.copy()
     del other.vertex_attributes["place"]
     other.triangle_attributes["row"] = np.zeros(len(mesh))
@@ -92,7 +92,7 @@ CHANGES = {
 
 @pytest.mark.parametrize("name", CHANGES)
 def test_what_stays_keeps_its_attributes(device, name):
-    changed = CHANGES[name](labelled(device))
+    changed = CHANGES[name](labeled(device))
     assert held(changed) == KINDS
     np.testing.assert_array_equal(changed.vertex_attributes["place"], changed.vertices)
     middles = changed.vertices[changed.triangles].mean(axis=1)
@@ -101,12 +101,12 @@ def test_what_stays_keeps_its_attributes(device, name):
 
 @pytest.mark.parametrize("name", ["midpoint", "trim"])
 def test_new_vertices_have_the_values_between(device, name):
-    mesh = labelled(device)
+    mesh = labeled(device)
     changed = mesh.subdivide_midpoint(2) if name == "midpoint" else mesh.trim(mesh.vertices @ [0.3, 0.2, 0.9], 0.1)
     assert held(changed) == KINDS and len(changed.vertices) > 6
     np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=1e-6)
     near = mesh.vertices[changed.vertex_attributes["number"].astype(int)]
-    assert np.linalg.norm(near - changed.vertices, axis=1).max() < 0.6  # a whole number is one of its neighbours'
+    assert np.linalg.norm(near - changed.vertices, axis=1).max() < 0.6  # a whole number is one of its neighbors'
     corners = mesh.vertices[mesh.triangles[changed.triangle_attributes["row"]]]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     off = np.einsum("tc,tkc->tk", normals, changed.vertices[changed.triangles] - corners[:, :1])
@@ -122,7 +122,7 @@ def test_a_row_that_does_not_count_gives_no_nan():
 
 @pytest.mark.parametrize("name", ["decimation", "clustering"])
 def test_fewer_triangles_take_the_values_of_their_place(name):
-    mesh = labelled(mesh=TriangleMesh.create_sphere(1.0, 20))
+    mesh = labeled(mesh=TriangleMesh.create_sphere(1.0, 20))
     changed = mesh.simplify_quadric_decimation(300) if name == "decimation" else mesh.simplify_vertex_clustering(0.2)
     assert held(changed) == KINDS
     np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=0.02)
@@ -131,7 +131,7 @@ def test_fewer_triangles_take_the_values_of_their_place(name):
 
 
 def test_a_change_that_brings_none_along_says_so():
-    mesh, box = labelled(), TriangleMesh.create_box()
+    mesh, box = labeled(), TriangleMesh.create_box()
     with pytest.warns(UserWarning, match="vertex_attributes place, number:"):
         bare = mesh._with_arrays(
             vertices=box.array("vertices"), triangles=box.array("triangles"), triangle_attributes=None
@@ -156,7 +156,7 @@ def test_formats_that_hold_no_attributes_say_so(tmp_path, suffix):
     path = tmp_path / f"m{suffix}"
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        write_triangle_mesh(path, labelled())
+        write_triangle_mesh(path, labeled())
     said = " ".join(str(warning.message) for warning in caught)
     assert all(name in said for name in ("place", "number", "row", "middle", "even")) and "left out" in said
     assert not read_triangle_mesh(path).vertex_attributes

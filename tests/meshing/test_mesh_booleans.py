@@ -37,7 +37,7 @@ def test_solids_with_nothing_in_common_and_empty_ones_are_combined(device):
     assert len(empty.boolean_difference(box(0, device))) == 0
 
 
-def test_colours_go_along_and_normals_are_made_anew_where_both_have_them(device):
+def test_colors_go_along_and_normals_are_made_anew_where_both_have_them(device):
     red = box(0, device, vertex_colors=np.tile([1.0, 0, 0], (8, 1))).compute_vertex_normals()
     blue = box(0.5, device, vertex_colors=np.tile([0, 0, 1.0], (8, 1))).compute_vertex_normals()
     union = red.boolean_union(blue)

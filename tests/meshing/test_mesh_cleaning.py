@@ -223,7 +223,7 @@ def test_crops_are_those_of_open3d(device, oracle):
     assert not ((outside >= box.min_bound) & (outside <= box.max_bound)).all(axis=1).any()
 
 
-def test_selections_take_colours_normals_and_texture_along(device):
+def test_selections_take_colors_normals_and_texture_along(device):
     mesh = textured(device)
     mesh.vertex_colors = np.random.default_rng(0).random((32, 3))
     rows = np.random.default_rng(2).permutation(32)[:24]

@@ -127,7 +127,7 @@ def test_a_half_disc_turns_into_a_ball(angle):
     assert ball.is_watertight() and ball.get_volume() == pytest.approx(4 / 3 * np.pi * abs(angle) / 360, rel=0.01)
 
 
-def test_sweeps_take_colours_and_attributes_along(device):
+def test_sweeps_take_colors_and_attributes_along(device):
     plane = TriangleMesh.create_plane(device=device).paint_uniform_color([0, 1, 0]).compute_vertex_normals()
     plane.vertex_attributes["a"], plane.triangle_attributes["b"] = np.arange(4), np.array([7, 8])
     block = plane.extrude_linear([0, 0, 1])

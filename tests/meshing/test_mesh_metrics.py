@@ -62,7 +62,7 @@ def test_the_bounds_hold_and_meet_on_random_surfaces(device):
         assert 0 <= found.hausdorff_bound - found.hausdorff <= 2e-5
 
 
-def test_an_error_map_colours_each_vertex_by_its_distance(device):
+def test_an_error_map_colors_each_vertex_by_its_distance(device):
     vertices, triangles = torus()
     mesh = TriangleMesh(np.vstack([vertices, [[np.nan] * 3]]), triangles, device=device)
     cube = TriangleMesh(*CUBE, device=device)
@@ -71,7 +71,7 @@ def test_an_error_map_colours_each_vertex_by_its_distance(device):
     np.testing.assert_allclose(distances[:-1], truth, rtol=1e-6, atol=1e-7)
     assert np.isnan(distances[-1]) and colored.vertex_colors[-1].tolist() == [0.5, 0.5, 0.5]
     order = np.argsort(distances[:-1])
-    assert (np.diff(colored.vertex_colors[:-1][order, 1]) >= -1e-6).all()  # green grows along the colours
+    assert (np.diff(colored.vertex_colors[:-1][order, 1]) >= -1e-6).all()  # green grows along the colors
     capped = mesh.compute_error_map(cube, max_distance=0.1)[0].vertex_colors[:-1]
     np.testing.assert_allclose(
         capped[truth > 0.1], np.float32([[0.993, 0.906, 0.144]]).repeat((truth > 0.1).sum(), 0), rtol=1e-6

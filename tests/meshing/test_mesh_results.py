@@ -111,7 +111,7 @@ def test_what_makes_no_sense_is_refused_by_name(call, said):
 
 
 @pytest.mark.parametrize("method", ["taubin", "sharpen"])
-def test_saturated_colours_stay_within_0_and_1_and_are_written(method, tmp_path):
+def test_saturated_colors_stay_within_0_and_1_and_are_written(method, tmp_path):
     mesh = TriangleMesh.create_sphere(1.0, 12)
     mesh.vertex_colors = np.where(mesh.vertices[:, 2:] > 0, [1.0, 1.0, 1.0], 0.0)
     beyond = mesh.filter_smooth_taubin(10) if method == "taubin" else mesh.filter_sharpen(10)

@@ -17,7 +17,7 @@ SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
 
 
 def uneven(device=None, *, place=(0, 0, 0), size=1.0) -> TriangleMesh:
-    """Forty triangles of very different areas, in all directions, some with none, with normals and colours."""
+    """Forty triangles of very different areas, in all directions, some with none, with normals and colors."""
     rng = np.random.default_rng(3)
     vertices = rng.normal(size=(60, 3))
     triangles = rng.permuted(np.tile(np.arange(60), (40, 1)), axis=1)[:, :3]

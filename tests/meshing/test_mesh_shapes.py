@@ -68,7 +68,7 @@ def open3d_frame(o3d):
     return np.array(peer.vertex_normals, np.float32)[::7], np.array(peer.vertex_colors, np.float32)[::7]
 
 
-def test_a_coordinate_frame_has_open3ds_normals_and_colours(device, oracle):
+def test_a_coordinate_frame_has_open3ds_normals_and_colors(device, oracle):
     ours = TriangleMesh.create_coordinate_frame(2, device=device)
     normals, colors = oracle("meshing/shapes/coordinate_frame", open3d_frame)
     np.testing.assert_allclose(ours.vertex_normals[::7], normals, atol=1e-6)

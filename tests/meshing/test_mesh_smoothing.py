@@ -66,7 +66,7 @@ def test_values_are_those_of_open3d(device, oracle, name, iterations):
     ("scope", "changed"), [("vertex", "vertices"), ("normal", "vertex_normals"), ("color", "vertex_colors")]
 )
 def test_a_scope_changes_nothing_else(device, name, scope, changed):
-    """Where Open3D is asked for normals or colours alone, its vertices are what lay in memory."""
+    """Where Open3D is asked for normals or colors alone, its vertices are what lay in memory."""
     mesh = torn_ball(device)
     part = filtered(mesh, name, 1, scope)
     for array in {"vertices", "vertex_normals", "vertex_colors"} - {changed}:
@@ -85,7 +85,7 @@ def test_open3ds_scopes_are_taken(device, o3d):
             np.testing.assert_array_equal(getattr(a, array), getattr(b, array))
 
 
-def test_normals_weigh_neighbours_by_where_they_are(device):
+def test_normals_weigh_neighbors_by_where_they_are(device):
     """Several passes over normals alone take the weights of vertices that do not move."""
     mesh = torn_ball(device)
     normals = mesh.vertex_normals.astype(float)
@@ -104,7 +104,7 @@ def test_normals_weigh_neighbours_by_where_they_are(device):
 
 
 @every_filter
-def test_vertices_without_neighbours_stay(device, name):
+def test_vertices_without_neighbors_stay(device, name):
     """Open3D's Laplacian and Taubin filters divide by zero there in some versions."""
     mesh = torn_ball(device)
     loose = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.triangles)
@@ -133,11 +133,11 @@ def test_values_are_those_of_open3d_whatever_the_triangles(oracle, name):
     answers = oracle(f"meshing/smoothing/{name}_soups", for_each, open3d_filtered, [(mesh, name) for mesh in meshes])
     for mesh, (theirs,) in zip(meshes, one_by_one(answers), strict=True):
         used = np.unique(mesh.triangles)
-        # sharpening by four neighbours of some units subtracts numbers that are larger than what is left
+        # sharpening by four neighbors of some units subtracts numbers that are larger than what is left
         np.testing.assert_allclose(filtered(mesh, name).vertices[used], theirs[used], rtol=RELATIVE, atol=1e-9)
 
 
-def test_a_vertex_is_no_neighbour_of_itself(device):
+def test_a_vertex_is_no_neighbor_of_itself(device):
     """A triangle of two corners pins its vertex in Open3D, whose weight for itself is 1e12."""
     places = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     pinned = TriangleMesh(places, [[0, 1, 2], [0, 0, 1]], device=device)

@@ -30,7 +30,7 @@ def open3d_topology(o3d, mesh):
     ]
 
 
-def test_edges_neighbours_and_the_euler_characteristic_are_those_of_open3d(oracle):
+def test_edges_neighbors_and_the_euler_characteristic_are_those_of_open3d(oracle):
     soups = fixed_soups()
     answers = one_by_one(oracle("meshing/topology/soups", for_each, open3d_topology, [(mesh,) for mesh in soups]))
     for mesh, (crowded, split, near, counts, (euler,)) in zip(soups, answers, strict=True):

@@ -89,7 +89,7 @@ def test_a_ball_is_cut_as_by_brute_force(device):
     np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[kept], between]), atol=1e-7)
 
 
-def test_colours_lie_between_those_of_the_edge(device):
+def test_colors_lie_between_those_of_the_edge(device):
     mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], vertex_colors=np.eye(3), device=device)
     left = mesh.trim([0, 4, 0], 1)
     np.testing.assert_array_equal(left.vertex_colors, np.float32([[0, 1, 0], [0.75, 0.25, 0], [0, 0.25, 0.75]]))

@@ -128,12 +128,12 @@ def test_scale_does_not_change_the_voxels(device, scale):
     [
         (lambda: TriangleMesh.create_torus(radial_resolution=12, tubular_resolution=9), 0.19),
         (lambda: TriangleMesh.create_sphere(resolution=6), 0.23),
-        (lambda: TriangleMesh.create_box(), 0.25),  # every plane of the grid's centres is on an edge or a corner
+        (lambda: TriangleMesh.create_box(), 0.25),  # every plane of the grid's centers is on an edge or a corner
         (lambda: TriangleMesh.create_octahedron(), 0.125),
         (lambda: TriangleMesh.create_cone(resolution=5), 0.2),
     ],
 )
-def test_a_solid_is_its_surface_and_the_centres_inside(device, make, size):
+def test_a_solid_is_its_surface_and_the_centers_inside(device, make, size):
     mesh = make().to("cpu" if device is None else device)
     surface, solid = mesh.voxelize(size), mesh.voxelize(size, solid=True)
     cells = np.argwhere(np.ones(solid.counts, bool))

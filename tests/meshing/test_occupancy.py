@@ -176,8 +176,8 @@ def test_exports_agree(room):
     voxels, low = room.voxel_indices(), np.round(room.bounds[0] / EDGE).astype(int)
     dense = room.to_array()
     assert np.array_equal(np.argwhere(np.nan_to_num(dense) >= 0.5) + low, voxels)
-    centres = room.to_point_cloud().points
-    assert np.array_equal(np.sort(np.floor(centres / EDGE).astype(int), axis=0), np.sort(voxels, axis=0))
+    centers = room.to_point_cloud().points
+    assert np.array_equal(np.sort(np.floor(centers / EDGE).astype(int), axis=0), np.sort(voxels, axis=0))
     grid = room.to_voxel_grid()
     assert np.allclose(grid.centers, (voxels + 0.5) * EDGE) and grid.dense().sum() == len(voxels)
     some = (voxels[:3] + 0.5) * EDGE

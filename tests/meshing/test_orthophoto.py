@@ -23,7 +23,7 @@ def slope(x, y):
 
 
 def town(place=PLACE, device="cpu"):
-    """A slope of 20 x 16 m with a box on it, each of a colour of its own; corners by float64."""
+    """A slope of 20 x 16 m with a box on it, each of a color of its own; corners by float64."""
     x, y = np.array([0.0, 20, 20, 0]), np.array([0.0, 0, 16, 16])
     (x0, y0), (x1, y1), top = BOX
     corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
@@ -38,8 +38,8 @@ def town(place=PLACE, device="cpu"):
     return loom.TriangleMesh(vertices + place, triangles, vertex_colors=colors, device=device)
 
 
-def centres(made):
-    """x and y of the cells' centres, rows from the north."""
+def centers(made):
+    """x and y of the cells' centers, rows from the north."""
     (rows, columns), (x, y), cell = made.heights.values.shape, made.heights.corner, made.heights.cell
     return np.meshgrid(x + (np.arange(columns) + 0.5) * cell, y + (np.arange(rows)[::-1] + 0.5) * cell)
 
@@ -76,10 +76,10 @@ def seen_from_above(vertices, triangles, x, y):
     return (each.reshape(x.shape + each.shape[1:]) for each in (triangle, heights, w[rows, best], near))
 
 
-def test_heights_and_colours_of_a_slope_and_a_box_are_those_reckoned(device):
+def test_heights_and_colors_of_a_slope_and_a_box_are_those_reckoned(device):
     made = loom.orthophoto(town(device=device), 0.5, crs="EPSG:32632")
     assert made.bounds == (500_000.0, 5_400_000.0, 500_020.5, 5_400_016.5)
-    x, y = (axis - at for axis, at in zip(centres(made), PLACE[:2], strict=True))
+    x, y = (axis - at for axis, at in zip(centers(made), PLACE[:2], strict=True))
     (x0, y0), (x1, y1), top = BOX
     on_box = (x > x0) & (x < x1) & (y > y0) & (y < y1)
     on_map = (x < 20) & (y < 16)
@@ -105,7 +105,7 @@ def test_a_map_of_any_triangles_is_that_of_rays_in_float64(seed, cell, corner):
     vertices[rng.integers(0, 24), 1] = np.nan
     mesh = loom.TriangleMesh(vertices + PLACE, triangles, vertex_colors=colors, origin=PLACE)
     made = loom.orthophoto(mesh, cell, corner=(corner, 0.0))
-    x, y = centres(made)
+    x, y = centers(made)
     kept = np.isfinite(vertices[triangles]).all(axis=(1, 2))
     stored = vertices.astype(np.float32).astype(np.float64)
     triangle, heights, weights, near = seen_from_above(stored, triangles[kept], x - PLACE[0], y - PLACE[1])
@@ -165,7 +165,7 @@ def test_a_frame_places_the_map_in_its_zone_of_utm(device, monkeypatch):
     made = loom.orthophoto(mesh, 0.25, frame=FRAME)
     assert made.heights.crs == "EPSG:32632"
     true = FRAME.to_utm(mesh.vertices)
-    x, y = centres(made)
+    x, y = centers(made)
     triangle, heights, _, near = seen_from_above(true, np.asarray(mesh.triangles), x, y)
     sure = near > 1e-4
     np.testing.assert_allclose(made.heights.values[sure], heights[sure], rtol=0, atol=2e-4)  # float32 at 431 m

@@ -19,7 +19,7 @@ SIZES = {"voxel_size": 0.025, "truncation": 0.075}
 
 
 def frame(k):
-    """Depth [m], colours and T_camera_world of a camera that goes along a wall and comes back."""
+    """Depth [m], colors and T_camera_world of a camera that goes along a wall and comes back."""
     random = np.random.default_rng(k)
     x = 0.8 * (k if k < 6 else 11 - k)
     pose = np.eye(4)

@@ -13,7 +13,7 @@ from .strict_gltf import faults_of_glb
 
 texture = loom.color_map.texture_from_pictures
 GAINS = (0.8, 1.2, 0.95)
-NO_LEVELLING = {"exposures": False, "seam_levelling": False, "local_levelling": False}
+NO_LEVELLING = {"exposures": False, "seam_leveling": False, "local_leveling": False}
 MIDDLE = np.full(3, 1 / 3)
 
 
@@ -26,7 +26,7 @@ def errors_of(found):
     return np.abs(colors * (colors * truth).sum() / (colors**2).sum() - truth)
 
 
-def test_a_triangle_has_the_colours_of_the_place(device):
+def test_a_triangle_has_the_colors_of_the_place(device):
     scene = wall_scene(device=device)
     found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
     assert found.seen_share > 0.3 and found.used_count >= 2 and found.chart_count >= 2 and found.reliable
@@ -38,13 +38,13 @@ def test_a_triangle_has_the_colours_of_the_place(device):
 @pytest.mark.parametrize(
     ("options", "mean", "most"),
     [
-        ({"exposures": False, "seam_levelling": False}, 0.5, 1.5),
+        ({"exposures": False, "seam_leveling": False}, 0.5, 1.5),
         ({"exposures": False}, 0.5, 1.5),
-        ({"seam_levelling": False, "local_levelling": False}, 1.0, 3.0),
+        ({"seam_leveling": False, "local_leveling": False}, 1.0, 3.0),
         ({}, 0.5, 1.5),
     ],
 )
-def test_each_levelling_takes_seams_away(device, options, mean, most):
+def test_each_leveling_takes_seams_away(device, options, mean, most):
     scene = wall_scene(GAINS, device)
     given = (scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
     plain = texture(*given, **NO_LEVELLING)
@@ -67,7 +67,7 @@ def test_the_figure_of_seams_is_of_the_finished_texture(device):
     assert found.step < 0.5 and found.step_95 < 1.0 and "95 % below" in str(found)
 
 
-def test_one_exposure_brings_pictures_to_the_colours_of_the_place(device):
+def test_one_exposure_brings_pictures_to_the_colors_of_the_place(device):
     scene = wall_scene(GAINS, device)
     found = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics)
     without = texture(scene.mesh, scene.pictures, CAMERA, scene.extrinsics, exposures=False)
@@ -104,7 +104,7 @@ def test_triangles_that_look_away_are_seen_by_nobody(device):
         texture(turned, scene.pictures, CAMERA, scene.extrinsics)
 
 
-def test_triangles_without_a_picture_have_the_vertices_colours_or_are_plain(device):
+def test_triangles_without_a_picture_have_the_vertices_colors_or_are_plain(device):
     scene = wall_scene((1.0,), device)
     colored = scene.mesh._with_arrays()
     colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))
@@ -178,7 +178,7 @@ def test_bad_input_is_named():
 
 
 ARGUMENTS = {"size": 256, "smoothness": 1.0, "depth_max": 4.0, "plain": (0.5, 0.5, 0.5)}
-FLAGS = {"outliers": True, "exposures": True, "seam_levelling": True, "local_levelling": True, "progress": None}
+FLAGS = {"outliers": True, "exposures": True, "seam_leveling": True, "local_leveling": True, "progress": None}
 
 
 @pytest.mark.parametrize(

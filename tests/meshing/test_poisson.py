@@ -149,7 +149,7 @@ def test_more_samples_a_node_make_a_coarser_tree(device):
     assert abs(depths[0] - depths[1] - 1) < 0.1  # log4 of four
 
 
-def test_colours_are_those_of_the_nearest_points(device):
+def test_colors_are_those_of_the_nearest_points(device):
     points = sphere(1000)
     colors = np.random.default_rng(2).random((1000, 3)).astype(np.float32)
     cloud = loom.PointCloud(points, normals=points, colors=colors, device=device)

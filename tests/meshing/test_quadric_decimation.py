@@ -168,8 +168,8 @@ def test_an_error_that_is_allowed_is_not_passed(device):
     assert len(scaled.simplify_quadric_decimation(2, maximum_error=1024**4)) == len(near)
 
 
-def test_normals_and_colours_are_those_of_the_place(device):
-    """Colours that are linear on a flat square stay linear on it."""
+def test_normals_and_colors_are_those_of_the_place(device):
+    """Colors that are linear on a flat square stay linear on it."""
     vertices, triangles = grid(16)
     colors = np.c_[vertices[:, 0], vertices[:, 1], 15 - vertices[:, 0]] / 15
     normals = np.tile([0.0, 0, 1], (256, 1))
@@ -177,7 +177,7 @@ def test_normals_and_colours_are_those_of_the_place(device):
     thin = mesh.simplify_quadric_decimation(40)
     where = thin.vertices
     wanted = np.c_[where[:, 0], where[:, 1], 15 - where[:, 0]] / 15
-    # vertices leave the square by some 1e-5, where colours do not follow
+    # vertices leave the square by some 1e-5, where colors do not follow
     assert thin.vertex_colors is not None
     np.testing.assert_allclose(thin.vertex_colors, wanted, atol=1e-4)
     np.testing.assert_array_equal(thin.vertex_normals, np.tile([0, 0, 1], (len(where), 1)))

@@ -177,7 +177,7 @@ def test_no_ray_slips_through_the_edges_and_corners_of_a_closed_mesh(device, sca
     origin = np.array([0.013, -0.021, 0.034], np.float32) * np.float32(scale)  # inside
     rays = np.hstack([np.broadcast_to(origin, targets.shape), targets - origin])
     found = scene_of((vertices, triangles), device=device).cast_rays(rays)
-    np.testing.assert_allclose(found["t_hit"], 1, rtol=1e-4)  # the next triangle may lean towards the ray
+    np.testing.assert_allclose(found["t_hit"], 1, rtol=1e-4)  # the next triangle may lean toward the ray
 
 
 def test_edges_and_corners_are_crossed_once(device):
@@ -212,7 +212,7 @@ def test_of_equal_triangles_the_smallest_number_is_met(device):
 
 
 def test_of_triangles_at_a_corner_the_smallest_number_is_met_wherever_it_stands_in_the_tree(device):
-    """The later half rises towards the ray, so its boxes are entered first."""
+    """The later half rises toward the ray, so its boxes are entered first."""
     angles = np.linspace(np.pi / 2, 5 * np.pi / 2, 32, endpoint=False)
     rim = np.stack([np.cos(angles), np.sin(angles), np.where(np.cos(angles) > 1e-9, 2.0, 0.0)], axis=1)
     fan = [[0, 1 + k, 1 + (k + 1) % 32] for k in range(32)]

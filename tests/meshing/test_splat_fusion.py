@@ -24,7 +24,7 @@ def splats_of(mesh, count, color=(0.8, 0.3, 0.1), *, thickness=0.1, at=(0, 0, 0)
     return loom.GaussianSplats(cloud.points + at, scales, turns, np.full(count, 0.95), harmonics, device=device)
 
 
-def test_a_ball_comes_back_with_its_colour(device, at=UTM):
+def test_a_ball_comes_back_with_its_color(device, at=UTM):
     splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 40), 2000, at=at, device=device)
     mesh = loom.fuse_splats(splats, voxel_size=0.08)
     apart = np.linalg.norm(mesh.vertices - at, axis=1) - 1

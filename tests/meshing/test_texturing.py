@@ -1,4 +1,4 @@
-"""texture_mesh: frames in memory give a mesh their colours; what is no frame, pose or mesh is refused by name."""
+"""texture_mesh: frames in memory give a mesh their colors; what is no frame, pose or mesh is refused by name."""
 
 import dataclasses
 from typing import Any
@@ -29,7 +29,7 @@ def frames(count: int = 2, color: Any = (0, 255, 0)) -> Any:
     return loom.frames_from([(picture, np.full((48, 64), 1000, np.uint16))] * count, CAMERA)
 
 
-def test_frames_in_memory_give_a_mesh_their_colours(device):
+def test_frames_in_memory_give_a_mesh_their_colors(device):
     told = []
     found = loom.color_map.texture_mesh(
         wall(device=device), frames(), [POSE] * 2, method="none", progress=lambda *stage: told.append(stage)
@@ -37,10 +37,10 @@ def test_frames_in_memory_give_a_mesh_their_colours(device):
     assert (found.mesh.vertex_colors == (0, 1, 0)).all() and found.reliable
     assert found.frame_count == 2 and found.blind_frames == 0 and 0.3 < found.seen_share < 0.9
     assert found.texel_share is None and (found.turned, found.moved) == (0.0, 0.0)
-    assert told == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colours", 0, 0)]
+    assert told == [("frames", 0, 2), ("frames", 1, 2), ("frames", 2, 2), ("colors", 0, 0)]
 
 
-def test_a_texture_takes_the_place_of_the_vertices_colours():
+def test_a_texture_takes_the_place_of_the_vertices_colors():
     mesh = wall()
     mesh.triangle_uvs = (mesh.vertices[mesh.triangles][..., :2] + 0.42).reshape(-1, 2) / 0.84
     found = loom.color_map.texture_mesh(mesh, frames(), loom.Trajectory([POSE] * 2), size=32)
@@ -66,13 +66,13 @@ def test_pictures_that_agree_no_better_are_unreliable():
     assert "6 of 10 frames" in str(warnings("rigid", 0.05, 0.0, blind=6))
 
 
-def test_frames_that_cannot_colour_a_mesh_are_refused_by_name():
+def test_frames_that_cannot_color_a_mesh_are_refused_by_name():
     def texture(given: Any, poses: Any = (POSE,), mesh: Any = None) -> None:
         loom.color_map.texture_mesh(wall() if mesh is None else mesh, given, poses)
 
     gray = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16))], CAMERA)
     for given, poses, said in (
-        (gray, [POSE], "frames: frame-000000 has no colour"),
+        (gray, [POSE], "frames: frame-000000 has no color"),
         (frames(1), None, "frames: frame-000000 has no pose; give poses"),
         (frames(0), [], "frames: expected one frame at least"),
         (frames(2), [POSE], "poses: 1 poses, but more frames"),

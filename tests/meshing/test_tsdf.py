@@ -53,7 +53,7 @@ def test_a_frame_that_is_refused_leaves_the_volume_as_it_was(device, arguments, 
             volume.integrate(DEPTH, SMALL, E, color=COLOR)
 
 
-def test_colour_for_a_volume_without_is_refused(device):
+def test_color_for_a_volume_without_is_refused(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, color=False, device=device)
     with pytest.raises(ValueError, match="color:"):
         volume.integrate(DEPTH, SMALL, E, color=COLOR)

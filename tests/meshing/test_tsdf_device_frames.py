@@ -41,7 +41,7 @@ def fused(device, *, count=8, color=True, depth_max=3.0):
 
 @pytest.fixture(scope="module")
 def on_cpu():
-    """What one core of the CPU makes of the frames, with colour and without."""
+    """What one core of the CPU makes of the frames, with color and without."""
     with cpu_compiler("warp"):
         return {color: fused("cpu", color=color) for color in (True, False)}
 
@@ -104,11 +104,11 @@ def test_a_number_that_is_still_counted_behaves_as_one(device):
 
 
 WALL = np.array([0.0, 0.0, -1.0])
-GREY = np.array([0.2990, 0.5870, 0.1140])
+GRAY = np.array([0.2990, 0.5870, 0.1140])
 
 
 def painted_wall(device, *, color=True, origin=(0.0, 0.0, 0.0)):
-    """A wall with a ramp of colour along x, seen from three places; and the brightness at world places."""
+    """A wall with a ramp of color along x, seen from three places; and the brightness at world places."""
 
     def shade(points):
         x = (points[..., 0] - origin[0])[..., None]
@@ -121,7 +121,7 @@ def painted_wall(device, *, color=True, origin=(0.0, 0.0, 0.0)):
         points = rays_of(CAMERA, T) * depth[..., None] + T[:3, 3]
         paint = np.round(255 * shade(points)).astype(np.uint8) if color else None
         volume.integrate(depth, CAMERA, np.linalg.inv(T), paint)
-    return volume, lambda points: shade(points) @ GREY
+    return volume, lambda points: shade(points) @ GRAY
 
 
 def rendered(volume, T, **options):
@@ -147,7 +147,7 @@ def test_rendered_maps_are_the_cast_picture_in_the_cameras_frame(device, origin)
 
 
 def test_rendered_brightness_is_that_of_the_surface_and_smooth(device):
-    """Within half a grey step of 8-bit colours and a tenth of a voxel's; the nearest voxel's would be off by half."""
+    """Within half a gray step of 8-bit colors and a tenth of a voxel's; the nearest voxel's would be off by half."""
     volume, brightness = painted_wall(device)
     T = look_at((0.05, -0.1, -0.9))
     depth, normals, intensity = rendered(volume, T)
@@ -162,7 +162,7 @@ def test_rendered_brightness_is_that_of_the_surface_and_smooth(device):
     assert not intensity[depth == 0].any()
 
 
-def test_a_volume_without_colour_renders_no_brightness(device):
+def test_a_volume_without_color_renders_no_brightness(device):
     volume, _ = painted_wall(device, color=False)
     depth, _, intensity = rendered(volume, look_at((0, 0, -1.0)))
     assert intensity is None

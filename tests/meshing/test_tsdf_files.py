@@ -184,7 +184,7 @@ def test_an_edited_file_is_refused_and_the_array_is_named(saved, tmp_path, edit)
     with pytest.raises(FileError) as caught:
         loom.TSDFVolume.load(tmp_path / "a.npz")
     name = edit.split(":")[0]
-    # where the count of blocks or the presence of colour is what was edited, another array is the one that misfits
+    # where the count of blocks or the presence of color is what was edited, another array is the one that misfits
     other = {"keys": "distances|keys", "has_color": "colors|has_color", "format": "format|TSDF volume"}.get(name, name)
     assert any(word in str(caught.value) for word in other.split("|")), str(caught.value)
 

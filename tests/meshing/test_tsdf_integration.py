@@ -107,8 +107,8 @@ def test_integers_with_a_scale_are_floats_in_metres(device, rng):
     assert a.block_count > 10
 
 
-def test_colour_is_for_every_frame_or_for_none(device, rng):
-    """A colour without a weight of its own cannot skip frames: mixing is refused, not averaged with black."""
+def test_color_is_for_every_frame_or_for_none(device, rng):
+    """A color without a weight of its own cannot skip frames: mixing is refused, not averaged with black."""
     depth, T, color = next(small_frames(rng, 1))
     E = np.linalg.inv(T)
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
@@ -126,7 +126,7 @@ def test_colour_is_for_every_frame_or_for_none(device, rng):
     assert plain.ray_cast(SMALL, E, weight_threshold=0).colors is None
 
 
-def test_grey_pictures_and_colours_reach_the_surface(device):
+def test_gray_pictures_and_colors_reach_the_surface(device):
     depth, E = np.full((SMALL.height, SMALL.width), 1.01), np.eye(4)
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     shade = np.empty((SMALL.height, SMALL.width, 3), np.uint8)
@@ -137,9 +137,9 @@ def test_grey_pictures_and_colours_reach_the_surface(device):
     mesh, view = volume.extract_triangle_mesh(3), volume.ray_cast(SMALL, E)
     assert np.abs(mesh.vertex_colors - expected).max() < 2e-5
     assert np.abs(view.colors[view.depth > 0] - expected).max() < 2e-5
-    grey = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
-    grey.integrate(depth, SMALL, E, color=shade[:, :, 1])
-    assert np.abs(grey.extract_triangle_mesh(0).vertex_colors - 120 / 255).max() < 2e-5
+    gray = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
+    gray.integrate(depth, SMALL, E, color=shade[:, :, 1])
+    assert np.abs(gray.extract_triangle_mesh(0).vertex_colors - 120 / 255).max() < 2e-5
 
 
 def test_growth_keeps_the_bits_of_old_blocks(device, rng):
@@ -166,7 +166,7 @@ def test_a_frame_without_depth_counts_and_touches_nothing(device):
     assert len(volume.extract_triangle_mesh(0)) == 0
 
 
-def test_a_mean_colour_is_rounded_to_the_nearest_step(device, rng):
+def test_a_mean_color_is_rounded_to_the_nearest_step(device, rng):
     """Cut off in place of that, hundreds of frames would darken a surface."""
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)

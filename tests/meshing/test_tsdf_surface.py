@@ -30,7 +30,7 @@ def boundary_edges(mesh):
     edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
     assert count.max() <= 2
     directed = len(np.unique(sides, axis=0))
-    assert directed == len(sides), "neighbours turn the same way"
+    assert directed == len(sides), "neighbors turn the same way"
     return edges[count == 1]
 
 
@@ -47,7 +47,7 @@ def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
     error = np.linalg.norm(mesh.vertices, axis=1) - RADIUS
     assert np.sqrt(np.mean(error**2)) < 0.3 * VOXEL
     normals, centers = triangle_normals(mesh)
-    assert (np.einsum("ij,ij->i", normals, centers) > 0).all(), "outward, towards the cameras"
+    assert (np.einsum("ij,ij->i", normals, centers) > 0).all(), "outward, toward the cameras"
     assert mesh.get_volume() == pytest.approx(4 / 3 * np.pi * RADIUS**3, rel=0.03)
 
 

@@ -84,7 +84,7 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
     np.testing.assert_array_equal(other.vertices, first.vertices * scale)
 
 
-def test_normals_and_colours_are_means(device):
+def test_normals_and_colors_are_means(device):
     corners = [[0, 0, 0], [0.1, 0, 0], [2, 0, 0], [0, 2, 0]]
     normals = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 2], [np.nan, 0, 0]])
     colors = np.array([[1, 0, 0], [0, 0.5, 0], [0, 0, 1], [1, 1, 1]])

@@ -185,7 +185,7 @@ def test_what_cannot_be_fused_is_refused(device):
         ({"voxel_size": 0.0}, "voxel_size"),
         ({"truncation": 0.2}, "truncation: 0.2 m is beyond"),
         ({"truncation": 0.01}, "truncation: 0.01 m is below"),
-        ({"color": True}, "color: a volume has no colours"),
+        ({"color": True}, "color: a volume has no colors"),
     ):
         with pytest.raises(ValueError, match=message):
             loom.fuse_volumes([volume], [eye], **options)

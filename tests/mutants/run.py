@@ -1,4 +1,4 @@
-"""Applies small changes of behaviour one at a time, and says which of them the tests notice: `make mutants`.
+"""Applies small changes of behavior one at a time, and says which of them the tests notice: `make mutants`.
 
 The changes stand in the .toml files beside this one, each with the tests that must notice it. They are applied to a
 copy of the tree in a temporary folder, and the tests run without real data. Exit code 0 where enough were noticed, 1
@@ -43,7 +43,7 @@ class ListError(Exception):
 
 
 class Mutant(NamedTuple):
-    """A change of behaviour: in `file` the text `old`, which is there once, becomes `new`; `tests` must notice it."""
+    """A change of behavior: in `file` the text `old`, which is there once, becomes `new`; `tests` must notice it."""
 
     name: str
     file: str

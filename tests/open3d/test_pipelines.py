@@ -52,7 +52,7 @@ def test_a_volume_has_the_same_surface(both):
     scalable = [found.pop("scalable") for found in (theirs, ours)]
     tolerances = {"mean color": 0.01, "area": 0.02}  # voxels lie at other places, edges of the surface with them
     assert differences(theirs, ours, tolerances, USUAL) == []
-    # Open3D 0.20 divides the depth of an RGBDImage, which is in metres, by 1000 again, and finds no block of voxels
+    # Open3D 0.20 divides the depth of an RGBDImage, which is in meters, by 1000 again, and finds no block of voxels
     assert len(scalable[0]) == 0
     pairs = [(surfaces[0], points) for points in (surfaces[1].vertices, clouds[1], scalable[1])]
     for surface, points in (*pairs, (surfaces[1], surfaces[0].vertices), (surfaces[1], clouds[0])):
@@ -62,13 +62,13 @@ def test_a_volume_has_the_same_surface(both):
         assert (distances < np.array([0.2, 0.6]) * VOXEL).all()
 
 
-def test_colour_maps_give_the_same_colours(both):
+def test_color_maps_give_the_same_colors(both):
     theirs, ours = both("color_map_optimization")
     plain = [found.pop("plain") for found in (theirs, ours)]
-    # but where a vertex lies half way between two pixels, or takes the colour of one that does
+    # but where a vertex lies half way between two pixels, or takes the color of one that does
     assert (np.abs(plain[0] - plain[1]).max(axis=1) < 1e-6).mean() > 0.95
     # a step of theirs is an eighth of ours, and on these walls both walk 15 cm away from the true poses: each ends
-    # elsewhere, so that of what is optimised only the kind is compared
+    # elsewhere, so that of what is optimized only the kind is compared
     for name in ("rigid", "bent"):
         colors = [found.pop(name) for found in (theirs, ours)]
         assert colors[0].shape == colors[1].shape and all(0 <= one.min() < one.max() <= 1 for one in colors)

@@ -9,7 +9,7 @@ EXTRAS = ("ring", "time", "label", "pair", "half", "flag")
 
 
 def full_cloud(rng, device, count=200, shift=0.0):
-    """A cloud with normals, colours and attributes of many types."""
+    """A cloud with normals, colors and attributes of many types."""
     normals = rng.normal(size=(count, 3))
     return loom.PointCloud(
         rng.random((count, 3)) * 10 + shift,

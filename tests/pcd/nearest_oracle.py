@@ -1,4 +1,4 @@
-"""Clouds to search, and the float64 brute force that neighbours are held against."""
+"""Clouds to search, and the float64 brute force that neighbors are held against."""
 
 import numpy as np
 from scipy.spatial.distance import cdist
@@ -44,7 +44,7 @@ def make_cloud(name, rng, device):
 
 
 def queries_for(points, rng):
-    """Points of the cloud, quarters of metres and random places around them, and places far outside the box."""
+    """Points of the cloud, quarters of meters and random places around them, and places far outside the box."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = (high - low).max() + 1e-3
     inside = rng.uniform(low - 0.1 * size, high + 0.1 * size, (90, 3))
@@ -80,7 +80,7 @@ def assert_nearest(found, expected, k, radius, tolerances, exact=False):
 
     Args:
         found: Neighbors with rows of k.
-        expected: float64 squared distances [m, n]; infinite means never a neighbour.
+        expected: float64 squared distances [m, n]; infinite means never a neighbor.
         exact: In rows whose distances are exact in float32 the very indices are fixed.
     """
     indices, sqdists, counts = found
@@ -117,7 +117,7 @@ def assert_nearest(found, expected, k, radius, tolerances, exact=False):
 
 
 def rows_of(found, k):
-    """Flat neighbours of a radius search as rows of k, the padding as in the others."""
+    """Flat neighbors of a radius search as rows of k, the padding as in the others."""
     indices, sqdists, counts = found
     assert counts.max(initial=0) <= k
     rows, distances = np.full((len(counts), k), -1, np.int32), np.full((len(counts), k), np.inf, np.float32)

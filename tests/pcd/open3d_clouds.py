@@ -1,4 +1,4 @@
-"""Open3D's form of clouds and of limits on neighbours, for functions that compute its answers (tests/oracle.py)."""
+"""Open3D's form of clouds and of limits on neighbors, for functions that compute its answers (tests/oracle.py)."""
 
 import numpy as np
 

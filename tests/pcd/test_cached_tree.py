@@ -144,7 +144,7 @@ def test_a_fingerprint_changes_with_any_bit_and_any_exchange(device, rng, count)
     assert len(found) == 1 + 3 * len({0, count // 2, count - 1} if count else ()) + (count > 1)
 
 
-def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighbourhoods(device, rng):
+def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighborhoods(device, rng):
     """That pass moves points by place on the curve; it must not move those of the tree that the cloud keeps."""
     cloud = loom.PointCloud(rng.random((900, 3)), device=device)
     before = download(cloud.search_tree().points).copy()
@@ -208,7 +208,7 @@ def test_points_at_one_place_are_not_too_near_each_other(device, points):
 
 
 def test_half_of_the_points_may_lie_out_of_reach(device, rng):
-    """They are nobody's neighbours; with more of them nothing much is left to measure."""
+    """They are nobody's neighbors; with more of them nothing much is left to measure."""
     points = rng.random((20, 3))
     points[:9] *= 1e25
     found = loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()

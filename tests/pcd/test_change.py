@@ -10,7 +10,7 @@ RADII, CYLINDER, REACH, ERROR = (0.6, 1.2, 2.0), 0.8, 2.5, 0.01
 
 
 def epoch(seed, *, count=20_000, at=(0, 0, 0), sunk=0.0, noise=0.02):
-    """A hilly surface of 30 x 30 m; a pit of `sunk` metres within 4 m of its middle."""
+    """A hilly surface of 30 x 30 m; a pit of `sunk` meters within 4 m of its middle."""
     rng = np.random.default_rng(seed)
     xy = rng.random((count, 2)) * 30
     z = 2 * np.sin(xy[:, 0] / 5) + 1.5 * np.cos(xy[:, 1] / 4) + rng.normal(size=count) * noise

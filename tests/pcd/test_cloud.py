@@ -47,7 +47,7 @@ def test_points_and_attributes_of_any_number_type_are_taken(device, dtype):
     assert len(cloud.voxel_down_sample(0.25)) == 3
 
 
-def test_8_bit_colours_are_divided_by_255(device):
+def test_8_bit_colors_are_divided_by_255(device):
     cloud = loom.PointCloud(np.zeros((2, 3)), colors=np.array([[255, 0, 51], [1, 2, 3]], np.uint8), device=device)
     np.testing.assert_allclose(cloud.colors, [[1, 0, 0.2], [1 / 255, 2 / 255, 3 / 255]], rtol=6.1e-8)
 

@@ -78,12 +78,12 @@ def test_a_unit_is_assigned_by_name_and_moves_no_point():
 
 def test_conversion_is_exact_far_from_zero(device, feet):
     cloud = feet.to(device)
-    metres = cloud.to_unit("metre")
-    assert metres.unit == "metre" and cloud.unit == "foot"
-    assert np.array_equal(metres.origin, cloud.origin * 0.3048)
-    assert np.abs(metres.points - cloud.points * 0.3048).max() < 1e-7
-    assert np.abs(metres.to_unit("foot").points - cloud.points).max() < 3e-7
-    assert np.allclose(metres.normals, cloud.normals, atol=1e-6)
+    meters = cloud.to_unit("metre")
+    assert meters.unit == "metre" and cloud.unit == "foot"
+    assert np.array_equal(meters.origin, cloud.origin * 0.3048)
+    assert np.abs(meters.points - cloud.points * 0.3048).max() < 1e-7
+    assert np.abs(meters.to_unit("foot").points - cloud.points).max() < 3e-7
+    assert np.allclose(meters.normals, cloud.normals, atol=1e-6)
     spread = cloud.estimate_covariances(max_nn=9)
     converted = spread.to_unit("metre")
     assert np.allclose(converted["covariances"], spread["covariances"] * 0.3048**2, rtol=1e-5)
@@ -122,19 +122,19 @@ def test_meshes_are_converted_too():
     ],
 )
 def test_two_units_that_meet_are_a_warning(meeting, feet):
-    metres = feet.copy()
-    metres.unit = "metre"
+    meters = feet.copy()
+    meters.unit = "metre"
     with pytest.warns(loom.UnitWarning, match="lengths in (foot and in metre|metre and in foot) meet: to_unit") as told:
-        meeting(feet, metres)
+        meeting(feet, meters)
     assert told[0].filename == __file__
-    metres.unit = None
+    meters.unit = None
     with warnings.catch_warnings():
         warnings.simplefilter("error", loom.UnitWarning)
-        meeting(feet, metres)  # what is not known contradicts nothing
+        meeting(feet, meters)  # what is not known contradicts nothing
 
 
 def test_lidar_odometry_counts_in_metres(feet):
-    with pytest.warns(loom.UnitWarning, match="LidarOdometry, which counts in metres"):
+    with pytest.warns(loom.UnitWarning, match="LidarOdometry, which counts in meters"):
         loom.registration.LidarOdometry().register(feet)
 
 

@@ -127,7 +127,7 @@ def test_labels_are_those_of_the_definition_for_every_reach_and_threshold(device
     np.testing.assert_array_equal(found, brute_dbscan(points, eps, min_points))
 
 
-def test_a_point_at_exactly_eps_is_no_neighbour(device):
+def test_a_point_at_exactly_eps_is_no_neighbor(device):
     cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [2, 0, 0]], device=device)
     assert cloud.cluster_dbscan(1.0, 2).tolist() == [-1, -1, -1]
     assert cloud.cluster_dbscan(np.nextafter(1.0, 2), 2).tolist() == [0, 0, 0]
@@ -171,7 +171,7 @@ def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 @pytest.mark.parametrize("eps", [0.6, 1e200])
 def test_an_eps_of_the_size_of_the_cloud_takes_no_time(device, eps, rng):
-    """30,000 points, each within reach of thousands: lists of neighbours would fill gigabytes."""
+    """30,000 points, each within reach of thousands: lists of neighbors would fill gigabytes."""
     cloud = loom.PointCloud(rng.random((30_000, 3)), device=device)
     assert (cloud.cluster_dbscan(eps, 2500) == 0).all()
     assert (cloud.cluster_dbscan(eps, 30_001) == -1).all()
@@ -223,7 +223,7 @@ def test_euclidean_clusters_are_numbered_by_size_then_by_first_point(device):
 
 
 def test_memory_is_linear_and_small(device, rng, monkeypatch):
-    """14 B a point beside the tree, also where each point has ten thousand neighbours."""
+    """14 B a point beside the tree, also where each point has ten thousand neighbors."""
     from pointloom.kernels.search import tree_walk
     from pointloom.kernels.segmentation import cluster_labels, dbscan
 

@@ -25,7 +25,7 @@ SUMS = [
 
 
 def open3d_has(o3d):
-    """Whether the sums have normals and colours."""
+    """Whether the sums have normals and colors."""
     found = []
     for left, right, counts in SUMS:
         clouds = []
@@ -39,7 +39,7 @@ def open3d_has(o3d):
     return found
 
 
-def test_normals_and_colours_are_kept_where_open3d_keeps_them(device, rng, oracle):
+def test_normals_and_colors_are_kept_where_open3d_keeps_them(device, rng, oracle):
     for (left, right, counts), expected in zip(SUMS, oracle("pcd/composition/kept", open3d_has), strict=True):
         clouds = [
             loom.PointCloud(rng.random((count, 3)), device=device, **{name: rng.random((count, 3)) for name in names})
@@ -122,7 +122,7 @@ def test_attributes_of_two_types_or_widths_are_refused():
         b + c
 
 
-def test_a_painted_cloud_has_one_colour_and_all_else_as_before(device, rng):
+def test_a_painted_cloud_has_one_color_and_all_else_as_before(device, rng):
     cloud = loom.PointCloud(rng.random((7, 3)), colors=rng.random((7, 3)), row=np.arange(7), device=device)
     cloud.grid = (7, 1)
     found = cloud.paint_uniform_color([0.1, 1, 0])

@@ -1,4 +1,4 @@
-"""Covariances: Open3D's on real scans, exact far from the origin, defined in every degenerate neighbourhood."""
+"""Covariances: Open3D's on real scans, exact far from the origin, defined in every degenerate neighborhood."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ SEARCHES = {
 
 
 def untied(points, search):
-    """Where the last neighbour that the count admits is nearer than the next: elsewhere either may be taken."""
+    """Where the last neighbor that the count admits is nearer than the next: elsewhere either may be taken."""
     k = search["max_nn"]
     if k is None:
         return np.ones(len(points), bool)
@@ -29,7 +29,7 @@ def untied(points, search):
 
 
 def assert_agree(found, expected, tolerances):
-    """Relative to the largest entry of each; but for neighbours that lie on the radius."""
+    """Relative to the largest entry of each; but for neighbors that lie on the radius."""
     sizes = np.abs(expected).max(axis=(1, 2))
     errors = np.abs(found - expected).max(axis=(1, 2))
     share = (errors <= tolerances.covariance_relative * sizes).mean()
@@ -77,7 +77,7 @@ def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle,
     search=st.sampled_from([{"max_nn": 1}, {"max_nn": 7}, {"radius": 1.5}, {"radius": 1.5, "max_nn": None}]),
 )
 @examples(15)
-def test_covariances_are_numpys_of_the_neighbours_found(device, seed, count, lattice, spoiled, search, tolerances):
+def test_covariances_are_numpys_of_the_neighbors_found(device, seed, count, lattice, spoiled, search, tolerances):
     rng = np.random.default_rng(seed)
     points = (rng.integers(0, 4, (count, 3)) if lattice else rng.normal(size=(count, 3))).astype(np.float32)
     if spoiled:
@@ -103,7 +103,7 @@ def test_covariances_are_numpys_of_the_neighbours_found(device, seed, count, lat
 
 
 @pytest.mark.parametrize("search", [{"max_nn": 10}, {"radius": 0.5}, {"radius": 0.5, "max_nn": None}], ids=str)
-def test_fewer_than_three_neighbours_give_the_identity(device, search):
+def test_fewer_than_three_neighbors_give_the_identity(device, search):
     points = np.array([[0, 0, 0], [0.1, 0, 0]])
     for count in (0, 1, 2):
         cloud = loom.PointCloud(points[:count].reshape(-1, 3), device=device)
@@ -136,7 +136,7 @@ def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
 
 
 def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):
-    """Open3D takes them in place of the neighbours that it is asked for."""
+    """Open3D takes them in place of the neighbors that it is asked for."""
     cloud = loom.PointCloud(rng.random((50, 3)), device=device)
     expected = cloud.estimate_normals(max_nn=8).normals
     cloud.covariances = np.tile(np.diag([1.0, 2, 3]), (50, 1, 1))

@@ -24,10 +24,10 @@ def redwood(shipped_file):
     return np.asarray(color.convert("RGB")), np.asarray(depth)
 
 
-def encoded(millimetres):
+def encoded(millimeters):
     """A depth image as each format holds it; `defaults` has farther depths, which are cut."""
-    words = millimetres.astype(np.uint16)
-    shares = 351.3 / np.maximum(words, 500) * 1000  # NYU's own scale: metres = 351.3 / (1092.5 - word)
+    words = millimeters.astype(np.uint16)
+    shares = 351.3 / np.maximum(words, 500) * 1000  # NYU's own scale: meters = 351.3 / (1092.5 - word)
     nyu = np.where(words > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16).byteswap()
     return {"redwood": words, "tum": 5 * words, "sun": (words << 3) | (words >> 13), "nyu": nyu, "defaults": 2 * words}
 
@@ -70,7 +70,7 @@ def test_images_of_a_data_set_are_open3ds(device, layout, redwood, oracle, toler
 
 
 def decoded(o3d, layout, raw):
-    """Metres of every word."""
+    """Meters of every word."""
     color = o3d.geometry.Image(np.zeros((256, 256, 3), np.uint8))
     image = getattr(o3d.geometry.RGBDImage, f"create_from_{layout}_format")(color, o3d.geometry.Image(raw))
     return np.asarray(image.depth)
@@ -96,10 +96,10 @@ def test_float_depth_is_metres_and_is_cut_too(device):
     assert image.depth.tolist() == [[0.5, 2, 3, 0, 0, 0]]
 
 
-def test_grey_images_stay_grey_as_brightness(device):
-    grey = np.arange(256, dtype=np.uint8).reshape(16, 16)
-    image = loom.RGBDImage.create_from_color_and_depth(grey, np.full((16, 16), 1000, np.uint16), device=device)
-    np.testing.assert_allclose(image.color, grey / 255, rtol=3e-7)
+def test_gray_images_stay_gray_as_brightness(device):
+    gray = np.arange(256, dtype=np.uint8).reshape(16, 16)
+    image = loom.RGBDImage.create_from_color_and_depth(gray, np.full((16, 16), 1000, np.uint16), device=device)
+    np.testing.assert_allclose(image.color, gray / 255, rtol=3e-7)
     cloud = loom.PointCloud.create_from_rgbd_image(
         image, loom.PinholeCameraIntrinsic(16, 16, 1, 1, 0, 0), project_valid_depth_only=False, stride=3
     )
@@ -131,7 +131,7 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, redwood, oracl
     kept = loom.PointCloud.create_from_depth_image(raw, camera, **options)
     np.testing.assert_array_equal(kept.normals, cloud.normals[good])
     np.testing.assert_array_equal(kept.points, cloud.points[good])
-    assert ((kept.points * kept.normals).sum(axis=1) <= 1e-6).all(), "towards the camera"
+    assert ((kept.points * kept.normals).sum(axis=1) <= 1e-6).all(), "toward the camera"
 
 
 def test_normals_turn_with_the_camera(device, redwood):
@@ -200,8 +200,8 @@ def test_a_depth_image_comes_back_from_its_cloud(device, layout, moved, redwood)
     back = cloud.project_to_depth_image(640, 480, CAMERA, extrinsic, 1000.0, 100.0)
     np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
     if not moved:
-        metres = cloud.project_to_depth_image(640, 480, CAMERA, depth_scale=1.0, depth_max=np.inf)
-        np.testing.assert_array_equal(metres, raw.astype(np.float32) / np.float32(1000))
+        meters = cloud.project_to_depth_image(640, 480, CAMERA, depth_scale=1.0, depth_max=np.inf)
+        np.testing.assert_array_equal(meters, raw.astype(np.float32) / np.float32(1000))
 
 
 def test_every_16_bit_depth_comes_back(device):
@@ -213,8 +213,8 @@ def test_every_16_bit_depth_comes_back(device):
         np.testing.assert_array_equal(np.rint(back).astype(np.uint16), raw)
         again = loom.PointCloud.create_from_depth_image(back, intrinsic, depth_scale=scale, device=device)
         np.testing.assert_allclose(again.points, cloud.points, rtol=1e-6)
-        metres = cloud.project_to_depth_image(256, 256, intrinsic, depth_max=100.0)
-        again = loom.PointCloud.create_from_depth_image(metres, intrinsic, device=device)
+        meters = cloud.project_to_depth_image(256, 256, intrinsic, depth_max=100.0)
+        again = loom.PointCloud.create_from_depth_image(meters, intrinsic, device=device)
         np.testing.assert_array_equal(again.points, cloud.points)
 
 

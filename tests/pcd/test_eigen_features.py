@@ -1,4 +1,4 @@
-"""Shapes of neighbourhoods against NumPy in float64, and defined in every degenerate one."""
+"""Shapes of neighborhoods against NumPy in float64, and defined in every degenerate one."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from .made_shapes import bumpy
 
 
 def plain_shapes(near):
-    """The features of one neighbourhood in float64."""
+    """The features of one neighborhood in float64."""
     values, vectors = np.linalg.eigh(np.cov(near.T, bias=True))
     low, middle, high = np.maximum(values, 0)
     e = np.array([high, middle, low]) / (low + middle + high)
@@ -28,7 +28,7 @@ def plain_shapes(near):
 
 
 def lists_of(cloud, radius=None, max_nn=30):
-    """The neighbours of each point by our own search, so that nothing is hidden in a choice of neighbours."""
+    """The neighbors of each point by our own search, so that nothing is hidden in a choice of neighbors."""
     finder = loom.NearestNeighborSearch(cloud)
     if max_nn is None:
         found = finder.radius_search(cloud, radius)
@@ -50,7 +50,7 @@ def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, t
 
 @on_sets("scan", shipped=("lidar", "terrain"), real=["lidar"])
 def test_shapes_of_scans_are_those_of_float64(device, scan, lidar, terrain, tolerances):
-    """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbours tie for the last place of a count."""
+    """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbors tie for the last place of a count."""
     points, search = (lidar[:, :3], {"max_nn": 20}) if scan == "lidar" else (terrain, {"radius": 4.3, "max_nn": None})
     cloud = loom.PointCloud(points, device=device)
     shapes = loom.compute_eigen_features(cloud, **search)
@@ -74,7 +74,7 @@ def check_shapes(shapes, lists, held, rows, tolerances):
 
 
 def check_density(shapes, lists, held, radius=None, max_nn=30):
-    """Neighbours over the volume of the ball that the search ends at."""
+    """Neighbors over the volume of the ball that the search ends at."""
     for row in range(0, len(held), 40):
         if len(lists[row]) >= 3:
             is_full = max_nn is not None and len(lists[row]) == max_nn
@@ -97,7 +97,7 @@ def test_lines_planes_and_balls_are_told_apart(device, rng):
     assert loom.compute_eigen_features(loom.PointCloud(line, device=device), max_nn=9)["omnivariance"].max() < 1e-6
 
 
-def test_neighbourhoods_that_span_nothing_have_no_shape(device):
+def test_neighborhoods_that_span_nothing_have_no_shape(device):
     for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((20, 3)), np.full((5, 3), np.nan)):
         shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=10)
         assert shapes["eigenvalues"].shape == (len(points), 3)

@@ -15,7 +15,7 @@ from .open3d_clouds import features_of
 
 @pytest.fixture(scope="module")
 def terrain(shipped_file):
-    """Airborne points in UTM metres."""
+    """Airborne points in UTM meters."""
     return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp41-utm.pcd")).points
 
 
@@ -24,7 +24,7 @@ def scenes(fragment, lidar, terrain):
     """Clouds with normals on the CPU, by name."""
     whole = loom.PointCloud(fragment.points)
     near = lidar[np.linalg.norm(lidar[:, :3], axis=1) < 12, :3]
-    # Its normals look up, as for any use: which of two equally far neighbours is taken tells most where normals
+    # Its normals look up, as for any use: which of two equally far neighbors is taken tells most where normals
     # lie on both sides (45 rows, where 12 differ now).
     slope = loom.PointCloud(terrain).estimate_normals(radius=8.0, max_nn=30).orient_normals_to_align_with_direction()
     return {
@@ -44,7 +44,7 @@ CASES = [
 
 
 def assert_same_features(cloud, found, expected, radius, max_nn, tolerances):
-    """Rows equal Open3D's, but for a few with neighbours whose choice float32 or a tie decides, or theirs."""
+    """Rows equal Open3D's, but for a few with neighbors whose choice float32 or a tie decides, or theirs."""
     different = np.flatnonzero(np.abs(found - expected).max(axis=1) > tolerances.fpfh_block)
     assert len(different) < tolerances.fpfh_ties * len(cloud), f"{len(different)} of {len(cloud)} rows differ"
     doubtful = doubtful_points(cloud, radius, max_nn, tolerances) if len(different) else set()
@@ -52,7 +52,7 @@ def assert_same_features(cloud, found, expected, radius, max_nn, tolerances):
 
 
 def doubtful_points(cloud, radius, max_nn, tolerances):
-    """The points whose neighbours are not certain, and all that have one of these among their neighbours."""
+    """The points whose neighbors are not certain, and all that have one of these among their neighbors."""
     from scipy.spatial import cKDTree
 
     p = cloud.array("points").numpy().astype(float)
@@ -87,7 +87,7 @@ def pair_of_points():
 
 
 def duplicates(rng):
-    """More than there are neighbours: the point itself may not be among its own; one of these goes in its stead."""
+    """More than there are neighbors: the point itself may not be among its own; one of these goes in its stead."""
     normals = rng.normal(size=(43, 3))
     return np.concatenate([np.zeros((40, 3)), np.eye(3)]), normals / np.linalg.norm(normals, axis=1, keepdims=True)
 
@@ -123,7 +123,7 @@ def test_fpfh_of_a_small_scene_is_open3ds(device, scene, rng, oracle, tolerances
     expected = oracle(f"pcd/features/{scene.replace(' ', '-')}", features_of, points, normals, radius, max_nn)
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=np.zeros(3))
     found = loom.compute_fpfh_feature(cloud, radius=radius, max_nn=max_nn)
-    rows = slice(40) if scene == "duplicates" else slice(None)  # of the others the neighbours are tied
+    rows = slice(40) if scene == "duplicates" else slice(None)  # of the others the neighbors are tied
     np.testing.assert_allclose(found[rows], expected[rows], atol=tolerances.fpfh_block)
     if scene == "flat":
         assert found[:, [5, 16, 27]].min() > 199.99
@@ -149,7 +149,7 @@ def pair_bins(p, n, q, m):
 
 
 def plain_features(points, normals, radius, max_nn):
-    """FPFH in float64 without any search structure; neighbours by float32 distance, as documented."""
+    """FPFH in float64 without any search structure; neighbors by float32 distance, as documented."""
     n = len(points)
     single = np.float32(points)
     good = np.isfinite(single).all(axis=1) & np.isfinite(normals).all(axis=1)
@@ -211,7 +211,7 @@ def test_features_of_some_points_are_rows_of_all(device, search, rng, tolerances
 
 
 @pytest.mark.parametrize("search", [{"radius": 0.5}, {"max_nn": 30}, {"radius": 0.5, "max_nn": None}], ids=str)
-def test_points_without_neighbours_have_zero_features(device, search):
+def test_points_without_neighbors_have_zero_features(device, search):
     for count in (0, 1):
         cloud = loom.PointCloud(np.zeros((count, 3)), normals=np.ones((count, 3)), device=device)
         assert loom.compute_fpfh_feature(cloud, **search).tolist() == [[0.0] * 33] * count

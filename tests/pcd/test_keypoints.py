@@ -35,7 +35,7 @@ def keypoints_of(scans, o3d):
 
 
 def saliencies(points, rows, radius, gamma_21=0.975, gamma_32=0.975, min_neighbors=5):
-    """The smallest eigenvalue of each neighbourhood in float64, 0 where the three do not differ enough."""
+    """The smallest eigenvalue of each neighborhood in float64, 0 where the three do not differ enough."""
     from scipy.spatial import cKDTree
 
     tree, found = cKDTree(points), np.zeros(len(rows))
@@ -78,7 +78,7 @@ def mean_spacing(points):
 @on_sets("scan", shipped=["lidar"], real=RADII)
 @pytest.mark.parametrize("given", ["defaults", "radii"])
 def test_keypoints_of_real_scans_are_open3ds(device, scan, given, scans, keypoints_of):
-    """Where points have the same neighbours, rounding decides in Open3D which of them stays; here all stay."""
+    """Where points have the same neighbors, rounding decides in Open3D which of them stays; here all stay."""
     points, radii = scans[scan], RADII[scan]
     arguments = dict(zip(("salient_radius", "non_max_radius"), radii, strict=True)) if given == "radii" else {}
     keypoints, indices = loom.compute_iss_keypoints(

@@ -19,7 +19,7 @@ EXTRINSIC[:3, :3], EXTRINSIC[:3, 3] = TURN, [0.5, -1, 2]
 
 
 def open3d_lines(o3d, mesh):
-    """The ends of the lines of two boxes, of a camera and of a mesh, and the colours of the camera's."""
+    """The ends of the lines of two boxes, of a camera and of a mesh, and the colors of the camera's."""
     lines, geometry = o3d.geometry.LineSet, o3d.geometry
     legacy = geometry.TriangleMesh(o3d.utility.Vector3dVector(mesh[0]), o3d.utility.Vector3iVector(mesh[1]))
     sets = [
@@ -73,7 +73,7 @@ def test_a_set_may_be_empty():
     np.testing.assert_array_equal(lines.get_center(), 0)
 
 
-def test_two_sets_are_one_and_colours_stay_where_both_have_some():
+def test_two_sets_are_one_and_colors_stay_where_both_have_some():
     plain = loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]])
     red = plain.paint_uniform_color([1, 0, 0])
     both = red + red

@@ -1,4 +1,4 @@
-"""Whether neighbours' normals point to one side: by hand, by brute force, and what does not count."""
+"""Whether neighbors' normals point to one side: by hand, by brute force, and what does not count."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighbourhood."""
+"""Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighborhood."""
 
 import numpy as np
 import pytest
@@ -37,7 +37,7 @@ def test_normals_of_the_fragment_are_open3ds(device, search, fragment, fragment_
 
 @pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 0.1, "max_nn": 30}, {"radius": 0.1, "max_nn": None}])
 def test_normals_of_a_depth_frame_lie_on_open3ds_side(device, search, rng, oracle, tolerances):
-    """Noise as of a camera, so that no two neighbours are equally far, of which Open3D takes some."""
+    """Noise as of a camera, so that no two neighbors are equally far, of which Open3D takes some."""
     v, u = np.mgrid[:24, :32]
     depth = np.minimum(2.0 + 0.04 * u, 1.4 + 0.08 * v) + 0.3 * np.sin(u / 3) * np.cos(v / 2)  # two walls, a relief
     depth = (depth + rng.normal(0, 2e-3, depth.shape)).astype(np.float32)
@@ -53,14 +53,14 @@ lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=40
 @settings(max_examples=20, deadline=None)
 @given(points=lattice, k=st.integers(1, 45), scale=st.sampled_from([1.0, 1e-3, 1e3]))
 def test_no_direction_is_thinner_than_the_normal(points, k, scale):
-    """The spread along the normal is the least of all directions, whatever the neighbours are."""
+    """The spread along the normal is the least of all directions, whatever the neighbors are."""
     cloud = loom.PointCloud(np.array(points, float) * scale)
     found = cloud.estimate_normals(max_nn=k).normals.astype(float)
     held = cloud.points
     indices, sqdists, counts = loom.NearestNeighborSearch(cloud).knn_search(cloud, k + 1)
     for row in range(len(points)):
         if counts[row] > k and sqdists[row, k - 1] == sqdists[row, k]:
-            continue  # which of the tied neighbours counts is not promised
+            continue  # which of the tied neighbors counts is not promised
         near = held[indices[row, : min(k, counts[row])]]
         if len(near) < 3:
             assert found[row].tolist() == [0, 0, 1]
@@ -76,7 +76,7 @@ def wavy(rng, count=1500):
 
 
 @pytest.mark.parametrize("search", [{"radius": 0.5}, {"radius": 0.5, "max_nn": None}, {"max_nn": 2}], ids=str)
-def test_fewer_than_three_neighbours_give_the_z_axis(device, search):
+def test_fewer_than_three_neighbors_give_the_z_axis(device, search):
     points = np.array([[0, 0, 0], [0.1, 0, 0], [9, 9, 9], [100, 0, 0], [100, 0.1, 0]])
     found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
     assert found.tolist() == [[0, 0, 1]] * 5
@@ -152,10 +152,10 @@ def test_orientation_to_a_direction_and_to_a_camera_is_open3ds(device, rng, orac
     normals[5] = 0
     cloud = loom.PointCloud(points, normals=normals, device=device)
     held = cloud.points.copy(), cloud.normals.copy()
-    along, towards = oracle("pcd/normals/oriented", open3d_orientations, *held)
+    along, toward = oracle("pcd/normals/oriented", open3d_orientations, *held)
     np.testing.assert_allclose(cloud.orient_normals_to_align_with_direction([0, 0.6, -0.8]).normals, along, atol=1e-7)
     found = cloud.orient_normals_towards_camera_location([3, -2, 0.5]).normals
-    np.testing.assert_allclose(found, towards, atol=2e-7)
+    np.testing.assert_allclose(found, toward, atol=2e-7)
 
 
 @pytest.mark.parametrize(

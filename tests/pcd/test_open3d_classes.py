@@ -176,11 +176,11 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
     mine, same = (one.extract_point_cloud(weight_threshold=0) for one in (volume, other))
     np.testing.assert_array_equal(mine.points, same.points)
     np.testing.assert_array_equal(mine.colors, same.colors)
-    grey = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH, device=device)
+    gray = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH, device=device)
     with pytest.raises(TypeError, match=r"^depth:.*convert_rgb_to_intensity"):
-        volume.integrate(grey, CAMERA, np.eye(4))
+        volume.integrate(gray, CAMERA, np.eye(4))
     plain = loom.TSDFVolume(voxel_size=0.1, color=False, device=device)
-    assert plain.integrate(grey, CAMERA, np.eye(4)) > 0
+    assert plain.integrate(gray, CAMERA, np.eye(4)) > 0
 
 
 def test_the_tilde_is_the_home(tmp_path, monkeypatch, shapes):

@@ -93,7 +93,7 @@ def test_signs_are_those_along_the_least_spanning_tree(device, cloud, k):
 
 
 @pytest.mark.parametrize("options", [(0.5, 1.0), (0.0, 0.6), (0.5, 0.8)], ids=str)
-def test_steep_and_outlying_neighbours_are_left_out(device, rng, options):
+def test_steep_and_outlying_neighbors_are_left_out(device, rng, options):
     penalty, steepest = options
     changed = penalty > 0  # what an outlier changes shows on a thin wall, below
     for k in (3, 8, 20):
@@ -138,8 +138,8 @@ def thin_wall(half, spacing):
 
 
 @pytest.mark.parametrize("options", [{"cos_alpha_tol": 0.5}, {"lambda_penalty": 1.0}], ids=str)
-def test_the_faces_of_a_thin_wall_look_apart_where_neighbours_across_are_left_out(device, options, rng):
-    """The faces lie 4 cm apart and their points 3 cm: among ten neighbours is one on the other face."""
+def test_the_faces_of_a_thin_wall_look_apart_where_neighbors_across_are_left_out(device, options, rng):
+    """The faces lie 4 cm apart and their points 3 cm: among ten neighbors is one on the other face."""
     points, outward = thin_wall(0.02, 0.03)
     normals = random_signs(rng, outward)
     assert agreement(orient(points, normals, 10, device), outward) < 0.9
@@ -160,7 +160,7 @@ def test_coplanar_and_collinear_points_are_oriented(device, rng):
 
 @pytest.mark.parametrize("k", [1, 3, 40])
 def test_duplicates_end(device, rng, k):
-    """More copies of a point than k: its neighbours are its copies alone."""
+    """More copies of a point than k: its neighbors are its copies alone."""
     points = np.repeat(rng.normal(size=(7, 3)), 60, axis=0)[rng.permutation(420)]
     down = np.tile([0.6, 0.0, -0.8], (420, 1))
     assert agreement(orient(points, random_signs(rng, down), k, device), down) == 1.0

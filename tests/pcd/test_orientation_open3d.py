@@ -1,4 +1,4 @@
-"""Consistent orientation on scans: Hoppe's graph of neighbours, whole, beside what Open3D takes of it."""
+"""Consistent orientation on scans: Hoppe's graph of neighbors, whole, beside what Open3D takes of it."""
 
 from functools import cache
 from itertools import combinations
@@ -102,10 +102,10 @@ def test_orientation_of_the_fragment_is_open3ds(device, k, scans, oracle, tolera
 @on_sets("scan", shipped=("terrain", FRAGMENT), real=("lidar", FRAGMENT))
 @pytest.mark.parametrize("k", [15, pytest.param(30, marks=pytest.mark.slow)])
 def test_orientation_is_open3ds_rule_on_the_whole_graph(device, scan, k, scans, oracle, graphs, tolerances):
-    """Open3D leaves out neighbours that are edges of its Delaunay tetrahedra but not of its Euclidean tree.
+    """Open3D leaves out neighbors that are edges of its Delaunay tetrahedra but not of its Euclidean tree.
 
     Where normals are noise, as in trees and on a LiDAR's far rings, that turns whole patches. Its rule on its graph
-    gives its result; the same rule on all neighbours gives ours.
+    gives its result; the same rule on all neighbors gives ours.
     """
     whole, reduced, nearest = graphs(scan, k)
     assert len(whole) - len(reduced) > 0.1 * len(nearest)

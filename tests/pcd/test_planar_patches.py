@@ -145,7 +145,7 @@ def test_limits_choose_patches(device, rng):
     assert cloud.detect_planar_patches(min_num_points=20_000) == []
     assert cloud.detect_planar_patches(normal_variance_threshold_deg=0.0) == []
     assert len(cloud.detect_planar_patches(radius=0.5)) == 6
-    assert cloud.detect_planar_patches(radius=1e-6) == [], "no neighbour to grow to"
+    assert cloud.detect_planar_patches(radius=1e-6) == [], "no neighbor to grow to"
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 12])

@@ -55,7 +55,7 @@ loom.PointCloud([[0, 0, 0]], colors=[[nan] * 3]) | colors: expected 0..1
 loom.PointCloud([[0, 0, 0]], ring=[1, 2]) | ring: expected shape [1] or [1, c]
 loom.PointCloud([[0, 0, 0]], ring=np.zeros((1, 2, 2))) | ring: expected shape
 loom.PointCloud([[1, 2, 3]], unit='ell') | unit
-cloud.paint_uniform_color([255, 0, 0]) | divide 8-bit colours by 255
+cloud.paint_uniform_color([255, 0, 0]) | divide 8-bit colors by 255
 cloud.paint_uniform_color([0, -0.1, 0]) | color
 cloud.concatenate([]) | clouds
 cloud.to("cpu", arrays="tensorflow") | arrays: expected one of numpy, warp, torch, cupy, jax

@@ -1,4 +1,4 @@
-"""Smooth regions: those of a plain loop over the same neighbours, ties of no order, PCL's where no order matters."""
+"""Smooth regions: those of a plain loop over the same neighbors, ties of no order, PCL's where no order matters."""
 
 import numpy as np
 import pytest
@@ -64,7 +64,7 @@ def test_a_floor_a_wall_and_a_ball_are_three_regions_the_largest_first(device, r
 
 
 def test_labels_go_with_the_points_in_any_order(device, rng):
-    """No seed is first: a shuffled cloud has the same regions, up to ties of neighbours, of which it has none."""
+    """No seed is first: a shuffled cloud has the same regions, up to ties of neighbors, of which it has none."""
     cloud = loom.PointCloud(room(rng), device=device).estimate_normals(max_nn=20)
     order = rng.permutation(len(cloud))
     labels = cloud.region_growing(8.0, 0.02, 30, max_nn=12)

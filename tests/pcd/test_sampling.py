@@ -143,13 +143,13 @@ def test_classes_are_the_commonest_of_their_voxel(device, rng):
     np.testing.assert_array_equal(trace.cloud["time"], plain["time"])
 
 
-@pytest.mark.parametrize("grey", [1.0, 0.5])
-def test_classes_keep_their_colour(device, grey):
+@pytest.mark.parametrize("gray", [1.0, 0.5])
+def test_classes_keep_their_color(device, gray):
     """Open3D keeps the whole part of red."""
-    points, colors = [[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]], np.array([[0] * 3, *[[grey] * 3] * 3])
+    points, colors = [[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]], np.array([[0] * 3, *[[gray] * 3] * 3])
     cloud = loom.PointCloud(points, colors=colors, device=device)
     found = cloud.voxel_down_sample_and_trace(1.0, [0, 0, 0], [9, 9, 9], True)
-    assert found.cloud.colors.tolist() == [[grey] * 3] * 2
+    assert found.cloud.colors.tolist() == [[gray] * 3] * 2
 
 
 def nearest_rows(points, lists):

@@ -1,4 +1,4 @@
-"""Neighbour search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
+"""Neighbor search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
 
 import numpy as np
 import pytest
@@ -27,7 +27,7 @@ def test_k_nearest_are_those_of_brute_force(device, shape, rng, tolerances):
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_neighbours_within_a_radius_are_those_of_brute_force(device, shape, rng, tolerances):
+def test_neighbors_within_a_radius_are_those_of_brute_force(device, shape, rng, tolerances):
     cloud = make_cloud(shape, rng, device)
     search = loom.NearestNeighborSearch(cloud)
     places = queries_for(cloud.points, rng)
@@ -43,7 +43,7 @@ def test_neighbours_within_a_radius_are_those_of_brute_force(device, shape, rng,
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, LEAF, LEAF + 1, 8 * LEAF + 1])
-def test_small_clouds_have_all_their_neighbours(device, count, rng, tolerances):
+def test_small_clouds_have_all_their_neighbors(device, count, rng, tolerances):
     cloud = loom.PointCloud(rng.random((count, 3)), device=device)
     search = loom.NearestNeighborSearch(cloud)
     places = rng.random((5, 3))
@@ -67,7 +67,7 @@ MORE_THAN_THERE_ARE = {
 
 
 @pytest.mark.parametrize("operation", MORE_THAN_THERE_ARE)
-def test_asking_for_more_neighbours_than_there_are_takes_all(device, operation, rng):
+def test_asking_for_more_neighbors_than_there_are_takes_all(device, operation, rng):
     """The boxes of 513 points fill their records so badly that a walk without a bound would leave them."""
     cloud = loom.PointCloud(rng.random((8 * 8 * LEAF + 1, 3)), device=device)
     compute = MORE_THAN_THERE_ARE[operation]
@@ -75,7 +75,7 @@ def test_asking_for_more_neighbours_than_there_are_takes_all(device, operation, 
 
 
 @pytest.mark.parametrize("far", [1e20, 3e38])
-def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbour_and_an_outlier(device, far, rng):
+def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbor_and_an_outlier(device, far, rng):
     points = rng.random((600, 3))
     points[7] = [far, 0, 0]
     cloud = loom.PointCloud(points, device=device)
@@ -152,7 +152,7 @@ def test_the_boundary_of_a_radius_is_excluded_as_in_open3d(device, oracle):
         assert search.hybrid_search(points[:1], radius, 4).counts.tolist() == [len(expected)], radius
 
 
-def test_neighbours_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
+def test_neighbors_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
     points, queries = (rng.random((n, 3)).astype(np.float32).astype(float) for n in (500, 60))
     search, radii = loom.NearestNeighborSearch(points, device=device), [0.05, 0.2]
     nearest, within = oracle("pcd/search/uniform", open3d_neighbors, points, queries, radii)
@@ -166,7 +166,7 @@ def test_neighbours_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances)
 
 
 @pytest.mark.parametrize("scale", [2e-13, 1e18])
-def test_neighbours_are_exact_at_any_scale(device, scale, rng, tolerances):
+def test_neighbors_are_exact_at_any_scale(device, scale, rng, tolerances):
     """Beyond these the points are refused: test_cached_tree.py."""
     cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
     search = loom.NearestNeighborSearch(cloud)

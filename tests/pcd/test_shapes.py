@@ -24,7 +24,7 @@ def sigma_of(shape):
 
 
 def scene(kind, rng, count=3000, clutter=1500, noise=0.0, **options):
-    """Points of a shape, then clutter in a box of two metres about it."""
+    """Points of a shape, then clutter in a box of two meters about it."""
     points, center, axis = made_shape(kind, count, rng, noise, **options)
     return np.vstack([points, center + 2 * rng.random((clutter, 3)) - 1]), center, axis
 

@@ -79,7 +79,7 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
         np.testing.assert_array_equal(found.points[~good], held[~good])
         np.testing.assert_array_equal(found["label"], np.arange(len(held)))
         error = np.abs(found.points[good] - expected).max(axis=1)
-        assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbours amplify rounding"
+        assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbors amplify rounding"
 
 
 def wave(rng, count=4000, noise=0.01):
@@ -194,7 +194,7 @@ def test_plane_normals_take_the_sides_of_those_before(device, rng):
     cloud.normals = np.outer(signs, [0, 0, 2.0])
     found = cloud.smooth_mls(radius=0.2, max_nn=40)
     assert (np.sign(found.normals[:, 2]) == signs).all()
-    assert found.normals[-1].tolist() == [0, 0, 2 * signs[-1]], "too few neighbours: as it was"
+    assert found.normals[-1].tolist() == [0, 0, 2 * signs[-1]], "too few neighbors: as it was"
     np.testing.assert_allclose(np.linalg.norm(found.normals[:-1], axis=1), 1, atol=3e-7)
     slope = 0.3 * np.cos(3 * found.points[:-1, 0])
     true = np.column_stack([-slope, np.zeros_like(slope), np.ones_like(slope)]) / np.sqrt(1 + slope**2)[:, None]
@@ -222,7 +222,7 @@ def test_tiny_and_huge_deviations_are_the_limits(device, rng):
     np.testing.assert_allclose(wide, cloud.points[near].mean(axis=1), atol=1e-6)
 
 
-def test_more_duplicates_than_neighbours_stay_together(device, rng):
+def test_more_duplicates_than_neighbors_stay_together(device, rng):
     points = np.repeat(rng.random((5, 3)), 40, axis=0)
     for fixed in (False, True):
         found = loom.PointCloud(points, device=device).smooth_laplacian(4, 0.5, 10, fixed).points

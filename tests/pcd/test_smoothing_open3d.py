@@ -43,7 +43,7 @@ def scaled(search, factor):
 
 
 def assert_points(found, expected, start, tolerances, *, share=None):
-    """Equal places but for a share whose neighbours are tied at the last place; those are moved no farther."""
+    """Equal places but for a share whose neighbors are tied at the last place; those are moved no farther."""
     share = tolerances.smoothed_share if share is None else share
     error = np.linalg.norm(found - expected, axis=1)
     equal = error <= tolerances.smoothed_relative * np.abs(start).max()

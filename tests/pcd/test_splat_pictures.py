@@ -44,13 +44,13 @@ def rays_of(camera):
 
 
 def reference(splats, camera, T, near=0.01):
-    """The picture by every splat in every pixel, in float64: colour, light left, depth, median, normals."""
+    """The picture by every splat in every pixel, in float64: color, light left, depth, median, normals."""
     q = splats.centers @ T[:3, :3].T + T[:3, 3]
     covariances = T[:3, :3] @ splats.covariances() @ T[:3, :3].T
     eye = np.linalg.inv(T)[:3, 3]
-    towards = splats.centers - eye
-    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
-    basis = harmonics_at(towards, splats.degree)
+    toward = splats.centers - eye
+    toward /= np.linalg.norm(toward, axis=1, keepdims=True)
+    basis = harmonics_at(toward, splats.degree)
     colors = np.maximum(np.einsum("nk,nkc->nc", basis, splats.harmonics.astype(float)) + 0.5, 0)
     sizes = splats.scales.astype(float)
     axes = T[:3, :3] @ splats._axes()

@@ -11,7 +11,7 @@ FOLDER = Path(__file__).parents[2] / "benchmarks"
 
 @pytest.fixture(scope="module")
 def training():
-    """The module, which imports its neighbour by name."""
+    """The module, which imports its neighbor by name."""
     sys.path.insert(0, str(FOLDER))
     spec = importlib.util.spec_from_file_location("splat_training", FOLDER / "splat_training.py")
     module = importlib.util.module_from_spec(spec)

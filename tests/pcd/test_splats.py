@@ -1,4 +1,4 @@
-"""Gaussian splats: what moving them does to centres, axes and colours, and which are kept."""
+"""Gaussian splats: what moving them does to centers, axes and colors, and which are kept."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def directions():
 
 
 @pytest.mark.parametrize("at", [np.zeros(3), UTM], ids=["near", "utm"])
-def test_a_similarity_moves_centres_axes_and_colours(at, directions, device):
+def test_a_similarity_moves_centers_axes_and_colors(at, directions, device):
     splats = made(at=at, device=device)
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = 2.5 * Rotation.from_rotvec([0.4, -1.1, 2.0]).as_matrix(), [1, 2, 3]
@@ -108,7 +108,7 @@ def test_choosing_and_joining_keep_all_columns():
     assert not whole.harmonics[50:, 4:].any()
 
 
-def test_a_cloud_of_the_centres_has_colours_and_shortest_axes():
+def test_a_cloud_of_the_centers_has_colors_and_shortest_axes():
     flat = loom.GaussianSplats([[1, 2, 3]], [[1, 1, 0.1]], [[np.sqrt(0.5), np.sqrt(0.5), 0, 0]], [0.25], [[1.0, 0, -9]])
     cloud = flat.to_point_cloud()
     np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z turned by a quarter about x

@@ -29,8 +29,8 @@ def survey(rng, device="cpu", count=3000, side=(40.0, 25.0)):
     )  # fmt: skip
 
 
-def centres(raster):
-    """x and y of the cells' centres about the origin, as the raster's rows and columns."""
+def centers(raster):
+    """x and y of the cells' centers about the origin, as the raster's rows and columns."""
     (rows, columns), (x, y) = raster.values.shape, raster.corner - ORIGIN[:2]
     return np.meshgrid(x + (np.arange(columns) + 0.5) * raster.cell, y + (np.arange(rows)[::-1] + 0.5) * raster.cell)
 
@@ -62,7 +62,7 @@ def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell,
     raster = loom.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
     told = {"cell": cell, "corner": 0.3, "reach": reach, "neighbors": 5}
-    expected = [weighed(ground, x, y, **told) for x, y in zip(*map(np.ravel, centres(raster)), strict=True)]
+    expected = [weighed(ground, x, y, **told) for x, y in zip(*map(np.ravel, centers(raster)), strict=True)]
     assert np.isfinite(expected).any()
     expected = (np.reshape(expected, raster.values.shape) + ORIGIN[2]).astype(np.float32)
     np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
@@ -73,14 +73,14 @@ def test_bare_earth_on_triangles_is_scipys(device, rng):
     cloud = survey(rng, device)
     raster = loom.rasterize(cloud, 0.5, method="tin")
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
-    expected = interpolate.LinearNDInterpolator(ground[:, :2], ground[:, 2])(*centres(raster)) + ORIGIN[2]
+    expected = interpolate.LinearNDInterpolator(ground[:, :2], ground[:, 2])(*centers(raster)) + ORIGIN[2]
     np.testing.assert_array_equal(np.isnan(raster.values), np.isnan(expected))
     np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
     short = loom.rasterize(cloud, 0.5, method="tin", reach=1.0)
     assert 0 < np.isfinite(short.values).sum() < np.isfinite(raster.values).sum()
 
 
-def test_centres_on_the_edges_of_triangles_belong_to_one(device):
+def test_centers_on_the_edges_of_triangles_belong_to_one(device):
     x, y = np.mgrid[0:9, 0:9].reshape(2, -1) + 0.5
     cloud = loom.PointCloud(
         np.column_stack([x, y, 3 * x - 2 * y]), classification=np.full(81, 2, np.uint8), device=device

@@ -71,7 +71,7 @@ def test_floating_attributes_are_averaged_and_others_taken_from_the_first_point(
 
 @pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
 def test_means_are_summed_in_double_precision(device, rng):
-    """30,000 points near 9,999 m: a float32 sum would be off by metres, a mean by centimetres."""
+    """30,000 points near 9,999 m: a float32 sum would be off by meters, a mean by centimeters."""
     points = (9999 + rng.random((30_000, 3)) * 0.5).astype(np.float32)
     found = loom.PointCloud(points, device=device).voxel_down_sample(10.0)
     expected = points.astype(np.float64).mean(axis=0)
@@ -109,8 +109,8 @@ def test_voxels_of_a_made_cloud_are_open3ds_also_at_utm_coordinates(device, rng,
     points = rng.random((600, 3)) * [50, 50, 5]
     vectors = {"normals": rng.normal(size=(600, 3)), "colors": rng.random((600, 3))}
     cloud = loom.PointCloud(points + utm, device=device, **vectors)
-    found, centred = cloud.voxel_down_sample(10.0), cloud.points - utm  # as held: float32 about the origin
-    expected = oracle("pcd/voxel_down_sample/uniform", open3d_voxels, centred, 10.0, cloud.normals, cloud.colors)
+    found, centerd = cloud.voxel_down_sample(10.0), cloud.points - utm  # as held: float32 about the origin
+    expected = oracle("pcd/voxel_down_sample/uniform", open3d_voxels, centerd, 10.0, cloud.normals, cloud.colors)
     rows = matched(found.points - utm, expected[0], tolerances.position / 100)
     for name, values in zip(("normals", "colors"), expected[1:], strict=True):
         np.testing.assert_allclose(found[name][rows], values, rtol=0, atol=tolerances.voxel_attribute)

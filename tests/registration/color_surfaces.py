@@ -18,7 +18,7 @@ def gradients_of(points, normals, colors, radius, max_nn, device="cpu"):
 
 
 def paint(points, scale=1.0):
-    """Colours that vary along a surface."""
+    """Colors that vary along a surface."""
     x, y, _ = points.T / scale
     return np.column_stack([0.5 + 0.3 * np.sin(5 * x + c) * np.cos(4 * y) for c in range(3)])
 

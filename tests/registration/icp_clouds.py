@@ -16,9 +16,9 @@ KINDS = {
     "plane": PLANE,
     "robust": reg.TransformationEstimationPointToPlane(reg.TukeyLoss(0.1)),
     "symmetric": reg.TransformationEstimationSymmetric(),
-    "generalised": reg.TransformationEstimationForGeneralizedICP(),
-    "voxelised": reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1),
-    "coloured": reg.TransformationEstimationForColoredICP(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
+    "voxelized": reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1),
+    "colored": reg.TransformationEstimationForColoredICP(),
     "doppler": reg.TransformationEstimationForDopplerICP(),
 }
 EACH = pytest.mark.parametrize("kind", list(KINDS))

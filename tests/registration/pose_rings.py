@@ -1,4 +1,4 @@
-"""What the tests of pose graphs share: walks round a ring, their solutions, and what is minimised."""
+"""What the tests of pose graphs share: walks round a ring, their solutions, and what is minimized."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def ends_of(graph) -> list[tuple[int, int]]:
 
 
 def cost_of(poses, edges, distance, sine_of_half=True) -> float:
-    """What is minimised, edge by edge; `sine_of_half` False gives Open3D's form of it."""
+    """What is minimized, edge by edge; `sine_of_half` False gives Open3D's form of it."""
     mu = distance**2 * np.mean([edge[3][5, 5] for edge in edges])
     total = 0.0
     for source, target, X, Lambda, uncertain in edges:

@@ -1,4 +1,4 @@
-"""Gradients of the colour along a surface are the least squares of the neighbours, as coloured ICP needs them."""
+"""Gradients of the color along a surface are the least squares of the neighbors, as colored ICP needs them."""
 
 from types import SimpleNamespace
 
@@ -22,7 +22,7 @@ def lists_within(points, radius, max_nn):
 
 
 def reference_gradients(points, normals, intensities, radius, max_nn):
-    """The least squares of least norm in float64 over the neighbours, projected onto the tangent plane."""
+    """The least squares of least norm in float64 over the neighbors, projected onto the tangent plane."""
     points, normals = np.asarray(points, np.float64), np.asarray(normals, np.float64)
     gradients = np.zeros((len(points), 3))
     for row, near in enumerate(lists_within(points, radius, max_nn)):
@@ -36,7 +36,7 @@ def reference_gradients(points, normals, intensities, radius, max_nn):
 
 @pytest.fixture(scope="module")
 def frames(real_file):
-    """Two coloured RGB-D frames, thinned: points, normals and colours as float32."""
+    """Two colored RGB-D frames, thinned: points, normals and colors as float32."""
     clouds = []
     for name in ("frame_1.ply", "frame_2.ply"):
         cloud = loom.read_point_cloud(real_file(f"reg-cilantro/{name}")).uniform_down_sample(23)
@@ -47,13 +47,13 @@ def frames(real_file):
     ]
 
 
-def test_gradients_in_the_fragment_are_the_least_squares_of_the_neighbours(device, scan_set, fragment, tolerances):
+def test_gradients_in_the_fragment_are_the_least_squares_of_the_neighbors(device, scan_set, fragment, tolerances):
     part = {"shipped": np.s_[:4000], "real": np.s_[40000:44000]}[scan_set]
     arrays = (a[part].astype(np.float32) for a in (fragment.points, fragment.normals, fragment.colors))
     check_gradients(device, *arrays, 0.06, tolerances)
 
 
-def test_gradients_in_a_frame_are_the_least_squares_of_the_neighbours(device, frames, tolerances):
+def test_gradients_in_a_frame_are_the_least_squares_of_the_neighbors(device, frames, tolerances):
     check_gradients(device, frames[0].points, frames[0].normals, frames[0].colors, 0.03, tolerances)
 
 
@@ -83,8 +83,8 @@ def test_gradients_do_not_depend_on_the_unit_of_length(device, rng):
     np.testing.assert_allclose(one, other, atol=1e-6 * np.abs(one).max())
 
 
-def test_the_gradient_of_a_linear_colour_is_exact(device, rng):
-    """On a plane anywhere in space, whatever the neighbours, and with normals of any length."""
+def test_the_gradient_of_a_linear_color_is_exact(device, rng):
+    """On a plane anywhere in space, whatever the neighbors, and with normals of any length."""
     R = Rotation.from_rotvec([0.4, -1.1, 0.3]).as_matrix()
     plane = np.column_stack([rng.uniform(-1, 1, (600, 2)), np.zeros(600)])
     true = R @ [0.3, -0.2, 0.0]
@@ -96,7 +96,7 @@ def test_the_gradient_of_a_linear_colour_is_exact(device, rng):
 
 
 @pytest.mark.parametrize("direction", [(1, 0, 0), (0, 0, 1), (1, 2, 3)], ids=str)
-def test_neighbours_on_a_line_tell_the_gradient_along_it_alone(device, direction):
+def test_neighbors_on_a_line_tell_the_gradient_along_it_alone(device, direction):
     """Least norm; a solution by elimination would be noise of any size across the line."""
     d = np.array(direction) / np.linalg.norm(direction)
     normal = np.cross(d, [0.3, 0.5, -0.8])
@@ -115,7 +115,7 @@ def test_fewer_than_four_points_have_no_gradient(device, count):
     np.testing.assert_allclose(found, np.tile([0.1, 0.3, 0] if count == 4 else [0, 0, 0], (count, 1)), atol=1e-7)
 
 
-def test_points_without_neighbours_or_extent_have_no_gradient(device, rng):
+def test_points_without_neighbors_or_extent_have_no_gradient(device, rng):
     colors = rng.random((50, 3))
     up = np.tile([0, 0, 1.0], (50, 1))
     assert not gradients_of(np.full((50, 3), 0.3), up, colors, 1.0, 30, device)[1].any(), "all at one place"
@@ -139,7 +139,7 @@ def test_what_is_not_finite_counts_for_nobody(device, rng):
     normals[good[:7]] = [np.nan, 0, 1]
     _, lopsided = gradients_of(spoiled, normals, dark, 0.3, 900, device)
     assert not lopsided[good[:7]].any()
-    np.testing.assert_array_equal(lopsided[good[7:]], found[good[7:]], "a neighbour's normal has no say")
+    np.testing.assert_array_equal(lopsided[good[7:]], found[good[7:]], "a neighbor's normal has no say")
 
 
 lattice = st.lists(st.tuples(*[st.integers(-2, 2)] * 3, st.integers(0, 9)), min_size=1, max_size=40)

@@ -35,7 +35,7 @@ def test_triples_throw_out_what_keeps_no_lengths(device, rng, angle_between):
 
 
 def test_result_is_the_same_in_any_unit_of_length(device, rng):
-    """Open3D compares the radius in metres with a squared distance of unit clouds: there the schedule changes."""
+    """Open3D compares the radius in meters with a squared distance of unit clouds: there the schedule changes."""
     case = made_up(rng, outliers=0.8)
     in_metres = fgr(case, device)
     for unit in (1024.0, 1 / 1024):  # exact in float32
@@ -121,7 +121,7 @@ def test_kitchen_is_registered(device, featured, seed, angle_between, tolerances
 
 
 def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, featured, best_of_open3d, tolerances):
-    """Open3D ends at a mu of the distance in metres, ours at its square: the same scale is that of the root."""
+    """Open3D ends at a mu of the distance in meters, ours at its square: the same scale is that of the root."""
     pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     for seed in range(3):
         T = of_kitchen(device, featured, np.sqrt(VOXEL / 2), seed).transformation

@@ -55,7 +55,7 @@ l1.weight(residual=three)
 l2.weight(residual=three)
 reg.ICPConvergenceCriteria(relative_fitness=1e-6, relative_rmse=1e-6, max_iteration=3)
 reg.Prior(transformation=pose, information=None, sigma_translation=0.1, sigma_rotation=0.2)
-reg.levelled(init=pose, up_in_source=three, up_in_target=three)
+reg.leveled(init=pose, up_in_source=three, up_in_target=three)
 reg.RANSACConvergenceCriteria(max_iteration=100, confidence=0.9)
 reg.FastGlobalRegistrationOption(division_factor=1.4, maximum_correspondence_distance=0.1, iteration_number=4, tuple_scale=0.9, maximum_tuple_count=100)
 reg.GlobalOptimizationConvergenceCriteria(max_iteration=3, min_relative_increment=1e-6, min_relative_residual_increment=1e-6, min_right_term=1e-6, min_residual=1e-6, max_iteration_lm=3, upper_scale_factor=0.6, lower_scale_factor=0.3)
@@ -80,7 +80,7 @@ reg.get_information_matrix_from_point_clouds(source=source, target=target, max_c
 reg.global_optimization(pose_graph=graph, method=levenberg, criteria=criteria, option=option, free=["yaw", "x", "y", "z"])
 reg.iterate_odometry(scans=[source, source], device="cpu", columns=["x", "y", "z"])
 reg.list_scans(folder="nowhere")
-reg.localisability(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
+reg.localizability(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.multi_scale_icp(source=source, target=target, voxel_sizes=[0.3, 0.1], criteria_list=[rules, rules], max_correspondence_distances=[0.4, 0.2], init=pose, estimation_method=to_points, callback_after_iteration=None, overlap=0.8, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
 reg.rate_registration(source=source, target=target, transformation=pose, max_correspondence_distance=0.2)
 reg.read_pose_graph(path="nowhere.json")
@@ -117,7 +117,7 @@ HOMES = {
 }  # fmt: skip
 RESULTS = {
     "Deformation", "DriftResult", "ErrorStatistics", "FragmentPair", "FragmentsResult", "GlobalOptimizationReport",
-    "Localisability", "NonRigidResult", "OdometryStep", "OdometrySummary", "PairRegistration", "RegistrationResult",
+    "Localizability", "NonRigidResult", "OdometryStep", "OdometrySummary", "PairRegistration", "RegistrationResult",
     "SegmentError", "SimilarityFit", "StationPair", "StationsResult", "TrajectoryError",
 }  # fmt: skip
 # Base classes are not made, and their methods stand in the table with the classes that have them; what an estimator

@@ -27,7 +27,7 @@ def test_two_samplings_of_a_surface_meet_to_a_thousandth_of_a_degree(device, rng
 
 @pytest.mark.parametrize(
     ("kind", "degrees"),
-    [("plane", 0.02), ("symmetric", 0.01), ("generalised", 0.01), ("coloured", 0.02), ("point", 0.4)],
+    [("plane", 0.02), ("symmetric", 0.01), ("generalized", 0.01), ("colored", 0.02), ("point", 0.4)],
 )
 def test_every_estimator_finds_the_pose(device, full_pair, kind, degrees, angle_between):
     source, target = on(device, *full_pair[:2])
@@ -60,7 +60,7 @@ def test_a_step_far_from_the_origin_of_coordinates_is_one_near_it(device, full_p
 def test_a_cloud_lies_on_itself(device, full_pair, kind):
     target = on(device, full_pair[1])[0]
     result = reg.registration_icp(target, target, 0.1, None, KINDS[kind])
-    if kind != "voxelised":  # where points meet the means of voxels
+    if kind != "voxelized":  # where points meet the means of voxels
         np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-12)
         assert (result.fitness, result.iterations) == (1.0, 1) and result.inlier_rmse < 1e-12
     assert result.converged and result.reason == "converged"
@@ -102,7 +102,7 @@ def test_no_iterations_only_evaluate(device, full_pair, kind):
     result = reg.registration_icp(source, target, 0.1, init, KINDS[kind], reg.ICPConvergenceCriteria(max_iteration=0))
     np.testing.assert_allclose(result.transformation, init, atol=1e-14)
     assert (result.iterations, result.converged, result.reason) == (0, False, "max_iteration")
-    if kind != "voxelised":
+    if kind != "voxelized":
         expected = reg.evaluate_registration(source, target, 0.1, init)
         assert (result.fitness, result.inlier_rmse) == (expected.fitness, expected.inlier_rmse)
         np.testing.assert_array_equal(result.correspondence_set, expected.correspondence_set)
@@ -114,7 +114,7 @@ def test_a_result_is_that_of_its_pose(device, full_pair, kind):
     source, target = on(device, *full_pair[:2])
     result = reg.registration_icp(source, target, 0.1, None, KINDS[kind], reg.ICPConvergenceCriteria(0, 0, 3))
     assert (result.iterations, result.reason) == (3, "max_iteration")
-    if kind != "voxelised":
+    if kind != "voxelized":
         expected = reg.evaluate_registration(source, target, 0.1, result.transformation)
         assert result.fitness == expected.fitness
         assert result.inlier_rmse == pytest.approx(expected.inlier_rmse, abs=1e-9)
@@ -162,8 +162,8 @@ def test_the_callback_sees_each_iteration(device, full_pair):
 # Colors and speeds have units of their own.
 @pytest.mark.parametrize(
     ("kind", "exponent"),
-    [("point", -42), ("scaled", -20), ("plane", -42), ("plane", 8), ("symmetric", -20), ("generalised", -42),
-     ("voxelised", 8)],
+    [("point", -42), ("scaled", -20), ("plane", -42), ("plane", 8), ("symmetric", -20), ("generalized", -42),
+     ("voxelized", 8)],
 )  # fmt: skip
 def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
     """By default criteria: the same steps, and the same pose to the last bit but for the unit of its translation."""
@@ -184,7 +184,7 @@ def test_a_cloud_of_any_scale_is_registered_alike(device, kind, exponent, rng):
 
 
 def test_a_source_in_another_unit_ends_as_one_in_the_targets(device, rng):
-    """Millimetres onto metres: the source's spread counts under the pose, which scales."""
+    """Millimeters onto meters: the source's spread counts under the pose, which scales."""
     points, unit = wavy(rng, 1500), 2.0**10
     target, found = loom.PointCloud(points, device=device), []
     for scale in (1.0, unit):

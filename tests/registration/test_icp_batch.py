@@ -12,7 +12,7 @@ from .poses import as_pose
 
 reg = loom.registration
 RULES = reg.ICPConvergenceCriteria(1e-7, 1e-7, 25)
-EACH = pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("voxelised", "doppler")])
+EACH = pytest.mark.parametrize("kind", [kind for kind in KINDS if kind not in ("voxelized", "doppler")])
 
 
 def cloud_of(points, device, shift=(0, 0, 0)):
@@ -83,7 +83,7 @@ def test_shared_clouds_stand_in_any_jobs(device, rng):
 
 
 def test_jobs_lie_anywhere(device, rng):
-    """Each cloud about an origin of its own, hundreds of kilometres apart."""
+    """Each cloud about an origin of its own, hundreds of kilometers apart."""
     places = [(0, 0, 0), (5e5, 5.4e6, 100), (-3e6, 2e4, 0), (1e5, 0, 0)]
     points = [(wavy(rng, 500), wavy(rng, 600)) for _ in places]
     sources = [cloud_of(s, device, place) for (s, _), place in zip(points, places, strict=True)]
@@ -105,7 +105,7 @@ def test_options_are_those_of_each_job(device, options, rng):
         assert_alike(result, reg.registration_icp(s, t, 0.3, None, KINDS["plane"], RULES, **options))
 
 
-@pytest.mark.parametrize("kind", ["voxelised", "doppler"])
+@pytest.mark.parametrize("kind", ["voxelized", "doppler"])
 def test_voxels_and_speeds_are_batched_too(device, kind, rng):
     """Voxels are counted from a corner that all targets share: alone, a job has others."""
     method = KINDS[kind]

@@ -43,7 +43,7 @@ def degenerate(shape, rng, count):
 
 @pytest.mark.parametrize(
     **each_pair(
-        shape=list(FREE), noise=["exact", "estimated", "noisy"], kind=["plane", "symmetric", "generalised", "robust"]
+        shape=list(FREE), noise=["exact", "estimated", "noisy"], kind=["plane", "symmetric", "generalized", "robust"]
     )
 )
 def test_free_motions_are_told_and_left_out(device, shape, noise, kind, rng):

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.registration.icp.levelling import levelled
+from pointloom.registration.icp.leveling import leveled
 
 from ..products import each_pair
 from .dense_icp import MOTIONS, DenseICP
@@ -72,7 +72,7 @@ def test_pairs_found_anew_lead_to_the_pose_of_dense_icp(device, pair):
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
 
 
-@pytest.mark.parametrize("kind", ["point", "scaled", "plane", "robust", "generalised", "voxelised", "coloured"])
+@pytest.mark.parametrize("kind", ["point", "scaled", "plane", "robust", "generalized", "voxelized", "colored"])
 def test_a_prior_that_knows_nothing_leaves_the_pose_of_all_freedoms(device, full_pair, kind):
     """Two ways to one pose: the step of all jobs, and that of jobs with a constraint."""
     source, target = on(device, *full_pair[:2])
@@ -87,7 +87,7 @@ def test_a_prior_that_knows_nothing_leaves_the_pose_of_all_freedoms(device, full
 @pytest.mark.parametrize(
     **each_pair(
         free=[("x", "y", "z", "yaw"), ("x",), ("roll", "yaw")],
-        kind=["point", "plane", "generalised", "coloured"],
+        kind=["point", "plane", "generalized", "colored"],
         shift=[np.zeros(3), UTM],
     )
 )
@@ -202,12 +202,12 @@ def test_a_rail_tells_that_it_is_not_held(device, rng):
     np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
 
 
-def test_a_levelled_pose_has_the_sources_up_as_the_targets(rng):
+def test_a_leveled_pose_has_the_sources_up_as_the_targets(rng):
     for _ in range(20):
         init, up = as_pose(rng.normal(size=3), rng.normal(size=3)), rng.normal(size=3)
-        T = levelled(init, up, (0, 0, 2))
+        T = leveled(init, up, (0, 0, 2))
         np.testing.assert_allclose(T[:3, :3] @ up, [0, 0, np.linalg.norm(up)], atol=1e-12)
         np.testing.assert_allclose(T[:3, 3], init[:3, 3], atol=0)
         least = np.arccos(np.clip((init[:3, :3] @ up)[2] / np.linalg.norm(up), -1, 1))
         assert abs(Rotation.from_matrix(T[:3, :3] @ init[:3, :3].T).magnitude() - least) < 1e-9
-    np.testing.assert_allclose(levelled(None, (0, 0, 9.81)), np.eye(4), atol=0)
+    np.testing.assert_allclose(leveled(None, (0, 0, 9.81)), np.eye(4), atol=0)

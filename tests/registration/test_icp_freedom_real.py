@@ -3,7 +3,7 @@
 import numpy as np
 
 import pointloom as loom
-from pointloom.registration.icp.levelling import levelled
+from pointloom.registration.icp.leveling import leveled
 
 from .poses import as_pose
 
@@ -31,12 +31,12 @@ def test_a_street_that_is_level_is_registered_as_well_by_four_degrees_of_freedom
     assert np.linalg.norm((level - free)[:3, 3]) < 0.05
 
 
-def test_a_street_that_was_tilted_is_registered_once_gravity_has_levelled_it(device, street_pair, angle_between):
+def test_a_street_that_was_tilted_is_registered_once_gravity_has_leveled_it(device, street_pair, angle_between):
     """The scan in a sensor that hangs 10 degrees askew: its accelerometer says so, and four degrees do the rest."""
     askew = as_pose([0.15, -0.1, 0])
     source = thinned((street_pair.source - askew[:3, 3]) @ askew[:3, :3], 0.4, device)
     target = thinned(street_pair.target, 0.4, device)
-    init = levelled(None, up_in_source=askew[:3, :3].T @ [0, 0, 9.81])
+    init = leveled(None, up_in_source=askew[:3, :3].T @ [0, 0, 9.81])
     found = reg.registration_icp(source, target, 1.0, init, GENERALIZED, free=LEVEL).transformation
     assert angle_between(found, street_pair.T @ askew) < 0.4
     up = found[:3, :3] @ askew[:3, :3].T @ [0, 0, 1]

@@ -68,8 +68,8 @@ def test_few_points_give_finite_poses(device, kind, rng):
 @pytest.mark.parametrize("side", [0, 1], ids=["source", "target"])
 @pytest.mark.parametrize(
     ("kind", "column"),
-    [(k, "normals") for k in ("plane", "robust", "symmetric", "generalised", "voxelised", "coloured", "doppler")]
-    + [("generalised", "covariances"), ("doppler", "dopplers")],
+    [(k, "normals") for k in ("plane", "robust", "symmetric", "generalized", "voxelized", "colored", "doppler")]
+    + [("generalized", "covariances"), ("doppler", "dopplers")],
 )
 def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, kind, column, side):
     """The pose is that of the clouds without the point, and a warning counts it."""
@@ -81,12 +81,12 @@ def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, 
     values[rows] = np.nan
     spoiled[column] = values
     found = []
-    is_used = kind in ("symmetric", "generalised", "voxelised") or side == (column == "normals")
+    is_used = kind in ("symmetric", "generalized", "voxelized") or side == (column == "normals")
     for cloud in (spoiled, whole.select_by_index(rows, invert=True) if is_used else whole):
         clouds[side] = cloud
         with pytest.warns(NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
             found.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
-    limit = 1e-6 if kind == "coloured" else 1e-9  # the color of the point still counts in the gradients beside it
+    limit = 1e-6 if kind == "colored" else 1e-9  # the color of the point still counts in the gradients beside it
     np.testing.assert_allclose(found[0].transformation, found[1].transformation, rtol=0, atol=limit)
     assert found[0].fitness == found[1].fitness and found[0].converged
 

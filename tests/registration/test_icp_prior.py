@@ -81,7 +81,7 @@ def corridor(rng, shift=0, device="cpu"):
     return clouds
 
 
-@pytest.mark.parametrize(("kind", "shift"), [("plane", 0.0), ("generalised", UTM), ("robust", UTM)])
+@pytest.mark.parametrize(("kind", "shift"), [("plane", 0.0), ("generalized", UTM), ("robust", UTM)])
 def test_a_corridor_is_held_at_the_odometry_along_its_axis(device, kind, shift, rng):
     """Without a prior it is not moved there and told; with one it goes where the odometry has it, and that is told."""
     source, target = corridor(rng, shift, device)

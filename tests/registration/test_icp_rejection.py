@@ -68,7 +68,7 @@ def pull_of_an_edge(rng, count):
     return points
 
 
-@pytest.mark.parametrize("kind", ["point", "plane", "symmetric", "generalised", "voxelised"])
+@pytest.mark.parametrize("kind", ["point", "plane", "symmetric", "generalized", "voxelized"])
 def test_the_overlap_is_found_by_itself(device, kind, rng, angle_between):
     """Three fifths of the source lie beyond the target's edge and pull, within the distance: found, they do not."""
     T = as_pose([0.01, -0.02, 0.01], [0.01, -0.01, 0.01])

@@ -1,9 +1,9 @@
-"""ICP with chosen freedom beside answers that others' tests and minimisers know.
+"""ICP with chosen freedom beside answers that others' tests and minimizers know.
 
 - PCL (BSD), test/registration/test_registration.cpp: bun0 onto bun4, 50 steps, mean squared distance below 0.001.
 - PCL, test/registration/test_registration_api.cpp: TransformationEstimationPointToPlane(LLS) finds the pose that moved
   a quadric of 21 x 21 points to 1e-3 an entry; its normals are not those of the surface, and need not be.
-- PCL, registration/warp_point_rigid_3d.h: x, y and the turn about z alone, here minimised by SciPy.
+- PCL, registration/warp_point_rigid_3d.h: x, y and the turn about z alone, here minimized by SciPy.
 - libpointmatcher (BSD), pointmatcher/ErrorMinimizers/PointToPlane.cpp: `force2D` and `force4DOF`, rows of
   (z x p) . n beside n, weighted; and the closed form of 2D and 4D point-to-point (Horn 1987 about one axis).
 
@@ -105,7 +105,7 @@ def test_pcls_quadric_is_found_where_it_was_moved(device, shown):
 
 
 def by_rows(source, target, normals, weights, motions):
-    """libpointmatcher's minimiser, again and again on fixed pairs: weighted rows of (z x p) . n beside n."""
+    """libpointmatcher's minimizer, again and again on fixed pairs: weighted rows of (z x p) . n beside n."""
     T = np.eye(4)
     for _ in range(60):
         p = turned(T, source)

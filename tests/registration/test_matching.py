@@ -213,7 +213,7 @@ def test_a_target_of_many_blocks_is_searched_whole(device, rng):
 
 
 def test_equal_rows_match_the_first_of_them(device):
-    """As rows of all zeros do, of points without neighbours; a thousand would else take a million comparisons."""
+    """As rows of all zeros do, of points without neighbors; a thousand would else take a million comparisons."""
     a, b = np.zeros((3000, 33), np.float32), np.zeros((4000, 33), np.float32)
     b[:7] = 1
     found = correspondences_from_features(a, b, device=device)

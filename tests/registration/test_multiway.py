@@ -159,7 +159,7 @@ def test_level_clouds_stay_level(fragments):
     for k, (points, pose) in enumerate(zip(fragments.clouds[:3], fragments.poses[:3], strict=True)):
         turn = Rotation.from_euler("z", 40 * k, degrees=True).as_matrix()
         world = points @ pose[:3, :3].T + pose[:3, 3]
-        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ turn))  # as a levelled scanner would have it
+        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ turn))  # as a leveled scanner would have it
         truth.append(make_pose(turn, np.array([0.3 * k, 0, 0.1 * k])))
     found = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
     assert found.placed.all()

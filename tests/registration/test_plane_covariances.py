@@ -42,7 +42,7 @@ def test_unknown_planes_are_round(device):
 
 @pytest.mark.slow  # small_gicp comes with the benchmarks
 @pytest.mark.parametrize("scene", ["lidar", "fragment"])
-def test_covariances_of_twenty_neighbours_are_small_gicps(device, scene, lidar, fragment, tolerances):
+def test_covariances_of_twenty_neighbors_are_small_gicps(device, scene, lidar, fragment, tolerances):
     gicp = pytest.importorskip("small_gicp")
     points = (lidar[:, :3] if scene == "lidar" else fragment.points[::20]).astype(np.float32)
     theirs = gicp.PointCloud(points.astype(np.float64))

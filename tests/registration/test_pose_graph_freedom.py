@@ -12,7 +12,7 @@ OPTION = reg.GlobalOptimizationOption(max_correspondence_distance=0.1, reference
 
 
 def ring(seed, count=8):
-    """Levelled stations on a ring at UTM coordinates, edges with noise in all six motions, starts off in four."""
+    """Leveled stations on a ring at UTM coordinates, edges with noise in all six motions, starts off in four."""
     rng = np.random.default_rng(seed)
     tilts = [rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]) for _ in range(count)]
     angles = 2 * np.pi * np.arange(count) / count
@@ -41,7 +41,7 @@ def residuals(poses, edges):
     return np.concatenate(rows)
 
 
-def test_levelled_nodes_stay_level_to_the_last_digit_and_reach_the_optimum():
+def test_leveled_nodes_stay_level_to_the_last_digit_and_reach_the_optimum():
     first, edges = ring(0)
     graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in first], edges)
     solved = reg.global_optimization(graph, option=OPTION, free=LEVEL)

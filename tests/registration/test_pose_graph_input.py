@@ -78,7 +78,7 @@ def test_unsound_graphs_are_refused_by_name(change, message):
 def test_parts_that_no_edge_joins_are_counted():
     nodes = [reg.PoseGraphNode() for _ in range(40)]
     edges = [reg.PoseGraphEdge(i, i + 1) for i in range(39) if i not in (9, 19)]
-    expected = r"node 5 to nodes 10, 11, 12, 13, 14, 15, 16, 17, 18, 19 and 20 more\. Optimise the 3 parts"
+    expected = r"node 5 to nodes 10, 11, 12, 13, 14, 15, 16, 17, 18, 19 and 20 more\. Optimize the 3 parts"
     with pytest.raises(ValueError, match=expected):
         option = reg.GlobalOptimizationOption(reference_node=5)
         reg.global_optimization(reg.PoseGraph(nodes, edges), option=option)

@@ -83,7 +83,7 @@ def test_the_sparse_system_is_the_dense_one(seed, anchors):
     system = NormalEquations(scene.edges, anchored)
     misfit = scene.edges.misfit(scene.poses)
     weights = np.linspace(0.1, 1, len(graph.source))
-    system.linearise(scene.poses, misfit, weights)
+    system.linearize(scene.poses, misfit, weights)
     J = np.zeros((len(graph.source), 6, 6 * count))
     for k, (by_source, by_target) in enumerate(zip(*scene.edges.jacobians(scene.poses, misfit), strict=True)):
         J[k, :, 6 * graph.source[k] : 6 * graph.source[k] + 6] = by_source
@@ -111,7 +111,7 @@ def test_damping_does_not_depend_on_how_the_world_is_turned():
         poses = NodePoses(R @ graph.poses[:, :3, :3], graph.poses[:, :3, 3] @ R.T)
         edges = EdgeMeasurements(graph)
         system = NormalEquations(edges, np.arange(5) == 0)
-        system.linearise(poses, edges.misfit(poses), np.ones(14))
+        system.linearize(poses, edges.misfit(poses), np.ones(14))
         steps.append(system.step_of(system.solve(0.1), 5).reshape(-1, 2, 3) @ R)
     np.testing.assert_allclose(steps[1], steps[0], rtol=0, atol=1e-9 * np.abs(steps[0]).max())
 

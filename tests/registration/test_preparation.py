@@ -11,7 +11,7 @@ from pointloom.registration.icp.preparation import doppler_measurements, general
 from .color_surfaces import wavy
 
 
-def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbours(device, rng, tolerances):
+def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbors(device, rng, tolerances):
     cloud = loom.PointCloud(wavy(rng, 400), device=device)
     near = generalized_covariances(cloud, 1e-3).numpy()
     np.testing.assert_array_equal(near, plane_covariances(cloud.search_tree(), 20, 1e-3).numpy())

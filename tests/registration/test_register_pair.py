@@ -14,7 +14,7 @@ PLANE = reg.TransformationEstimationPointToPlane()
 
 @pytest.fixture
 def pair(rng, device):
-    """A surface sampled twice, the first under NEAR's inverse, with colours."""
+    """A surface sampled twice, the first under NEAR's inverse, with colors."""
     points, others = bumpy(rng), bumpy(rng)
     source = loom.PointCloud(moved(points, np.linalg.inv(NEAR)), colors=colors_at(points), device=device)
     return source, loom.PointCloud(others, colors=colors_at(others), device=device)

@@ -76,7 +76,7 @@ def test_errors_are_as_large_as_the_standard_deviations_say(level, control):
     assert abs(sums - mean) < spread
 
 
-def test_levelled_stations_stay_level():
+def test_leveled_stations_stay_level():
     _, observed, first = survey(0, level=True)
     found = adjust(first, observed, level=True).poses
     assert np.array_equal(found[:, 2, :3], np.tile([0.0, 0.0, 1.0], (len(found), 1)))
@@ -155,7 +155,7 @@ def test_information_is_what_errors_of_blocks_show():
         places = rng.uniform(0, 10, (3000, 3))
         key = (np.floor(places / 2) @ [25, 5, 1]).astype(int)
         J = rng.normal(size=(3000, 4)) + rng.normal(size=(125, 4))[key]
-        r = 0.01 * rng.normal(size=125)[key]  # what neighbours have in common
+        r = 0.01 * rng.normal(size=125)[key]  # what neighbors have in common
         error = np.linalg.solve(J.T @ J, J.T @ r)
         sizes.append(error @ _clustered(J, r, np.ones(3000), places, 2.0) @ error)
     assert 2.5 < np.mean(sizes) < 6.0  # of four unknowns, with covariances of 125 blocks

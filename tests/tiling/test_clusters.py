@@ -34,7 +34,7 @@ def labels_in_memory(cloud, step):
     return cloud
 
 
-def labelled(cloud):
+def labeled(cloud):
     """Rows of position, label and what tells a point from its twin, sorted."""
     columns = [np.rint((cloud.points - cloud.origin) / STEP).astype(np.int64), np.asarray(cloud["cluster"])[:, None]]
     if "gps_time" in cloud.attributes:
@@ -49,7 +49,7 @@ def check(paths, steps, folder, device="cpu", **how):
     cloud = whole_cloud(paths, np.array(plan["origin"]))
     cloud = in_memory(cloud, steps[:-1], plan["voxel_corner"])
     expected = labels_in_memory(cloud, steps[-1])
-    np.testing.assert_array_equal(labelled(found), labelled(expected))
+    np.testing.assert_array_equal(labeled(found), labeled(expected))
     assert np.asarray(found["cluster"]).dtype == np.int32
     return np.asarray(expected["cluster"])
 
@@ -161,7 +161,7 @@ def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished
     found = finished(tmp_path / "job")
     cloud = whole_cloud(files, found.origin)
-    np.testing.assert_array_equal(labelled(found), labelled(labels_in_memory(cloud, DBSCAN)))
+    np.testing.assert_array_equal(labeled(found), labeled(labels_in_memory(cloud, DBSCAN)))
     assert not (tmp_path / "job" / "left").exists()
 
 
@@ -206,7 +206,7 @@ def test_more_clusters_than_32_bits_can_name_have_labels_of_64(files, tmp_path, 
     found, plan = tiled(files, [DBSCAN], tmp_path / "job", size=21.0)
     assert np.asarray(found["cluster"]).dtype == np.int64
     cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
-    np.testing.assert_array_equal(labelled(found), labelled(cloud))
+    np.testing.assert_array_equal(labeled(found), labeled(cloud))
 
 
 def test_steps_behind_clusters_keep_the_labels(files, tmp_path):
@@ -216,7 +216,7 @@ def test_steps_behind_clusters_keep_the_labels(files, tmp_path):
     cloud = labels_in_memory(whole_cloud(files, np.array(plan["origin"])), DBSCAN)
     cloud = in_memory(cloud, steps[2:], plan["voxel_corner"])
     assert 1000 < len(cloud) < 3000
-    np.testing.assert_array_equal(labelled(found), labelled(cloud))
+    np.testing.assert_array_equal(labeled(found), labeled(cloud))
 
 
 @pytest.mark.slow
@@ -226,13 +226,13 @@ def test_a_tile_that_is_damaged_after_the_result_was_made_is_made_again(files, t
     (tmp_path / "steps.toml").write_text(text)
     loom.tiling.plan_tiles(files, tmp_path / "steps.toml", job, size=30.0)
     assert loom.tiling.run_tiles(job).is_finished
-    expected = labelled(finished(job))
+    expected = labeled(finished(job))
     (job / "tiles" / "1_1.laz").write_bytes(b"LASF, and nothing else")
     with pytest.raises(loom.FileError, match=r"1_1\.laz"):
         loom.tiling.finish_tiles(job, overwrite=True)
     assert loom.tiling.run_tiles(job).is_finished
     found = whole_cloud([loom.tiling.finish_tiles(job, overwrite=True)], np.array(plan_of(job)["origin"]))
-    np.testing.assert_array_equal(labelled(found), expected)
+    np.testing.assert_array_equal(labeled(found), expected)
 
 
 KILLED = """
@@ -271,7 +271,7 @@ def test_runs_that_are_killed_between_passes_go_on(files, tmp_path, module, name
     assert loom.tiling.run_tiles(job).is_finished
     assert not [*(job / "joined").glob("*.part")]
     cloud = labels_in_memory(whole_cloud(files, np.array(plan_of(job)["origin"])), DBSCAN)
-    np.testing.assert_array_equal(labelled(finished(job)), labelled(cloud))
+    np.testing.assert_array_equal(labeled(finished(job)), labeled(cloud))
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ def fused(walk, **how):
 
 
 def triangles_of(mesh, *, sort=True):
-    """Each triangle as the bits of its corners' positions and colours, in a fixed order."""
+    """Each triangle as the bits of its corners' positions and colors, in a fixed order."""
     values = np.asarray(mesh.vertices, np.float64).view(np.int64)
     if mesh.vertex_colors is not None:
         colors = np.rint(np.asarray(mesh.vertex_colors, np.float64) * 255).astype(np.int64)

@@ -59,7 +59,7 @@ def test_steps_before_count_in_the_source(survey, tmp_path):
 
 
 def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
-    """25832 with heights to 25833 without: the heights' system is still told. Feet beside metres are refused."""
+    """25832 with heights to 25833 without: the heights' system is still told. Feet beside meters are refused."""
     how = {"from_crs": "EPSG:25832+5783"}
     header = open_las(made(survey, [STEP | how], tmp_path / "a", "b.laz", size=50.0)).header
     parts = pyproj.CRS.from_wkt(find_text(header)).sub_crs_list

@@ -137,9 +137,9 @@ def test_values_that_las_has_in_another_range_get_a_name_of_their_own(tmp_path):
 
 def test_units_that_differ_and_a_plan_cut_short(tmp_path, monkeypatch):
     points = np.random.default_rng(0).random((50, 3))
-    metres = loom.PointCloud(points, unit="m")
-    loom.write_point_cloud(tmp_path / "a.ply", metres)
-    loom.write_point_cloud(tmp_path / "b.ply", metres.to_unit("ft"))
+    meters = loom.PointCloud(points, unit="m")
+    loom.write_point_cloud(tmp_path / "a.ply", meters)
+    loom.write_point_cloud(tmp_path / "b.ply", meters.to_unit("ft"))
     with pytest.raises(loom.FileError, match=r"/b\.ply:"):
         loom.tiling.plan_tiles([tmp_path / "a.ply", tmp_path / "b.ply"], STEPS, tmp_path / "job")
     with monkeypatch.context() as patch:

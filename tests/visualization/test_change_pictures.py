@@ -1,4 +1,4 @@
-"""Pictures of change: red is up, blue is down, grey is noise, and the legend says so."""
+"""Pictures of change: red is up, blue is down, gray is noise, and the legend says so."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def row_of(count, device="cpu"):
     return loom.PointCloud(np.column_stack([np.arange(count), np.zeros((count, 2))]), device=device)
 
 
-def test_what_is_noise_is_grey_and_the_rest_diverges(device):
+def test_what_is_noise_is_gray_and_the_rest_diverges(device):
     found = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
     cloud = row_of(5, device)
     colors = paint(cloud, found).colors
@@ -59,7 +59,7 @@ def legends(monkeypatch):
     return asked
 
 
-def test_a_picture_says_what_its_colours_are(device, tmp_path, rng, legends):
+def test_a_picture_says_what_its_colors_are(device, tmp_path, rng, legends):
     cloud = loom.PointCloud(rng.random((4000, 3)) * (20, 10, 0.1), device=device)
     values = cloud.points[:, 0] - 10
     found = result(values, np.full(4000, 2.0))
@@ -77,7 +77,7 @@ def test_a_picture_says_what_its_colours_are(device, tmp_path, rng, legends):
     assert np.ptp(middle.astype(int)) == 0 and 140 < middle[0] < 165
 
 
-def test_the_legend_tells_what_is_grey(legends):
+def test_the_legend_tells_what_is_gray(legends):
     cloud = row_of(3)
     loom.change.draw(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
     loom.change.draw(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))

@@ -17,14 +17,14 @@ from pointloom.visualization.notebook_output import (
     still_output,
 )
 
-GREY = np.full((30, 40, 3), 128, np.uint8)
+GRAY = np.full((30, 40, 3), 128, np.uint8)
 HOSTILE = '"><script>alert(1)</script>'
 OUTPUTS = {
-    "live": live_output("words", f"http://x{HOSTILE}", HOSTILE, GREY, 300),
-    "page": page_output("words", HOSTILE, [HOSTILE], GREY, 300),
-    "gif": media_output("words", "image/gif", b"GIF", [HOSTILE], GREY),
-    "mp4": media_output("words", "video/mp4", b"MP4", [HOSTILE], GREY),
-    "still": still_output("words", [HOSTILE], GREY),
+    "live": live_output("words", f"http://x{HOSTILE}", HOSTILE, GRAY, 300),
+    "page": page_output("words", HOSTILE, [HOSTILE], GRAY, 300),
+    "gif": media_output("words", "image/gif", b"GIF", [HOSTILE], GRAY),
+    "mp4": media_output("words", "video/mp4", b"MP4", [HOSTILE], GRAY),
+    "still": still_output("words", [HOSTILE], GRAY),
 }
 
 
@@ -47,7 +47,7 @@ def test_a_page_inside_is_sealed_off_and_whole():
 
 
 def test_each_live_frame_has_a_name_of_its_own():
-    again = live_output("words", "http://x", "ssh", GREY, 300)["text/html"]
+    again = live_output("words", "http://x", "ssh", GRAY, 300)["text/html"]
     name = again.partition('<iframe name="')[2].partition('"')[0]
     assert len(name) > 12 and name not in OUTPUTS["live"]["text/html"] and again.count(name) == 2
 

@@ -2,7 +2,7 @@
 1. Read a cloud and look at it
 ==============================
 
-A point cloud is a list of places in space, often with a colour for each. You learn to read one from a file, to ask how
+A point cloud is a list of places in space, often with a color for each. You learn to read one from a file, to ask how
 large it is and where it lies, and to look at it from wherever you like. Do this first with every file that you are
 given: most mistakes show here, before anything is computed.
 """
@@ -35,11 +35,11 @@ print(cloud)
 # What is in it
 # -------------
 # ``cloud.points`` is a NumPy array of shape [n, 3]: one row a point, its x, y and z. ``cloud.colors`` has the same
-# shape, with red, green and blue from 0 to 1. A cloud has no unit unless its file tells one; by custom it is metres.
+# shape, with red, green and blue from 0 to 1. A cloud has no unit unless its file tells one; by custom it is meters.
 
 print("first point:", cloud.points[0].round(3))
-print("colours from", cloud.colors.min().round(2), "to", cloud.colors.max().round(2))
-print("has normals:", cloud.has_normals(), " has colours:", cloud.has_colors())
+print("colors from", cloud.colors.min().round(2), "to", cloud.colors.max().round(2))
+print("has normals:", cloud.has_normals(), " has colors:", cloud.has_colors())
 
 assert cloud.points.shape == (len(cloud), 3)
 assert cloud.colors.min() >= 0 and cloud.colors.max() <= 1
@@ -47,15 +47,15 @@ assert cloud.colors.min() >= 0 and cloud.colors.max() <= 1
 # %%
 # How large it is
 # ---------------
-# The three numbers to look at first. The extent tells the unit: a room of ``[5 4.2 2.6]`` is in metres, one of
-# ``[5000 4200 2600]`` in millimetres. The centre tells whether the cloud lies near zero, or at coordinates of a map.
+# The three numbers to look at first. The extent tells the unit: a room of ``[5 4.2 2.6]`` is in meters, one of
+# ``[5000 4200 2600]`` in millimeters. The center tells whether the cloud lies near zero, or at coordinates of a map.
 # In rooms and streets the shortest extent is mostly
 # the one upwards: here z.
 
 low, high = cloud.get_min_bound(), cloud.get_max_bound()
 extent = high - low
 print("extent:", extent.round(2), "m")
-print("centre:", ((low + high) / 2).round(2), "m")
+print("center:", ((low + high) / 2).round(2), "m")
 print(f"{len(cloud) / np.prod(extent[:2]):.0f} points a square metre of floor")
 
 assert np.allclose(extent, [5.0, 4.2, 2.6], atol=0.25)
@@ -83,10 +83,10 @@ eye = loom.View(loom.PinholeCameraIntrinsic(960, 640, 620.0, 620.0, 479.5, 319.5
 from_within = loom.render(cloud, eye)
 
 # %%
-# Colour by what you ask
+# Color by what you ask
 # ----------------------
-# Colours need not be those of the camera. By height one sees at once what is floor and what stands on it; the bar on
-# the picture tells the metres.
+# Colors need not be those of the camera. By height one sees at once what is floor and what stands on it; the bar on
+# the picture tells the meters.
 
 by_height = loom.render(
     {"geometry": inside, "color_by": "height", "colormap": "turbo"}, above, (960, 640), color_bar=True
@@ -117,17 +117,17 @@ except loom.FileError as error:
 assert "rooms.ply" in message
 
 # %%
-# **The wrong unit.** Many scanners write millimetres. Nothing looks wrong in a picture, since the view fits itself; the
+# **The wrong unit.** Many scanners write millimeters. Nothing looks wrong in a picture, since the view fits itself; the
 # extent tells it. Every later number (a voxel of 0.05, a radius of 0.1) would be a thousand times too small.
 
-in_millimetres = cloud.scale(1000.0, center=[0, 0, 0])
+in_millimeters = cloud.scale(1000.0, center=[0, 0, 0])
 print(
-    "extent:", (in_millimetres.get_max_bound() - in_millimetres.get_min_bound()).round(0), "- of a room? Millimetres."
+    "extent:", (in_millimeters.get_max_bound() - in_millimeters.get_min_bound()).round(0), "- of a room? Millimeters."
 )
 
-in_millimetres.unit = "millimetre"  # says what the numbers are, and changes none
-metres = in_millimetres.to_unit("metre")
-assert np.allclose(metres.points, cloud.points, atol=1e-4)
+in_millimeters.unit = "millimetre"  # says what the numbers are, and changes none
+meters = in_millimeters.to_unit("metre")
+assert np.allclose(meters.points, cloud.points, atol=1e-4)
 
 # %%
 # **Upside down.** Cameras count y downwards and z away from themselves. A cloud that comes straight from a depth camera

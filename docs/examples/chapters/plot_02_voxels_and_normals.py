@@ -10,8 +10,8 @@ needs them. You learn both, and how to choose their two numbers.
 # %%
 # Thin by voxels
 # --------------
-# Space is cut into cubes, the voxels. All points in one cube become one: the mean of their places, colours and
-# normals. The edge of a cube is the one number to choose, in the unit of the cloud, here metres. Nothing smaller than
+# Space is cut into cubes, the voxels. All points in one cube become one: the mean of their places, colors and
+# normals. The edge of a cube is the one number to choose, in the unit of the cloud, here meters. Nothing smaller than
 # a voxel survives.
 #
 # In Open3D this is the same: ``voxel_down_sample(voxel_size)``.
@@ -42,7 +42,7 @@ assert (ratios > 2.5).all() and (ratios < 4.5).all()
 
 # %%
 # The mistake to know: a voxel larger than the cloud leaves a single point. It mostly means that the cloud is in
-# millimetres and the voxel in metres, or the other way round. A warning says so:
+# millimeters and the voxel in meters, or the other way round. A warning says so:
 
 with warnings.catch_warnings(record=True) as told:
     warnings.simplefilter("always")
@@ -76,8 +76,8 @@ assert crowd(thin)[0] < 1.5 * crowd(thin)[1]
 # %%
 # Normals
 # -------
-# A normal is an arrow of length 1 that stands on the surface. It is found by laying a plane through the neighbours of a
-# point. ``radius`` says how far a neighbour may be, ``max_nn`` how many are taken at most. A radius of two to three
+# A normal is an arrow of length 1 that stands on the surface. It is found by laying a plane through the neighbors of a
+# point. ``radius`` says how far a neighbor may be, ``max_nn`` how many are taken at most. A radius of two to three
 # voxels is a good start: less, and noise turns the arrows; more, and edges become round.
 #
 # In Open3D this is ``estimate_normals(KDTreeSearchParamHybrid(radius, max_nn))``, which changes the cloud in place.
@@ -88,13 +88,13 @@ print(thin)
 print("length of a normal:", np.linalg.norm(thin.normals[0]).round(6))
 
 # %%
-# Which side of the surface an arrow is on cannot be known from the neighbours. But it is known where the camera stood,
-# and one only sees surfaces that look towards oneself. (Where it is not known, as in airborne or joined LiDAR scans,
+# Which side of the surface an arrow is on cannot be known from the neighbors. But it is known where the camera stood,
+# and one only sees surfaces that look toward oneself. (Where it is not known, as in airborne or joined LiDAR scans,
 # the ground at least looks up: ``orient_normals_to_align_with_direction([0, 0, 1])``.)
 
 thin = thin.orient_normals_towards_camera_location(frame.T_world_camera[:3, 3])
-towards = np.einsum("ij,ij->i", thin.normals, frame.T_world_camera[:3, 3] - thin.points)
-assert (towards >= 0).all()
+toward = np.einsum("ij,ij->i", thin.normals, frame.T_world_camera[:3, 3] - thin.points)
+assert (toward >= 0).all()
 
 with_arrows = loom.render(
     {"geometry": thin.voxel_down_sample(0.1), "point_size": 6.0}, aside, (960, 640), point_show_normal=True
@@ -103,7 +103,7 @@ with_arrows = loom.render(
 # %%
 # Are they right?
 # ---------------
-# As colours: red, green and blue are x, y and z of the arrow. What is flat has one colour. The floor of a room looks
+# As colors: red, green and blue are x, y and z of the arrow. What is flat has one color. The floor of a room looks
 # up, so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1). This
 # camera is exact, so most of them are upright to a degree; with a real one expect several degrees.
 
@@ -118,7 +118,7 @@ assert np.median(tilt) < 8
 # What the radius does
 # --------------------
 # Real cameras are not exact. So the points get a noise of 5 mm, and the normals are made again with a
-# small and a large radius. Too small a one has too few neighbours to average the noise; too large a one reaches over
+# small and a large radius. Too small a one has too few neighbors to average the noise; too large a one reaches over
 # edges. Look at the figures for the floor, then at the share of points that seem to lie on a slope, of which a room
 # has few.
 
@@ -138,7 +138,7 @@ assert slanted[0.12] < slanted[0.5], "a large radius rounds edges off"
 # In three dimensions, to turn:
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-with loom.record(folder / "normals.html", automatic=False, title="Normals as colours") as recording:
+with loom.record(folder / "normals.html", automatic=False, title="Normals as colors") as recording:
     recording.add("normals", thin, color_by="normal")
     recording.step("by normal")
 page = folder / "normals.html"
@@ -157,7 +157,7 @@ except (ValueError, AttributeError) as error:
 assert "estimate_normals" in message
 
 # %%
-# Where nobody knows where the camera stood, ``orient_normals_consistent_tangent_plane(30)`` makes neighbours agree. It
+# Where nobody knows where the camera stood, ``orient_normals_consistent_tangent_plane(30)`` makes neighbors agree. It
 # settles all arrows of one piece alike, inwards or outwards; chapter 11 uses it.
 #
 # Try it

@@ -3,7 +3,7 @@
 =====================
 
 What belongs to the floor, what is one thing and what another, how large is it, how far is this from that, and what
-can be seen from here? You learn the tools with which a cloud becomes things: boxes, colours, distances, hulls,
+can be seen from here? You learn the tools with which a cloud becomes things: boxes, colors, distances, hulls,
 planes, clusters and hidden points.
 """
 
@@ -11,7 +11,7 @@ planes, clusters and hidden points.
 # Crop
 # ----
 # A box keeps what is inside. Here: the part of the room with the sofa and the coffee table. The six numbers are the
-# lowest and the highest corner, in metres, along the axes of the cloud.
+# lowest and the highest corner, in meters, along the axes of the cloud.
 
 import tempfile
 from pathlib import Path
@@ -48,7 +48,7 @@ assert abs(d) < 0.02, "and at height 0"
 # %%
 # Which are the things? Clusters
 # ------------------------------
-# DBSCAN joins points that are closer than ``eps``, if they have at least ``min_points`` neighbours within it. With
+# DBSCAN joins points that are closer than ``eps``, if they have at least ``min_points`` neighbors within it. With
 # voxels of 2 cm an ``eps`` of 5 cm bridges one missing voxel. Label -1 means: belongs to nothing, mostly noise.
 #
 # In Open3D the same; there ``labels`` is an ``IntVector``, here an array.
@@ -61,8 +61,8 @@ assert count >= 2
 
 painted = things.copy()
 painted["cluster"] = labels
-grey = floor.paint_uniform_color([0.85, 0.85, 0.85])
-clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, grey], above, (960, 640))
+gray = floor.paint_uniform_color([0.85, 0.85, 0.85])
+clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, gray], above, (960, 640))
 
 # %%
 # ``eps`` decides. Too small, and a thing falls to pieces; too large, and all is one. Try it on a scale and take the
@@ -140,7 +140,7 @@ assert 0.05 < len(visible) / len(corner) < 0.9
 from_the_other_side = {"front": [-0.45, 0.45, 0.75], "up": [0, 0, 1], "zoom": 0.66}
 shadow = loom.render(
     {"seen": visible, "hidden": {"geometry": hidden, "color": (0.78, 0.78, 0.82)}},
-    from_the_other_side, (960, 640), legend=[("grey: hidden from the eye", (0.78, 0.78, 0.82))],
+    from_the_other_side, (960, 640), legend=[("gray: hidden from the eye", (0.78, 0.78, 0.82))],
 )  # fmt: skip
 
 # %%
@@ -166,7 +166,7 @@ page = folder / "clusters.html"
 # %%
 # What goes wrong
 # ---------------
-# **Radii in the wrong unit.** ``eps=50`` on a cloud in metres makes one cluster, ``eps=0.05`` on millimetres none.
+# **Radii in the wrong unit.** ``eps=50`` on a cloud in meters makes one cluster, ``eps=0.05`` on millimeters none.
 # Look at the extent, as in chapter 1.
 #
 # **The plane is a wall.** The plane with most points need not be the floor. Ask its normal, or take several planes and

@@ -80,7 +80,7 @@ print(len(noisy), "points,", is_rubbish.sum(), "of them rubbish")
 # %%
 # Statistical outliers
 # --------------------
-# For each point: the mean distance to its 20 nearest neighbours. Over the whole cloud these distances have a mean and a
+# For each point: the mean distance to its 20 nearest neighbors. Over the whole cloud these distances have a mean and a
 # standard deviation. Points with more than the mean plus ``std_ratio`` deviations go. No length is to be chosen, so it
 # fits any unit; a smaller ratio cuts more. Try 2, then 1, then 0.5, and look at what went; the 0.5 taken below suits
 # this evenly dense cloud only.
@@ -133,7 +133,7 @@ _, nothing = noisy.remove_radius_outlier(nb_points=6, radius=1000 * spacing)
 assert len(nothing) == len(noisy), "a radius larger than the cloud removes nothing"
 
 # %%
-# The same to turn: grey stays, red goes.
+# The same to turn: gray stays, red goes.
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "outliers.html", automatic=False, title="What goes is red") as recording:
@@ -160,7 +160,7 @@ assert "nb_points" in message
 # **Twice is too often.** Each pass of the statistical way finds a new mean, and cuts again: thin but true parts (a
 # cable, a chair's leg) go in the end. Clean once, look, stop.
 #
-# **A smooth crust is no outlier.** Noise that lies close to the surface has neighbours. Chapter 11 averages it away
+# **A smooth crust is no outlier.** Noise that lies close to the surface has neighbors. Chapter 11 averages it away
 # by a surface; ``smooth_mls`` moves points onto theirs.
 #
 # Try it

@@ -2,16 +2,16 @@
 5. Depth pictures to clouds
 ===========================
 
-A depth camera gives two pictures: colours, and for each pixel how far away it is. You learn to make a cloud of them in
-every convention that you will meet: metres and millimetres, the formats of Redwood, TUM, SUN3D and NYU, poses as camera
+A depth camera gives two pictures: colors, and for each pixel how far away it is. You learn to make a cloud of them in
+every convention that you will meet: meters and millimeters, the formats of Redwood, TUM, SUN3D and NYU, poses as camera
 to world or as extrinsics, y up or y down. Each of them goes wrong without an error if it is taken for another.
 """
 
 # %%
 # What a depth picture is
 # -----------------------
-# A frame of the package's own walk through a room: colours as ``uint8`` [h, w, 3], depth as ``float32`` [h, w] in
-# metres, 0 where nothing was measured. Depth is not the distance from the camera: it is measured along the optical
+# A frame of the package's own walk through a room: colors as ``uint8`` [h, w, 3], depth as ``float32`` [h, w] in
+# meters, 0 where nothing was measured. Depth is not the distance from the camera: it is measured along the optical
 # axis, so a wall that the camera faces has one depth all over.
 
 import tempfile
@@ -42,23 +42,23 @@ print(cloud, "- the greatest difference to the formula:", abs(cloud.points - by_
 assert np.allclose(cloud.points, by_hand, atol=1e-5)
 
 # %%
-# With colours it takes two steps. ``depth_trunc`` drops what is farther, as cheap cameras see badly far away; mind
+# With colors it takes two steps. ``depth_trunc`` drops what is farther, as cheap cameras see badly far away; mind
 # that it is 3 m unless you say otherwise. Open3D: ``RGBDImage.create_from_color_and_depth(...,
 # convert_rgb_to_intensity=False)``, then ``PointCloud.create_from_rgbd_image``; those names work here too.
 
 image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=6.0)
-coloured = loom.PointCloud.create_from_rgbd_image(image, camera)
+colored = loom.PointCloud.create_from_rgbd_image(image, camera)
 short = loom.RGBDImage(frame.color, frame.depth)
 print(f"kept within 6 m: {(image.depth > 0).mean():.0%} of the pixels, within 3 m: {(short.depth > 0).mean():.0%}")
-assert len(coloured) == (image.depth > 0).sum()
+assert len(colored) == (image.depth > 0).sum()
 
 # %%
 # Seen as the camera saw it, and from beside. What the camera could not see is empty: a depth picture is a relief.
 
 wide = loom.PinholeCameraIntrinsic(960, 640, 780.0, 780.0, 479.5, 319.5)
-as_seen = loom.render(coloured, loom.View(wide, np.eye(4)), point_size=4)
+as_seen = loom.render(colored, loom.View(wide, np.eye(4)), point_size=4)
 from_beside = loom.render(
-    [coloured, {"geometry": loom.CameraFrustum(camera, np.eye(4), 0.5), "color": (0.1, 0.4, 0.9), "line_width": 3}],
+    [colored, {"geometry": loom.CameraFrustum(camera, np.eye(4), 0.5), "color": (0.1, 0.4, 0.9), "line_width": 3}],
     {"front": [0.8, -0.55, -0.75], "up": [0, -1, 0], "zoom": 0.48},
     (960, 640),
 )  # fmt: skip
@@ -67,8 +67,8 @@ from_beside = loom.render(
 # Which numbers a file holds
 # --------------------------
 # Files hold whole numbers of 16 bits, and each data set has its own idea of what 1 means. We write our frame in each
-# format, as its camera would, and read it back. All but the last two calls give grey clouds, as Open3D's do, unless
-# ``convert_rgb_to_intensity=False`` says that colours stay. Each drops what is farther than its own ``depth_trunc``.
+# format, as its camera would, and read it back. All but the last two calls give gray clouds, as Open3D's do, unless
+# ``convert_rgb_to_intensity=False`` says that colors stay. Each drops what is farther than its own ``depth_trunc``.
 #
 # .. list-table::
 #    :header-rows: 1
@@ -78,7 +78,7 @@ from_beside = loom.render(
 #      - call
 #      - drops beyond
 #    * - Redwood, 7-Scenes
-#      - d / 1000 m (millimetres)
+#      - d / 1000 m (millimeters)
 #      - ``RGBDImage.create_from_redwood_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 4 m
 #    * - TUM
@@ -86,7 +86,7 @@ from_beside = loom.render(
 #      - ``create_from_tum_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 4 m
 #    * - SUN3D
-#      - millimetres, the bits turned left by three
+#      - millimeters, the bits turned left by three
 #      - ``create_from_sun_format(color, depth, convert_rgb_to_intensity=False)``
 #      - 7 m
 #    * - NYU
@@ -98,17 +98,17 @@ from_beside = loom.render(
 #      - ``RGBDImage(color, depth, depth_scale=..., depth_trunc=...)``
 #      - 3 m, or yours
 #    * - floats
-#      - metres
+#      - meters
 #      - ``RGBDImage(color, depth, depth_trunc=...)``
 #      - 3 m, or yours
 
-millimetres = np.rint(z * 1000).astype(np.uint16)
+millimeters = np.rint(z * 1000).astype(np.uint16)
 with np.errstate(divide="ignore"):
     nyu = np.where(z > 0, np.rint(1092.5 - 351.3 / z), 0).clip(0, 65535).astype(np.uint16)
 files = {
-    "Redwood": (loom.RGBDImage.create_from_redwood_format, millimetres),
+    "Redwood": (loom.RGBDImage.create_from_redwood_format, millimeters),
     "TUM": (loom.RGBDImage.create_from_tum_format, np.rint(z * 5000).astype(np.uint16)),
-    "SUN3D": (loom.RGBDImage.create_from_sun_format, (millimetres << 3) | (millimetres >> 13)),
+    "SUN3D": (loom.RGBDImage.create_from_sun_format, (millimeters << 3) | (millimeters >> 13)),
     "NYU": (loom.RGBDImage.create_from_nyu_format, nyu.byteswap()),
 }
 for name, (read, numbers) in files.items():
@@ -122,7 +122,7 @@ for name, (read, numbers) in files.items():
 # %%
 # NYU's numbers are coarse far away: one step is 22 mm at 2.8 m. No reading makes that finer.
 #
-# **The wrong scale** gives a room of the wrong size. TUM's numbers taken for millimetres make it five times too large;
+# **The wrong scale** gives a room of the wrong size. TUM's numbers taken for millimeters make it five times too large;
 # most of it then lies beyond ``depth_trunc``. Where nothing at all is left, there is a warning with the likely cause:
 
 with warnings.catch_warnings(record=True) as told:
@@ -144,7 +144,7 @@ right = loom.PointCloud.create_from_rgbd_image(image, camera, np.linalg.inv(pose
 wrong = loom.PointCloud.create_from_rgbd_image(image, camera, pose)
 print("floor at", np.quantile(right.points[:, 2], 0.005).round(2), "m; with the wrong one at",
       np.quantile(wrong.points[:, 2], 0.005).round(2), "m")  # fmt: skip
-assert np.allclose(right.points, coloured.transform(pose).points, atol=1e-5)
+assert np.allclose(right.points, colored.transform(pose).points, atol=1e-5)
 assert right.points[:, 2].min() > -0.2
 assert not np.allclose(right.points, wrong.points, atol=0.5)
 
@@ -182,7 +182,7 @@ assert np.all(extents[0] < [5.6, 4.8, 3.0]) and np.prod(extents[1]) > 1.5 * np.p
 to_opengl = np.diag([1.0, -1.0, -1.0, 1.0])
 pose_of_arkit = pose @ to_opengl  # as ARKit would write it
 assert np.allclose(pose_of_arkit @ to_opengl, pose), "the same matrix turns it back"
-upright = coloured.transform(to_opengl)
+upright = colored.transform(to_opengl)
 assert upright.points[:, 2].max() < 0, "everything lies before the camera, along -z"
 
 # %%
@@ -223,14 +223,14 @@ page = folder / "frames.html"
 # frame is written as a camera would, so that there is something to read:
 
 loom.save_picture(folder / "color.png", frame.color)
-loom.save_picture(folder / "depth.png", millimetres)
+loom.save_picture(folder / "depth.png", millimeters)
 loom.write_trajectory(folder / "trajectory.log", loom.Trajectory(pose[None]))
 
 poses = loom.read_trajectory(folder / "trajectory.log").poses
 color, depth = loom.read_color(folder / "color.png"), loom.read_depth(folder / "depth.png")
 read = loom.RGBDImage(color, depth, depth_scale=1000, depth_trunc=6.0)
 world = loom.PointCloud.create_from_rgbd_image(read, camera, np.linalg.inv(poses[0]))
-print(f"poses {poses.shape}, colour {color.shape} {color.dtype}, depth {depth.shape} {depth.dtype}; {world}")
+print(f"poses {poses.shape}, color {color.shape} {color.dtype}, depth {depth.shape} {depth.dtype}; {world}")
 assert np.allclose(world.points, right.points, atol=1e-3)
 
 # %%

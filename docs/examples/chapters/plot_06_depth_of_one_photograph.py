@@ -3,7 +3,7 @@
 ==========================
 
 A depth network looks at one picture and guesses how far each pixel is. You learn the steps around such a network:
-which kind it is, what its numbers are worth, how one or two known distances make them metres, how to measure its
+which kind it is, what its numbers are worth, how one or two known distances make them meters, how to measure its
 errors, and how a cloud is made of the result. You bring the network as an ONNX file; the package downloads nothing.
 """
 
@@ -33,7 +33,7 @@ from pointloom.photogrammetry.depth.evaluation import evaluate_depth
 SIDE = 384  # MiDaS looks at 384 x 384 pixels, whatever the picture's shape
 
 frame = loom.datasets.room_frames(24, noise=False)[20]
-truth = frame.depth  # metres, exact: what nobody has in life, and what we measure errors with
+truth = frame.depth  # meters, exact: what nobody has in life, and what we measure errors with
 
 
 def answer_of_a_network(depth: np.ndarray) -> np.ndarray:
@@ -72,14 +72,14 @@ write_stand_in(folder / "stand_in.onnx", answer_of_a_network(truth))
 # %%
 # Ask it
 # ------
-# ``preset`` says which network the file is: the size of its input, how colours are normalised, and what its numbers
-# mean. The page *Depth of one photograph* lists them, with the licences of the weights. Open3D has nothing for this
+# ``preset`` says which network the file is: the size of its input, how colors are normalized, and what its numbers
+# mean. The page *Depth of one photograph* lists them, with the licenses of the weights. Open3D has nothing for this
 # step; its users call OpenCV or PyTorch.
 
 model = loom.DepthModel(folder / "stand_in.onnx", preset="midas-v2.1-onnx")
 alone = loom.estimate_depth(frame.color, model, intrinsic=frame.intrinsic)
 print(alone)
-print("unit:", alone.unit, " in metres:", alone.is_metric, " camera:", alone.intrinsic_source)
+print("unit:", alone.unit, " in meters:", alone.is_metric, " camera:", alone.intrinsic_source)
 assert not alone.is_metric
 
 # %%
@@ -87,9 +87,9 @@ assert not alone.is_metric
 # depth is good for blurring the background of a portrait. Its cloud is bent, since the shift is made up: a wall comes
 # out curved.
 #
-# Known distances make it metres
+# Known distances make it meters
 # ------------------------------
-# Two distances are enough to find scale and shift: take a tape measure and note column, row and metres. More are
+# Two distances are enough to find scale and shift: take a tape measure and note column, row and meters. More are
 # better, because two cannot be checked: the share of references that agree, ``inlier_share``, is then None, however
 # wrong one of them is.
 
@@ -111,8 +111,8 @@ assert checked and two.inlier_share is None
 
 # %%
 # Or a depth camera that looked at the same view, however coarse and however full of holes; or a sparse model of COLMAP
-# (chapter 9). A depth picture of a file goes in as metres, too: ``loom.read_depth`` gives what is stored, mostly
-# millimetres in 16 bits, so divide by 1000 (some data sets store other units). The same holds where you read a
+# (chapter 9). A depth picture of a file goes in as meters, too: ``loom.read_depth`` gives what is stored, mostly
+# millimeters in 16 bits, so divide by 1000 (some data sets store other units). The same holds where you read a
 # distance off such a picture in place of a tape.
 
 sensor = loom.datasets.room_frames(24)[20].depth
@@ -153,8 +153,8 @@ beside = {"front": [0.55, -0.5, -0.75], "up": [0, -1, 0], "zoom": 0.48}
 picture = loom.render(cloud, beside, (960, 640))
 
 # %%
-# The same, coloured by how far each point is from the truth. The error is the slow wave that the stand-in was
-# spoilt with: things are right among themselves, and a whole wall is some centimetres off.
+# The same, colored by how far each point is from the truth. The error is the slow wave that the stand-in was
+# spoilt with: things are right among themselves, and a whole wall is some centimeters off.
 
 exact = loom.PointCloud.create_from_depth_image(truth, frame.intrinsic)
 cloud["error"] = cloud.compute_point_cloud_distance(exact)

@@ -27,7 +27,7 @@ frames = loom.datasets.room_frames(24)
 
 
 def scan(index: int, voxel_size: float = 0.03) -> loom.PointCloud:
-    """A frame as a cloud in its camera's coordinates, thinned, with normals towards the camera."""
+    """A frame as a cloud in its camera's coordinates, thinned, with normals toward the camera."""
     frame = frames[index]
     image = loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0)
     cloud = loom.PointCloud.create_from_rgbd_image(image, frame.intrinsic).voxel_down_sample(voxel_size)
@@ -35,7 +35,7 @@ def scan(index: int, voxel_size: float = 0.03) -> loom.PointCloud:
 
 
 def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """How far a pose is from the true one: degrees and metres."""
+    """How far a pose is from the true one: degrees and meters."""
     rest = np.linalg.inv(truth) @ T
     angle = np.degrees(np.arccos(np.clip((np.trace(rest[:3, :3]) - 1) / 2, -1, 1)))
     return float(angle), float(np.linalg.norm(rest[:3, 3]))
@@ -78,7 +78,7 @@ before = loom.render(drawn(start), view, (960, 640), legend=True)
 # -------------------
 # Each source point looks for the nearest target point. If that is nearer than ``max_correspondence_distance``, the
 # two are a pair. **Fitness** is the share of source points that have a partner, 0 to 1. **inlier_rmse** is how far
-# the partners are apart, in metres. Neither knows the truth; and both depend on the distance, so compare them at one
+# the partners are apart, in meters. Neither knows the truth; and both depend on the distance, so compare them at one
 # distance only.
 #
 # In Open3D all names of this chapter are the same, under ``o3d.pipelines.registration``.
@@ -120,7 +120,7 @@ assert off(plane.transformation, truth)[0] < 0.7 and off(plane.transformation, t
 after = loom.render(drawn(plane.transformation), view, (960, 640), legend=True)
 
 # %%
-# Coloured by how far each point is from the other scan. What only one camera saw has no partner and stays far; that
+# Colored by how far each point is from the other scan. What only one camera saw has no partner and stays far; that
 # is no error of the pose.
 
 moved = source.transform(plane.transformation)
@@ -224,12 +224,12 @@ page = folder / "icp.html"
 # %%
 # What goes wrong
 # ---------------
-# **Millimetres on metres.** Nothing is near anything, and the result says what it looks like:
+# **Millimeters on meters.** Nothing is near anything, and the result says what it looks like:
 
-in_millimetres = source.scale(1000.0, center=[0, 0, 0])
+in_millimeters = source.scale(1000.0, center=[0, 0, 0])
 with warnings.catch_warnings(record=True) as told:
     warnings.simplefilter("always")
-    lost = reg.registration_icp(in_millimetres, target, distance)
+    lost = reg.registration_icp(in_millimeters, target, distance)
 print(told[0].category.__name__, "-", told[0].message)
 print(lost)
 assert lost.fitness == 0.0
@@ -259,7 +259,7 @@ assert far.fitness < plane.fitness
 # Where to go next
 # ----------------
 # :ref:`Chapter 8 <sphx_glr_chapters_plot_08_register_without_a_start.py>` needs no start.
-# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_coloured_icp.py>` uses colours,
+# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_colored_icp.py>` uses colors,
 # :ref:`chapter 12 <sphx_glr_chapters_plot_12_animation.py>` shows every step,
 # :ref:`chapter 14 <sphx_glr_chapters_plot_14_robust_kernels_and_numpy.py>` keeps wrong pairs out. The page
 # :doc:`Registration </registration>` says which method when, and from how far each succeeds.

@@ -21,7 +21,7 @@ import pointloom as loom
 
 reg = loom.registration
 frames = loom.datasets.room_frames(48)
-VOXEL = 0.05  # metres; of rooms. Streets want 0.3 to 0.5, a cup 0.002
+VOXEL = 0.05  # meters; of rooms. Streets want 0.3 to 0.5, a cup 0.002
 
 
 def scan(index: int) -> loom.PointCloud:
@@ -32,7 +32,7 @@ def scan(index: int) -> loom.PointCloud:
 
 
 def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """How far a pose is from the true one: degrees and centimetres."""
+    """How far a pose is from the true one: degrees and centimeters."""
     rest = np.linalg.inv(truth) @ T
     angle = np.degrees(np.arccos(np.clip((np.trace(rest[:3, :3]) - 1) / 2, -1, 1)))
     return float(angle), 100 * float(np.linalg.norm(rest[:3, 3]))
@@ -61,7 +61,7 @@ before = loom.render(
 
 
 def described(cloud: loom.PointCloud, eye: np.ndarray) -> tuple[loom.PointCloud, np.ndarray]:
-    """The cloud thinned, with normals towards the scanner, and its features."""
+    """The cloud thinned, with normals toward the scanner, and its features."""
     thin = cloud.voxel_down_sample(VOXEL).estimate_normals(radius=2 * VOXEL, max_nn=30)
     thin = thin.orient_normals_towards_camera_location(eye)
     return thin, loom.compute_fpfh_feature(thin, radius=5 * VOXEL, max_nn=100)
@@ -228,6 +228,6 @@ for name, mesh in (("box", box), ("cylinder", tube)):
 #
 # Where to go next
 # ----------------
-# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_coloured_icp.py>` refines by colours.
+# :ref:`Chapter 10 <sphx_glr_chapters_plot_10_colored_icp.py>` refines by colors.
 # :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` joins many frames; the page
 # :doc:`Registration </registration>` says what each method is good for, with figures.

@@ -54,7 +54,7 @@ assert (step > 3).all() and (step < 35).all()
 # %%
 # Half the size, and the middle columns, are quick and enough to learn on. Whoever changes pictures has to change the
 # camera with them: half the size is half the focal length, and cutting columns off moves the principal point. (The
-# mean of 2 x 2 pixels has its centre half a pixel off, which the principal point follows, too.)
+# mean of 2 x 2 pixels has its center half a pixel off, which the principal point follows, too.)
 
 LEFT, RIGHT = 85, 235
 
@@ -96,15 +96,15 @@ assert np.median(relative) < 0.01
 # %%
 # One cloud
 # ---------
-# Pixels of several pictures that show one place become one point, with its colour, its normal, and ``views``: how
-# many pictures agree on it. The grey behind the figure is plain, so its depth is unknown, and
+# Pixels of several pictures that show one place become one point, with its color, its normal, and ``views``: how
+# many pictures agree on it. The gray behind the figure is plain, so its depth is unknown, and
 # estimates of it are unreliable. It is removed by its
-# colour, and specks in the air by clusters (chapter 3).
+# color, and specks in the air by clusters (chapter 3).
 
 cloud = loom.mvs.fuse(kept, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
-grey = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
-plain = np.linalg.norm(cloud.colors - grey, axis=1) < 0.12
+gray = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
+plain = np.linalg.norm(cloud.colors - gray, axis=1) < 0.12
 figure = cloud.select_by_mask(~plain)
 labels = np.asarray(figure.cluster_dbscan(eps=0.01, min_points=10))
 figure = figure.select_by_mask(labels == np.bincount(labels[labels >= 0]).argmax())
@@ -149,7 +149,7 @@ page = folder / "owl.html"
 # %%
 # The unit
 # --------
-# These poses are in metres, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a
+# These poses are in meters, so the cloud is. Where poses are found from pictures alone, the unit is **arbitrary**: a
 # doll's house and a house make the same pictures. One known distance settles it: ``--known IMG_0012,IMG_0040,1.5``
 # says that two pictures were taken 1.5 m apart.
 #
@@ -167,7 +167,7 @@ print(f"confirmed with wrong poses: {left:.0%}, with right ones: {share:.0%}")
 assert left < 0.02 < share and "inverse of your poses" in str(told[0].message)
 
 # %%
-# **Plain, shiny and moving things** have nothing that can be recognised, or change from picture to picture: white
+# **Plain, shiny and moving things** have nothing that can be recognized, or change from picture to picture: white
 # walls, glass, people. Move closer, add a tablecloth with a pattern, ask people to wait.
 #
 # Try it

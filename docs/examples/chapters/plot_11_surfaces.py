@@ -100,7 +100,7 @@ three = side_by_side(
 # A real scan: one side only, and noise
 # -------------------------------------
 # Now what a camera gives: two scans from the front, in their true places. No camera saw the back. Normals have to be
-# made; since we know where each camera stood, they are turned towards it.
+# made; since we know where each camera stood, they are turned toward it.
 
 scans = loom.datasets.object_scans(10)
 parts = []
@@ -115,7 +115,7 @@ print(f"{len(scan)} points of two sides; Poisson makes up the rest {closed}")
 
 # %%
 # What is made up? Each vertex has a **density**: how many points speak for it, as a depth of the tree, so that one
-# less means a quarter of the points. Low ones are guesses. Coloured by density, the guess at the back shows, and a
+# less means a quarter of the points. Low ones are guesses. Colored by density, the guess at the back shows, and a
 # mask cuts it. Here a third of the vertices is guessed; of a scan from all sides it is a hundredth. Raise the share
 # until nothing is left that nobody saw.
 
@@ -157,7 +157,7 @@ print(found)
 assert not found.reliable and found.warnings[0] in str(found)
 
 # %%
-# To turn: all of it by density, then what is left, in the colours of the scan.
+# To turn: all of it by density, then what is left, in the colors of the scan.
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "surface.html", automatic=False, title="Poisson, and what points bear out") as recording:
@@ -171,9 +171,9 @@ page = folder / "surface.html"
 # What goes wrong
 # ---------------
 # **Normals on both sides.** ``estimate_normals`` does not know outside from inside: its signs change from patch to
-# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbours
+# patch. Poisson and ball pivoting then make a crumpled thing. ``normal_disagreement`` tells the share of neighbors
 # that look to opposite sides: it should be near 0. It counts the borders between patches, not their size: 2 % may be
-# half the surface, so look at it, coloured by its normals. From a tenth on Poisson warns; a closed figure may be spoilt
+# half the surface, so look at it, colored by its normals. From a tenth on Poisson warns; a closed figure may be spoilt
 # below that. ``orient_normals_consistent_tangent_plane`` mends it.
 
 guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
@@ -190,7 +190,7 @@ inside_out = side_by_side([crumpled, mended], ["signs as guessed", "oriented"])
 # %%
 # **Inside out.** If all normals look inwards, the surface is right and dark: ``cloud.flip_normals()``.
 #
-# **A radius in the wrong unit.** An alpha of 0.03 on a cloud in millimetres gives no triangle at all.
+# **A radius in the wrong unit.** An alpha of 0.03 on a cloud in millimeters gives no triangle at all.
 #
 # Try it
 # ------

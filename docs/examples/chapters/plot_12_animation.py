@@ -81,7 +81,7 @@ assert (folder / "icp.gif").stat().st_size > 1000
 # By hand
 # -------
 # A loop of your own says what a frame is: ``add`` a shape, ``set_pose`` moves it, ``update`` replaces it, ``plot``
-# adds a number, ``step`` ends the frame. Here ICP runs one iteration at a time, and the points take the colour of
+# adds a number, ``step`` ends the frame. Here ICP runs one iteration at a time, and the points take the color of
 # their distance.
 
 ORANGE, BLUE = (1.0, 0.706, 0.0), (0.0, 0.55, 0.85)

@@ -11,7 +11,7 @@ measure them.
 # Two pictures
 # ------------
 # Frames of a hand-held camera 3 degrees and 5 cm apart, as they come at some ten a second. Open3D wants them as
-# intensity, its default in ``create_from_color_and_depth``; here colours will do.
+# intensity, its default in ``create_from_color_and_depth``; here colors will do.
 
 import tempfile
 from pathlib import Path
@@ -27,7 +27,7 @@ images = [loom.RGBDImage(frame.color, frame.depth, depth_trunc=5.0) for frame in
 
 
 def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """How far a pose is from the true one: degrees and millimetres."""
+    """How far a pose is from the true one: degrees and millimeters."""
     rest = np.linalg.inv(truth) @ T
     angle = np.degrees(np.arccos(np.clip((np.trace(rest[:3, :3]) - 1) / 2, -1, 1)))
     return float(angle), 1000 * float(np.linalg.norm(rest[:3, 3]))
@@ -44,17 +44,14 @@ print("the camera moved {:.1f} degrees and {:.0f} mm".format(*off(np.eye(4), tru
 # Brightness alone, or with shape
 # -------------------------------
 # Both ask: if the source's pixels are moved to the target by this pose, are they as bright as what they meet there?
-# The **colour term** asks that alone. The **hybrid term** also asks whether they lie on the target's surface. Hybrid
+# The **color term** asks that alone. The **hybrid term** also asks whether they lie on the target's surface. Hybrid
 # is the one to take; color alone where depth is noisy.
 #
 # In Open3D this is ``o3d.pipelines.odometry.compute_rgbd_odometry(source, target, intrinsic, odo_init, jacobian,
 # option)``, the same here under ``loom.odometry``. It gives success, the pose T_target_source, and an information
 # matrix: how surely the pairs of pixels hold each of the six motions, which a pose graph weighs the step with.
 
-terms = {
-    "colour": odometry.RGBDOdometryJacobianFromColorTerm(),
-    "hybrid": odometry.RGBDOdometryJacobianFromHybridTerm(),
-}
+terms = {"color": odometry.RGBDOdometryJacobianFromColorTerm(), "hybrid": odometry.RGBDOdometryJacobianFromHybridTerm()}
 for name, term in terms.items():
     success, T, information = odometry.compute_rgbd_odometry(images[1], images[0], camera, np.eye(4), term)
     print(f"{name}: success {success}, off by {off(T, true_step(1, 0))[0]:.2f} degrees,"
@@ -81,7 +78,7 @@ assert not blank.reliable
 # ------
 # Steps are chained: the pose of frame k is that of frame k - 1 times the step. ``OdometryFrame`` prepares a picture
 # once for both steps that it takes part in, and ``align_frames`` does what ``compute_rgbd_odometry`` does. The depth of
-# these frames is in metres. That of a dataset is in whole numbers, whose unit is to be told:
+# these frames is in meters. That of a dataset is in whole numbers, whose unit is to be told:
 #
 # .. code-block:: python
 #

@@ -60,7 +60,7 @@ again = loom.read_point_cloud(folder / "figure.ply")
 assert np.allclose(again["height"], target["height"], atol=1e-6)
 
 # %%
-# Colours by a rule of your own, from 0 to 1. Here: stripes by height over the colours of the figure.
+# Colors by a rule of your own, from 0 to 1. Here: stripes by height over the colors of the figure.
 
 striped = target.copy()
 stripes = (np.floor(height / 0.02) % 2)[:, None]
@@ -98,7 +98,7 @@ source, truth = spoilt.transform(away), np.linalg.inv(away)
 
 
 def off(T: np.ndarray) -> tuple[float, float]:
-    """How far a pose is from the true one: degrees, and millimetres in the mean over the points."""
+    """How far a pose is from the true one: degrees, and millimeters in the mean over the points."""
     rest = T @ away
     angle = np.degrees(np.arccos(np.clip((np.trace(rest[:3, :3]) - 1) / 2, -1, 1)))
     moved = spoilt.points @ rest[:3, :3].T + rest[:3, 3]
@@ -232,7 +232,7 @@ page = folder / "robust.html"
 # %%
 # What goes wrong
 # ---------------
-# **Three rows of n for n rows of three**, and colours up to 255: both are refused, with the mend.
+# **Three rows of n for n rows of three**, and colors up to 255: both are refused, with the mend.
 
 for wrong in (
     lambda: loom.PointCloud(target.points.T),

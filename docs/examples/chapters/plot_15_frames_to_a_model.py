@@ -173,7 +173,7 @@ assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(found.
 # **Extrinsics and poses mixed up** (chapter 5): the fused room is fog. ``integrate`` takes the extrinsic,
 # trajectories hold poses.
 #
-# **A voxel in millimetres.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.fuse`` says so:
+# **A voxel in millimeters.** ``voxel_size=20`` makes a room of one voxel; nothing is left of it. ``loom.fuse`` says so:
 
 huge = loom.fuse(loom.frames_from(frames[:3], camera), voxel_size=20.0)
 print(huge.warnings)
@@ -192,5 +192,5 @@ assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 # Where to go next
 # ----------------
 # The page :doc:`Reconstruction </reconstruction>` has the stages, :doc:`SLAM </slam>` how tracking and loops work,
-# :doc:`Surfaces from points </surfaces>` how to sharpen colours. The gallery has some fifty more examples, each about
+# :doc:`Surfaces from points </surfaces>` how to sharpen colors. The gallery has some fifty more examples, each about
 # one task.

@@ -25,7 +25,7 @@ bright = cloud.select_by_mask(cloud["intensity"] < 0.5)
 assert bright["intensity"].max() < 0.5 and len(bright["ring"]) == len(bright)
 
 # %%
-# Masks and indices are NumPy's own, so one filters with what one knows. Colours are numbers from 0 to 1.
+# Masks and indices are NumPy's own, so one filters with what one knows. Colors are numbers from 0 to 1.
 swirl = np.sin(8 * cloud["intensity"] + np.arctan2(points[:, 1], points[:, 0]))
 cloud["swirl"] = swirl.astype(np.float32)
 picture = loom.render(
@@ -54,7 +54,7 @@ assert len(back) == 1000 and back["intensity"].max() <= np.partition(cloud["inte
 
 # %%
 # **Without a copy.** float32 arrays of shape [n, 3] are taken as they are: no memory moves, and the cloud sees what
-# you write afterwards. Shown with Warp, which is always here; torch, cupy and jax arrays are passed just the same.
+# you write afterward. Shown with Warp, which is always here; torch, cupy and jax arrays are passed just the same.
 held = wp.array(points.astype(np.float32), dtype=wp.vec3f, device="cpu")
 shared = loom.PointCloud(held)
 assert shared.array("points").ptr == held.ptr

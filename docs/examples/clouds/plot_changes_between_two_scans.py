@@ -12,7 +12,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# Two scans of a room in one frame, in metres. In the second one a box was put onto the floor, and what stood in a
+# Two scans of a room in one frame, in meters. In the second one a box was put onto the floor, and what stood in a
 # corner was carried away. Both have their own points and 3 mm of noise, as two scans have.
 whole = loom.datasets.room_cloud()
 rng = np.random.default_rng(5)
@@ -62,7 +62,7 @@ assert np.linalg.norm(came_found.get_center() - came.get_center()) < 0.15
 assert len(went_found) > 0.3 * len(went)
 
 # %%
-# What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in metres
+# What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in meters
 # and percent.
 chamfer, hausdorff, fscore = loom.compute_metrics(first, second, fscore_radius=[0.03, 0.08])
 print(
@@ -83,7 +83,7 @@ change = loom.render(
 )
 
 # %%
-# The same numbers as a colour, and their distribution as a plot.
+# The same numbers as a color, and their distribution as a plot.
 second["apart [m]"] = apart
 distances = loom.render(
     {"geometry": second, "color_by": "apart [m]", "limits": (0, 0.3), "colormap": "turbo"}, view, color_bar=True

@@ -27,7 +27,7 @@ print(f"{len(open_room)} points below 2.2 m, {len(ceiling)} above")
 assert len(open_room) + len(ceiling) == len(room)
 
 # %%
-# **A polygon**, as drawn on a plan: corners in metres, swept along z between two heights. It may be kept in a file,
+# **A polygon**, as drawn on a plan: corners in meters, swept along z between two heights. It may be kept in a file,
 # which is the one that Open3D's editor writes.
 middle = 0.5 * (low + high)
 corners = middle + np.array([[-1.6, -0.6, 0], [-0.4, -1.5, 0], [1.5, -0.9, 0], [1.2, 1.1, 0], [-1.0, 1.4, 0]])
@@ -44,7 +44,7 @@ assert (part.points[:, 2] >= low[2] + 0.05).all()
 
 # %%
 # **A turned box**, around a thing: crop with it and the thing comes out alone. Its axes are the columns of ``R``, its
-# edges ``extent`` in metres.
+# edges ``extent`` in meters.
 turn = np.radians(30)
 R = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
 box = loom.OrientedBoundingBox(middle + np.array([0, 0, -0.5]), R, [2.0, 1.4, 1.2])

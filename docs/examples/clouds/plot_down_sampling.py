@@ -34,7 +34,7 @@ disk = loom.TriangleMesh.create_sphere(0.5, 40).sample_points_poisson_disk(count
 ways = {"voxels": voxels, "farthest points": farthest, "Poisson disk": disk, "every k-th": every, "random": random}
 
 # %%
-# How even is even? The distance from each point to its nearest neighbour tells: a good spacing has a least distance
+# How even is even? The distance from each point to its nearest neighbor tells: a good spacing has a least distance
 # that is not far below the median one.
 least, median = {}, {}
 for name, thin in ways.items():
@@ -50,7 +50,7 @@ assert median["random"] < 0.5 * median["voxels"]  # still in clumps
 assert len(farthest) == count
 
 # %%
-# Side by side, seen from the dense side. Colours are those distances: blue crowds, red is wide.
+# Side by side, seen from the dense side. Colors are those distances: blue crowds, red is wide.
 scene, labels = {}, []
 for place, (name, thin) in enumerate(ways.items()):
     shift = np.array([0.0, 1.08 * place, 0.0])
@@ -76,4 +76,4 @@ thin = cloud.voxel_down_sample(0.06, reduction="nearest")
 print("classes after thinning:", np.unique(thin["class"]))
 assert set(np.unique(thin["class"])) <= {2, 6}
 assert thin.compute_point_cloud_distance(cloud).max() == 0.0  # each was measured
-assert voxels.compute_point_cloud_distance(cloud).max() > 0.001  # a mean lies up to millimetres off the sphere
+assert voxels.compute_point_cloud_distance(cloud).max() > 0.001  # a mean lies up to millimeters off the sphere

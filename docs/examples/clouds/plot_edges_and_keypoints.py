@@ -2,7 +2,7 @@
 Edges, wires and surfaces told apart
 ====================================
 
-How the neighbours of a point lie says what it belongs to: along a line, on a plane, or all around. These
+How the neighbors of a point lie says what it belongs to: along a line, on a plane, or all around. These
 eigen-features sort walls from wires and corners from floors without any training, and are the usual input of a
 classifier. Keypoints (ISS) are the few places that can be found again in another scan.
 """
@@ -69,7 +69,7 @@ assert np.median(shed["curvature"][inside]) > 5 * np.median(shed["curvature"][~i
 
 # %%
 # Keypoints on the shed: where three faces meet, each is alone in its surroundings. ``salient_radius`` is what is
-# looked at around a point, ``non_max_radius`` how far apart two keypoints are at least; both in metres.
+# looked at around a point, ``non_max_radius`` how far apart two keypoints are at least; both in meters.
 keypoints, rows = loom.compute_iss_keypoints(shed, salient_radius=0.25, non_max_radius=0.3, return_indices=True)
 corners = np.array([[x, y, 1.2] for x in (0, 2.0) for y in (0, 1.5)])
 nearest = loom.NearestNeighborSearch(keypoints).knn_search(corners, 1)

@@ -3,7 +3,7 @@ Files of clouds, in and out
 ===========================
 
 Which format keeps what, how large does it get, and what happens with a file that is broken? One cloud with normals,
-colours and two attributes goes through all of them here. The readers are strict: a damaged file is an error that
+colors and two attributes goes through all of them here. The readers are strict: a damaged file is an error that
 names the byte, never a cloud with holes that nobody notices.
 """
 
@@ -17,7 +17,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# A coloured piece of a room with two attributes of our own.
+# A colored piece of a room with two attributes of our own.
 room = loom.datasets.room_cloud().voxel_down_sample(0.04)
 room["intensity"] = (1000 * room.colors.mean(axis=1)).astype(np.float32)
 room["label"] = np.arange(len(room), dtype=np.int32) % 7
@@ -27,7 +27,7 @@ print(room)
 # %%
 # Through each format and back. The extension says which one; what a format cannot hold is an error when it is
 # written, so nothing is lost in silence: ``without`` drops it on purpose. NPZ and PLY keep all; PCD is what PCL
-# reads; LAS and LAZ round to millimetres; E57 wants an extra package; .xyz is for the eye.
+# reads; LAS and LAZ round to millimeters; E57 wants an extra package; .xyz is for the eye.
 formats = {
     ".ply": (),
     ".pcd": (),

@@ -12,7 +12,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# Some 300,000 points of 200 by 200 m, in UTM metres. ``classification`` is the truth (2 ground, 5 trees, 6 houses)
+# Some 300,000 points of 200 by 200 m, in UTM meters. ``classification`` is the truth (2 ground, 5 trees, 6 houses)
 # and is used to judge alone.
 cloud = loom.datasets.terrain()
 truth = cloud["classification"]
@@ -52,7 +52,7 @@ print(
 assert np.median(np.abs(above[truth == 2])) < 0.1
 
 # %%
-# **Roofs and crowns.** What stands 2 m and more above ground is one or the other. A roof is smooth: its neighbours
+# **Roofs and crowns.** What stands 2 m and more above ground is one or the other. A roof is smooth: its neighbors
 # lie on a plane. A crown is not, and a pulse goes through it: ``number_of_returns`` above 1 tells it.
 high = np.flatnonzero(above > 2.0)
 standing = loom.compute_eigen_features(cloud.select_by_index(high), radius=1.5, max_nn=30)
@@ -103,7 +103,7 @@ parts = loom.render(
 )
 
 # %%
-# Heights above ground as a colour.
+# Heights above ground as a color.
 heights = loom.render(
     {"geometry": cloud, "color_by": "height above ground [m]", "limits": (0, 15), "colormap": "turbo"},
     view,

@@ -56,7 +56,7 @@ print(f"{parts} parts; {int(hits.sum()):,} points in {(hits > 0).sum():,} cells"
 assert hits.sum() == len(cloud) and parts == 4
 cells = (north // cell).astype(int) * columns + (east // cell).astype(int)
 by_hand = np.bincount(cells, height + 420, columns**2) / np.bincount(cells, minlength=columns**2)
-assert np.abs(total / hits - by_hand).max() < 0.1  # LAZ holds millimetres: a point on a cell's edge may change sides
+assert np.abs(total / hits - by_hand).max() < 0.1  # LAZ holds millimeters: a point on a cell's edge may change sides
 
 # %%
 # **A tree of details.** Each node holds points no two of which are nearer than its spacing; coarse nodes come first.

@@ -37,7 +37,7 @@ def try_it(what, call):
 plane = loom.registration.TransformationEstimationPointToPlane()
 try_it("normals missing", lambda: loom.registration.registration_icp(cloud, cloud, 0.1, estimation_method=plane))
 try_it("(3, n) for (n, 3)", lambda: loom.PointCloud(np.zeros((3, 5000))))
-try_it("colours of 8 bits as floats", lambda: loom.PointCloud(np.zeros((2, 3)), colors=[[255.0, 0, 0], [0, 128.0, 0]]))
+try_it("colors of 8 bits as floats", lambda: loom.PointCloud(np.zeros((2, 3)), colors=[[255.0, 0, 0], [0, 128.0, 0]]))
 try_it("a voxel of nothing", lambda: cloud.voxel_down_sample(0.0))
 try_it("a mesh for a cloud", lambda: loom.classify_ground(loom.TriangleMesh.create_sphere(1.0)))
 try_it("no such file", lambda: loom.read_point_cloud("no/such/scan.ply"))
@@ -63,7 +63,7 @@ with warnings.catch_warnings():
     for kind in (loom.UnitWarning,):
         warnings.simplefilter("error", kind)
     try_it(
-        "degrees for metres", lambda: place.compute_point_cloud_distance(loom.PointCloud(place.points, unit="metre"))
+        "degrees for meters", lambda: place.compute_point_cloud_distance(loom.PointCloud(place.points, unit="metre"))
     )
 
 # %%

@@ -2,7 +2,7 @@
 Normals, and the side they look to
 ==================================
 
-A plane fitted to the neighbours of a point gives its normal, but not which of the two sides is outside. Three ways
+A plane fitted to the neighbors of a point gives its normal, but not which of the two sides is outside. Three ways
 of choosing it are compared with the truth here. Take this page before a surface is made of points: a normal that
 looks to the wrong side turns the surface inside out there.
 """
@@ -22,7 +22,7 @@ print(f"{len(cloud)} points, {size:.3f} m across")
 
 # %%
 # The directions are right: the median angle to the true ones is some degrees on feathers of 3 mm. ``max_nn`` is what
-# to change for other data: more neighbours even out noise, and round off edges.
+# to change for other data: more neighbors even out noise, and round off edges.
 cosines = np.abs(np.einsum("ij,ij->i", cloud.normals, truth)).clip(0, 1)
 angle = np.degrees(np.arccos(cosines))
 print(f"median angle to the true normals {np.median(angle):.2f} degrees")
@@ -31,12 +31,12 @@ assert np.median(angle) < 10
 # %%
 # The sides are not: nothing has told them. ``orient_normals_towards_camera_location`` is right for one view,
 # ``orient_normals_to_align_with_direction`` for terrain, and ``orient_normals_consistent_tangent_plane`` for a whole
-# object: it hands the side on from neighbour to neighbour. ``normal_disagreement`` needs no truth: it says how many
-# neighbours contradict each other, from 0 to 1.
+# object: it hands the side on from neighbor to neighbor. ``normal_disagreement`` needs no truth: it says how many
+# neighbors contradict each other, from 0 to 1.
 ways = {
     "as fitted": cloud,
-    "towards (0, 0, 1)": cloud.orient_normals_to_align_with_direction([0, 0, 1]),
-    "towards a camera": cloud.orient_normals_towards_camera_location(
+    "toward (0, 0, 1)": cloud.orient_normals_to_align_with_direction([0, 0, 1]),
+    "toward a camera": cloud.orient_normals_towards_camera_location(
         cloud.get_center() + np.array([0, -3 * size, size])
     ),
     "handed on": cloud.orient_normals_consistent_tangent_plane(12),
@@ -47,7 +47,7 @@ for name, turned in ways.items():
     right[name] = agrees.mean()
     print(f"{name:18} {100 * agrees.mean():5.1f} % outwards, disagreement {turned.normal_disagreement():.3f}")
 assert right["handed on"] > 0.95
-assert right["towards (0, 0, 1)"] < 0.9  # the lower half looks inwards
+assert right["toward (0, 0, 1)"] < 0.9  # the lower half looks inwards
 
 # %%
 # Orange looks inwards, blue outwards.

@@ -12,7 +12,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# One frame, as the camera measured it: depth in metres, 0 where nothing came back. The same frame without noise is
+# One frame, as the camera measured it: depth in meters, 0 where nothing came back. The same frame without noise is
 # the truth.
 noisy = loom.datasets.room_frames(24)[10]
 exact = loom.datasets.room_frames(24, noise=False)[10]
@@ -39,9 +39,9 @@ in_picture = cloud_of(smooth)
 in_picture["error [mm]"] = 1000 * in_picture.compute_point_cloud_distance(truth)
 
 # %%
-# **Among the points.** The statistical filter drops points whose mean distance to 20 neighbours is far above what is
-# usual (2 standard deviations); the radius filter those with fewer than 12 neighbours within 5 cm. The first adapts
-# to the density, the second says what it means in metres.
+# **Among the points.** The statistical filter drops points whose mean distance to 20 neighbors is far above what is
+# usual (2 standard deviations); the radius filter those with fewer than 12 neighbors within 5 cm. The first adapts
+# to the density, the second says what it means in meters.
 kept, rows = in_picture.remove_statistical_outlier(20, 2.0)
 kept, rows = kept.remove_radius_outlier(12, 0.05)
 
@@ -55,7 +55,7 @@ assert (kept["error [mm]"] > 30).mean() < 0.5 * (raw["error [mm]"] > 30).mean()
 assert len(kept) > 0.6 * len(raw)  # the room is still there
 
 # %%
-# Raw, from somewhat behind the camera, with the errors in colour.
+# Raw, from somewhat behind the camera, with the errors in color.
 behind = noisy.T_world_camera.copy()
 behind[:3, 3] -= 1.0 * behind[:3, 2]
 camera = loom.PinholeCameraIntrinsic(960, 640, 620.0, 620.0, 479.5, 319.5)

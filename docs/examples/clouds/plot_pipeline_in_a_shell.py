@@ -43,15 +43,15 @@ facts = json.loads(shell("info scan.ply --json"))
 print(json.dumps(facts, indent=1)[:600])
 
 # %%
-# Without outliers, and one point every 6 cm. Lengths are in metres, as everywhere.
+# Without outliers, and one point every 6 cm. Lengths are in meters, as everywhere.
 print(shell("clean scan.ply clean.ply"))
 print(shell("downsample clean.ply thin.ply --voxel 0.06"))
 thin = loom.read_point_cloud(folder / "thin.ply")
 assert np.isfinite(thin.points).all() and len(thin) < len(room)
 
 # %%
-# The planes are labelled by the command, and two lines of Python keep what lies on none (for one plane alone,
-# ``pointloom plane --invert`` does). Then what hangs together, each cluster in a colour of its own (``--paint``).
+# The planes are labeled by the command, and two lines of Python keep what lies on none (for one plane alone,
+# ``pointloom plane --invert`` does). Then what hangs together, each cluster in a color of its own (``--paint``).
 print(shell("plane thin.ply planes.ply --distance 0.04 --planes 6 --min-points 400"))
 planes = loom.read_point_cloud(folder / "planes.ply")
 loom.write_point_cloud(folder / "things.ply", planes.select_by_mask(planes["plane"] < 0))

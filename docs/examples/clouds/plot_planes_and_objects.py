@@ -12,7 +12,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# A furnished room, in metres, with normals and colours; 3 cm are enough to find planes.
+# A furnished room, in meters, with normals and colors; 3 cm are enough to find planes.
 room = loom.datasets.room_cloud().voxel_down_sample(0.03)
 print(room)
 
@@ -46,7 +46,7 @@ palette = np.array(
         (0.82, 0.82, 0.8),
     ]
 )
-room.colors = palette[labels]  # the last colour, grey, is that of label -1
+room.colors = palette[labels]  # the last color, gray, is that of label -1
 places = [(f"plane {k}", room.points[labels == k].mean(axis=0)) for k in range(len(planes))]
 view = loom.fit_view(room.points, direction=(-0.5, 0.62, -0.8), width=960, height=640)
 cut = room.select_by_mask(room.points[:, 2] < low + 2.2)  # without the ceiling, to look in
@@ -54,7 +54,7 @@ found_planes = loom.render({"geometry": cut, "point_size": 5}, view, labels=plac
 
 # %%
 # What is left, above the floor and below the ceiling, falls apart: DBSCAN joins points that have at least 10
-# neighbours within 8 cm. Widen that radius when objects break up, narrow it when they grow together.
+# neighbors within 8 cm. Widen that radius when objects break up, narrow it when they grow together.
 loose = room.select_by_mask((labels < 0) & (room.points[:, 2] > low + 0.05) & (room.points[:, 2] < low + 2.2))
 cluster = loose.cluster_dbscan(0.08, 10)
 sizes = np.bincount(cluster[cluster >= 0])

@@ -28,7 +28,7 @@ def error(cloud):
 
 # %%
 # **MLS** fits a surface around each point and moves the point onto it: the first to try. **Bilateral** moves along
-# the normal, and neighbours across an edge count little. **Laplacian** moves to the mean of its neighbours: quick,
+# the normal, and neighbors across an edge count little. **Laplacian** moves to the mean of its neighbors: quick,
 # shrinks things and rounds edges; **Taubin** inflates in between, so that they keep their size. The radius is what to
 # choose: some four times the noise, and no larger than what has to stay.
 ways = {
@@ -58,7 +58,7 @@ for name in ("noisy", "MLS"):
     print(f"normals of {name}: {np.median(angle):.1f} degrees off")
 
 # %%
-# The errors in colour, in the order above.
+# The errors in color, in the order above.
 drawn, labels = {}, []
 for place, (name, cloud) in enumerate(ways.items()):
     shift = np.array([0.23 * place, 0.0, 0.0])

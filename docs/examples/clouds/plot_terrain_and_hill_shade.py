@@ -11,7 +11,7 @@ import numpy as np
 import pointloom as loom
 
 # %%
-# The ground of an airborne scan in UTM metres.
+# The ground of an airborne scan in UTM meters.
 cloud = loom.datasets.terrain()
 ground = cloud.select_by_mask(loom.classify_ground(cloud))
 low, high = cloud.get_min_bound(), cloud.get_max_bound()
@@ -54,7 +54,7 @@ shade = (normals @ sun).clip(0, 1)
 print(f"slope: median {np.median(slope):.1f}, steepest hundredth above {np.percentile(slope, 99):.0f} degrees")
 
 # %%
-# **The surface** as a mesh: two triangles a cell, coloured by height and shade.
+# **The surface** as a mesh: two triangles a cell, colored by height and shade.
 rows, columns = z.shape
 index = np.arange(rows * columns).reshape(rows, columns)
 a, b, c, d = index[:-1, :-1].ravel(), index[:-1, 1:].ravel(), index[1:, 1:].ravel(), index[1:, :-1].ravel()

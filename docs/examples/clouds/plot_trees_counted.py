@@ -22,7 +22,7 @@ above = cloud.points[:, 2] - ground.points[np.ravel(nearest.indices), 2]
 
 # %%
 # **What belongs to trees**: 2 m and more above ground, and rough. A crown scatters points all around, so that the
-# smallest eigenvalue of a neighbourhood is no small part; on a roof it is.
+# smallest eigenvalue of a neighborhood is no small part; on a roof it is.
 high = cloud.select_by_mask(above > 2.0)
 high["above"] = above[above > 2.0].astype(np.float32)
 shapes = loom.compute_eigen_features(high, radius=1.5, max_nn=40)

@@ -4,7 +4,7 @@ An operator of one's own
 
 Where no operation does what you need, write it: a kernel is a Python function that runs once per point, compiled
 for CUDA and for all cores of the CPU from one text. Here it is the *roughness* of a surface: how far each point lies
-from the mean of what surrounds it. You learn what a kernel may hold, how it searches for neighbours, how it is
+from the mean of what surrounds it. You learn what a kernel may hold, how it searches for neighbors, how it is
 launched on either device, and how to show that it is right.
 """
 
@@ -28,7 +28,7 @@ from pointloom.kernels.search.point_tree import BUCKET, PointTree
 #
 # ``tid()`` is the number of the thread, here of a point in the order of the search tree: points that lie side by
 # side in space have numbers side by side, so that threads share what they read. ``points_in_reach`` walks over
-# the neighbours. The tree is one parameter, a structure; only the fields that the kernel uses travel.
+# the neighbors. The tree is one parameter, a structure; only the fields that the kernel uses travel.
 #
 # A thread writes its own elements and nobody else's, so the result is the same bits for any number of threads. A
 # variable keeps the type of its first value: ``count = 0`` is a whole number, ``total = vec3(0.0)`` a vector of
@@ -93,7 +93,7 @@ noisy = (np.abs(x - 0.25) < 0.1) & (np.abs(y) < 0.1)
 z[noisy] += rng.normal(0.0, 0.004, noisy.sum())
 cloud = loom.PointCloud(np.column_stack([x, y, z]))
 
-radius = 0.02  # [m]: some 110 neighbours here; take a radius in which 20 to 100 points of your scan lie
+radius = 0.02  # [m]: some 110 neighbors here; take a radius in which 20 to 100 points of your scan lie
 roughness, counts = measure_roughness(cloud, radius)
 
 some = rng.integers(0, len(cloud), 50)
@@ -104,15 +104,15 @@ for row in some:
     expected = np.linalg.norm(points[row] - points[near].mean(axis=0))
     assert abs(expected - roughness[row]) < 1e-3
 
-inside = (np.abs(x) < 0.45) & (np.abs(y) < 0.45)  # neighbourhoods at the rim are cut off
+inside = (np.abs(x) < 0.45) & (np.abs(y) < 0.45)  # neighborhoods at the rim are cut off
 calm, rough = np.median(roughness[inside & ~noisy]), np.median(roughness[inside & noisy])
 print(
-    f"{counts.mean():.0f} neighbours a point; roughness {1000 * calm:.2f} mm, {1000 * rough:.2f} mm in the noisy patch"
+    f"{counts.mean():.0f} neighbors a point; roughness {1000 * calm:.2f} mm, {1000 * rough:.2f} mm in the noisy patch"
 )
 assert rough > 5 * calm
 
 # %%
-# As an attribute the answer travels with the cloud through every operation, is written to files, and colours a
+# As an attribute the answer travels with the cloud through every operation, is written to files, and colors a
 # picture.
 
 cloud["roughness"] = roughness

@@ -49,7 +49,7 @@ assert not wrong.reliable and "unit" in wrong.warnings[0]
 # ----------------
 #
 # ``compute_error_map`` gives the distance of each vertex from the other surface. As an attribute it can be drawn with
-# its scale: the last colour is what 98 of 100 vertices stay below.
+# its scale: the last color is what 98 of 100 vertices stay below.
 
 _, errors = made.compute_error_map(truth)
 made.vertex_attributes["error [mm]"] = errors * 1e3

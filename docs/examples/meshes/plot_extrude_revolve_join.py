@@ -14,7 +14,7 @@ import pointloom as loom
 # An outline with holes, pushed
 # -----------------------------
 #
-# A plate with two drill holes: a polygon in the plane z = 0, counterclockwise, and its holes. Lengths are metres
+# A plate with two drill holes: a polygon in the plane z = 0, counterclockwise, and its holes. Lengths are meters
 # throughout.
 
 angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)

@@ -61,7 +61,7 @@ shells = loom.TriangleMesh.create_isosurfaces(radius.astype(np.float32), [0.02, 
 assert len(shells.cluster_connected_triangles()[1]) == 3
 
 # %%
-# The gyroid, coloured by how far from the middle it is.
+# The gyroid, colored by how far from the middle it is.
 
 mesh = mesh.compute_vertex_normals()
 mesh.vertex_attributes["from the middle [m]"] = np.linalg.norm(mesh.vertices, axis=1)

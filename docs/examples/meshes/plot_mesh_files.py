@@ -2,7 +2,7 @@
 Meshes in files: GLB, PLY, OBJ, STL
 ===================================
 
-Which format keeps what? A mesh with colours and values of its own goes out and comes back, and what a format cannot
+Which format keeps what? A mesh with colors and values of its own goes out and comes back, and what a format cannot
 hold is told by a warning, never dropped in silence.
 """
 
@@ -37,7 +37,7 @@ for suffix in (".ply", ".glb", ".obj", ".off", ".stl"):
         loom.write_triangle_mesh(folder / f"owl{suffix}", mesh)
     back = loom.read_triangle_mesh(folder / f"owl{suffix}")
     kept = [name for name, there in {
-        "normals": back.has_vertex_normals, "colours": back.has_vertex_colors,
+        "normals": back.has_vertex_normals, "colors": back.has_vertex_colors,
         "quality": "quality" in back.vertex_attributes, "label": "label" in back.triangle_attributes,
     }.items() if there]  # fmt: skip
     size = (folder / f"owl{suffix}").stat().st_size
@@ -79,10 +79,10 @@ turned = loom.read_triangle_mesh(folder / "up.glb")
 assert np.allclose(turned.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
 
 # %%
-# Colours for programs that know textures alone
+# Colors for programs that know textures alone
 # ---------------------------------------------
 #
-# ``compute_uvatlas`` unwraps the mesh (xatlas, of the extra "mesh"), ``bake_vertex_colors`` draws its colours into a
+# ``compute_uvatlas`` unwraps the mesh (xatlas, of the extra "mesh"), ``bake_vertex_colors`` draws its colors into a
 # picture. Where the atlas has a seam a GLB needs two vertices at one place; smoothing and subdivision here know that
 # they are one.
 

@@ -2,7 +2,7 @@
 Smooth a mesh without shrinking it
 ==================================
 
-Scans are noisy. Moving each vertex to the mean of its neighbours (Laplacian) takes the noise away and the volume with
+Scans are noisy. Moving each vertex to the mean of its neighbors (Laplacian) takes the noise away and the volume with
 it: thin parts melt. Taubin's filter goes one step in and one step out, so the size stays. We add known noise and see
 which one comes nearer to the truth.
 """
@@ -48,7 +48,7 @@ assert errors["taubin"] < errors["laplacian"] and abs(shrunk["taubin"]) < 0.2 * 
 
 # %%
 # ``filter_sharpen`` goes the other way: it makes edges stand out, and noise too, so smooth first. All filters leave
-# colours, texture and attributes where they are.
+# colors, texture and attributes where they are.
 
 sharp = results["taubin"].mesh.filter_sharpen(1, 0.5)
 assert len(sharp.vertices) == len(noisy.vertices)

@@ -44,7 +44,7 @@ print(f"the middle is in voxel {solid.get_voxel(middle).tolist()}, dense array {
 # ------
 #
 # Uniform samples are quick, and by chance some lie close together. Poisson-disk samples keep apart: what a network or a
-# registration gets of the same number of points is more even. Colours and normals come along.
+# registration gets of the same number of points is more even. Colors and normals come along.
 
 uniform = mesh.sample_points_uniformly(6000, seed=0)
 disk = mesh.sample_points_poisson_disk(6000, seed=0)
@@ -53,7 +53,7 @@ for name, cloud in {"uniform": uniform, "Poisson disk": disk}.items():
     distances = cloud.compute_nearest_neighbor_distance()
     gaps[name] = np.quantile(distances, 0.01)
     print(
-        f"{name:12} {len(cloud)} points, nearest neighbour {distances.mean() * 1e3:.2f} "
+        f"{name:12} {len(cloud)} points, nearest neighbor {distances.mean() * 1e3:.2f} "
         f"mm, 1 of 100 nearer than {gaps[name] * 1e3:.2f} mm"
     )
 assert gaps["Poisson disk"] > 4 * gaps["uniform"]

@@ -80,7 +80,7 @@ assert np.mean(shares) > 0.3 and middle < 0.003
 # One cloud, or one mesh
 # ----------------------
 #
-# Each place once, with normals, colours, and by how many pictures it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
+# Each place once, with normals, colors, and by how many pictures it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
 # a mesh.
 
 cloud = loom.mvs.fuse(kept, small)
@@ -92,7 +92,7 @@ print(
 assert len(cloud) > 3000 and len(mesh.triangles) > 5000
 
 # %%
-# One of the photographs, the cameras with the shared points, and the mesh with its colours.
+# One of the photographs, the cameras with the shared points, and the mesh with its colors.
 
 frusta = [loom.CameraFrustum(camera, T, scale=0.08, color=(0.85, 0.35, 0.1)) for T in shots.poses[:count]]
 view = loom.fit_view(

@@ -67,10 +67,10 @@ print(
 assert (depth > 0).mean() > 0.05
 
 # %%
-# A value as colour, with its scale
+# A value as color, with its scale
 # ---------------------------------
 #
-# Of clouds and meshes: "height", "normal", "label", or any attribute. Colour maps are viridis, turbo, coolwarm, gray
+# Of clouds and meshes: "height", "normal", "label", or any attribute. Color maps are viridis, turbo, coolwarm, gray
 # and jet.
 
 scene = loom.RaycastingScene()

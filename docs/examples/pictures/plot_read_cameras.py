@@ -2,7 +2,7 @@
 Read cameras of COLMAP, Metashape and NeRF files
 ================================================
 
-Poses come in many files and conventions: world to camera or back, y up or down, pixel centres at halves. All of them
+Poses come in many files and conventions: world to camera or back, y up or down, pixel centers at halves. All of them
 become one ``SfmModel``, and can be drawn, scaled, and written again.
 """
 
@@ -81,7 +81,7 @@ print(metashape, metashape.cameras[0].intrinsic)
 assert np.allclose(metashape.T_world_camera, shots.poses[:2], atol=1e-9)
 
 # %%
-# To metres
+# To meters
 # ---------
 #
 # Structure from motion does not know how large the world is. One known distance is enough: say the first two cameras

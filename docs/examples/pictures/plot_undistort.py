@@ -64,9 +64,7 @@ probe = np.array([[0.3, 0.2, 1.0]])
 u, v = (probe[0, :2] * [camera.fx, camera.fy] + [camera.cx, camera.cy]).round().astype(int)
 bu, bv = lens.project(probe)[0].round().astype(int)
 difference = np.abs(straight[v, u].astype(int) - bent[bv, bu].astype(int)).max()
-print(
-    f"pixel ({u}, {v}) of the straight picture is ({bu}, {bv}) of the bent one; colours differ by {difference} of 255"
-)
+print(f"pixel ({u}, {v}) of the straight picture is ({bu}, {bv}) of the bent one; colors differ by {difference} of 255")
 assert difference < 30
 
 # %%

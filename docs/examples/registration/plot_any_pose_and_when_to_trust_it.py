@@ -35,7 +35,7 @@ print(f"source {len(source):,}, target {len(target):,} points")
 
 
 def off(T):
-    """Degrees and metres from the true pose, at the middle of the source."""
+    """Degrees and meters from the true pose, at the middle of the source."""
     middle = np.r_[source.get_center(), 1]
     turn = np.degrees(2 * np.arcsin(min(1, np.linalg.norm(T[:3, :3] - truth[:3, :3]) / np.sqrt(8))))
     return turn, np.linalg.norm(((T - truth) @ middle)[:3])
@@ -52,7 +52,7 @@ assert pair.reliable and turn < 0.5 and distance < 0.02
 
 # %%
 # **The parts of it.** ``register_globally`` searches; its voxel is the one thing to choose: smaller than what there
-# is to recognise, larger than the noise. ``choose_voxel_size`` proposes one. A score above 0.5 is a pose that is
+# is to recognize, larger than the noise. ``choose_voxel_size`` proposes one. A score above 0.5 is a pose that is
 # believed.
 voxel = choose_voxel_size(source, target)
 found = reg.register_globally(source, target, voxel_size=voxel)

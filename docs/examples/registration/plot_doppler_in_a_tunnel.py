@@ -31,7 +31,7 @@ velocity = np.array([speed, 0.0, 0.0])
 
 
 def scan(x, seed):
-    """What the sensor measures at x [m]: points in its own frame, and their speeds towards it [m/s]."""
+    """What the sensor measures at x [m]: points in its own frame, and their speeds toward it [m/s]."""
     rng = np.random.default_rng(seed)
     eye = np.tile([x, 0.3, -3.2], (len(rays), 1))
     distance = np.asarray(scene.cast_rays(np.hstack([eye, rays]).astype(np.float32))["t_hit"], np.float64)
@@ -48,7 +48,7 @@ truth[0, 3] = -speed * period  # T_second_first: what stood still is 2.5 m neare
 print(first)
 
 # %%
-# **By shape alone** every point has a partner, the fit is as good as the noise, and the motion is missed by metres.
+# **By shape alone** every point has a partner, the fit is as good as the noise, and the motion is missed by meters.
 plane = reg.registration_icp(first, target, 1.0, np.eye(4), reg.TransformationEstimationPointToPlane())
 print(
     f"point to plane: {plane.transformation[0, 3]:+.3f} m along the tunnel, fitness {plane.fitness:.3f}, "

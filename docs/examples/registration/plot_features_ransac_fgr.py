@@ -28,7 +28,7 @@ print(source, target)
 
 
 def off(T):
-    """Degrees and millimetres from the truth, at the middle of the source."""
+    """Degrees and millimeters from the truth, at the middle of the source."""
     middle = np.r_[source.get_center(), 1]
     angle = np.degrees(2 * np.arcsin(min(1, np.linalg.norm(T[:3, :3] - truth[:3, :3]) / np.sqrt(8))))
     return angle, 1000 * np.linalg.norm(((T - truth) @ middle)[:3])
@@ -57,7 +57,7 @@ assert 0.03 < right.mean() < 0.9
 
 # %%
 # **Agree.** RANSAC draws triples and counts; the checkers refuse a triple cheaply: edges that differ in length,
-# normals that disagree. FGR minimises over all pairs with a robust kernel that tightens. The robust form looks for
+# normals that disagree. FGR minimizes over all pairs with a robust kernel that tightens. The robust form looks for
 # pairs that keep their distances; it draws nothing.
 checkers = [
     reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),

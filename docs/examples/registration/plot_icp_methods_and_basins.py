@@ -40,21 +40,21 @@ def turned(degrees, axis):
 
 
 def off(T):
-    """How far a pose is from the truth, the identity: degrees, and metres at the object's middle."""
+    """How far a pose is from the truth, the identity: degrees, and meters at the object's middle."""
     angle = np.degrees(2 * np.arcsin(min(np.linalg.norm(T[:3, :3] - np.eye(3)) / np.sqrt(8), 1)))
     return angle, np.linalg.norm((T @ np.r_[whole.get_center(), 1])[:3] - whole.get_center())
 
 
 # %%
-# The kinds. Point-to-plane lets surfaces slide along each other, which is why it needs few steps; generalised ICP
-# compares surface with surface; the symmetric one suits curved things; colours help where the shape alone leaves a
+# The kinds. Point-to-plane lets surfaces slide along each other, which is why it needs few steps; generalized ICP
+# compares surface with surface; the symmetric one suits curved things; colors help where the shape alone leaves a
 # motion open.
 methods = {
     "point to point": reg.TransformationEstimationPointToPoint(),
     "point to plane": reg.TransformationEstimationPointToPlane(),
-    "generalised": reg.TransformationEstimationForGeneralizedICP(),
+    "generalized": reg.TransformationEstimationForGeneralizedICP(),
     "symmetric": reg.TransformationEstimationSymmetric(),
-    "coloured": reg.TransformationEstimationForColoredICP(),
+    "colored": reg.TransformationEstimationForColoredICP(),
 }
 distance = 0.15 * size  # pairs lie nearer than this [m]; larger reaches farther, and is led astray more
 angles = np.array([0, 20, 40, 60, 90, 120])
@@ -79,7 +79,7 @@ for name, method in methods.items():
         + " ".join(f"{angle}:{100 * share:.0f}%" for angle, share in zip(angles, reached[name], strict=True))
     )
     assert reached[name][:2].min() == 1.0  # from 20 degrees all of them do
-assert exact["generalised"][0] < exact["point to point"][0] + 0.05
+assert exact["generalized"][0] < exact["point to point"][0] + 0.05
 assert steps["point to plane"] < steps["point to point"]
 
 # %%

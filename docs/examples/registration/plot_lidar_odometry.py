@@ -58,7 +58,7 @@ with tempfile.TemporaryDirectory() as folder:
 print("read back:", back.poses.shape, f"to {np.abs(back.poses - path.poses).max():.1e}")
 
 # %%
-# **The map**: each scan at its pose, straightened by the motion during its turn, and thinned. The colours are
+# **The map**: each scan at its pose, straightened by the motion during its turn, and thinned. The colors are
 # heights; the line is the path.
 placed = []
 for index, (scan, pose) in enumerate(zip(drive.scans, path.poses, strict=True)):
@@ -66,8 +66,8 @@ for index, (scan, pose) in enumerate(zip(drive.scans, path.poses, strict=True)):
     placed.append(reg.deskew_point_cloud(scan, motion).transform(pose))
 street = loom.PointCloud.concatenate(placed).voxel_down_sample(0.12)
 print(street)
-centre = path.poses[15][:3, 3]
-near = street.select_by_mask((np.abs(street.points - centre) < [32, 26, 20]).all(axis=1))
+center = path.poses[15][:3, 3]
+near = street.select_by_mask((np.abs(street.points - center) < [32, 26, 20]).all(axis=1))
 places = path.poses[:, :3, 3] + [0, 0, 0.3]
 line = loom.LineSet(places, np.column_stack([np.arange(29), np.arange(1, 30)]).astype(np.int32))
 view = loom.fit_view(near.points, direction=(0.35, 0.75, -0.5), width=960, height=640)
@@ -84,7 +84,7 @@ truly = loom.PointCloud.concatenate(
 blur = {}
 for name, whole in {"as measured": raw, "straightened": truly}.items():
     poles = whole.select_by_mask(
-        np.isin(whole["label"], [4, 7]) & (np.abs(whole.points - centre) < [15, 20, 20]).all(axis=1)
+        np.isin(whole["label"], [4, 7]) & (np.abs(whole.points - center) < [15, 20, 20]).all(axis=1)
     )
     shapes = loom.compute_eigen_features(poles, radius=0.4, max_nn=60)
     blur[name] = float(np.nanmedian(shapes["curvature"]))

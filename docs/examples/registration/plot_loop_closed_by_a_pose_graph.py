@@ -67,7 +67,7 @@ closures.append(reg.PoseGraphEdge(3, 45, lie, information, uncertain=True))
 graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], steps + closures)
 
 # %%
-# **Optimise.** ``max_correspondence_distance`` is how far a right closure may miss [m], ``reference_node`` keeps its
+# **Optimize.** ``max_correspondence_distance`` is how far a right closure may miss [m], ``reference_node`` keeps its
 # pose. The result is a new graph; the report says how it went, and which edges it dropped.
 option = reg.GlobalOptimizationOption(max_correspondence_distance=0.3, edge_prune_threshold=0.25, reference_node=0)
 method = reg.GlobalOptimizationLevenbergMarquardt()

@@ -3,7 +3,7 @@ Scans that share little: ICP that is not pulled astray
 ======================================================
 
 Where two scans share a quarter, three quarters of the points have no partner. ICP pairs them all the same with
-whatever is nearest, and is pulled towards the other scan. With the overlap given, or found, it is not.
+whatever is nearest, and is pulled toward the other scan. With the overlap given, or found, it is not.
 """
 
 import numpy as np
@@ -31,7 +31,7 @@ print(f"{len(source)} and {len(target)} points; {100 * truth_share:.0f} % of the
 
 
 def off(T):
-    """Degrees and millimetres from the truth, the identity, at the middle of what both have."""
+    """Degrees and millimeters from the truth, the identity, at the middle of what both have."""
     middle = np.r_[0.5 * (low + high), 1]
     angle = np.degrees(2 * np.arcsin(min(1, np.linalg.norm(T[:3, :3] - np.eye(3)) / np.sqrt(8))))
     return angle, 1000 * np.linalg.norm((T @ middle - middle)[:3])
@@ -56,7 +56,7 @@ for distance in (0.4, 1.0):
 assert errors[0.4, "found"][1] < 15
 
 # %%
-# A share that is too large is a guess that costs: 30 % were given, 21 % are true, and centimetres are the price.
+# A share that is too large is a guess that costs: 30 % were given, 21 % are true, and centimeters are the price.
 # ``multi_scale_icp`` looks for the overlap by itself where less than half of the points find a partner; it cannot
 # undo what wide distances on a coarse scale have pulled away, so begin with distances as small as the start allows.
 rules = [reg.ICPConvergenceCriteria(max_iteration=60)] * 2

@@ -3,7 +3,7 @@ Many pairs in one call
 ======================
 
 A hundred small registrations, one after the other, keep a GPU and all cores waiting. Together they are a few
-launches an iteration. Here all pairs of neighbouring scans of a drive are registered in one call, and one scan from
+launches an iteration. Here all pairs of neighboring scans of a drive are registered in one call, and one scan from
 many starts.
 """
 
@@ -22,7 +22,7 @@ scans = [reg.deskew_point_cloud(scan, step).voxel_down_sample(0.3).estimate_norm
 print(scans[0])
 
 # %%
-# **All neighbours**: lists of sources and of targets, a start for each. A cloud that stands in several jobs is
+# **All neighbors**: lists of sources and of targets, a start for each. A cloud that stands in several jobs is
 # prepared once; a job that is done costs nothing more.
 sources, targets = scans[1:], scans[:-1]
 inits = np.tile(step, (len(sources), 1, 1))
@@ -65,7 +65,7 @@ for row in right.reshape(9, 9).T[::-1]:
 assert right.reshape(9, 9)[4, 4] and right.sum() >= 9
 
 # %%
-# The first scan and the last, 11 m further on, each in its own colour, under the path of the batch.
+# The first scan and the last, 11 m further on, each in its own color, under the path of the batch.
 placed = {}
 for name, k, color in (("first", 0, (0.2, 0.5, 0.8)), ("last", 11, (0.95, 0.55, 0.1))):
     cloud = reg.deskew_point_cloud(drive.scans[k], step).transform(path.poses[k])

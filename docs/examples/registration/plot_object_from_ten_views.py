@@ -22,7 +22,7 @@ views = loom.datasets.object_scans(10)
 print(len(views.scans), "scans,", views.scans[0])
 
 # %%
-# The voxel is a tenth of what there is to recognise: 5 mm on a figure of 30 cm. Poses end up far finer than it.
+# The voxel is a tenth of what there is to recognize: 5 mm on a figure of 30 cm. Poses end up far finer than it.
 result = reg.register_fragments(views.scans, voxel_size=0.005)
 print(result)
 assert result.placed.all()
@@ -76,7 +76,7 @@ print(
 assert np.median(distance) < 0.001
 
 # %%
-# As scanned, each scan with a colour of its own, and as painted.
+# As scanned, each scan with a color of its own, and as painted.
 palette = np.random.default_rng(5).uniform(0.25, 0.95, (10, 3))
 back = views.poses[result.reference]
 shift = np.array([0.27, 0, 0])

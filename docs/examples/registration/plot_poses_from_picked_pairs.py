@@ -27,7 +27,7 @@ size = float(np.linalg.norm(target.get_max_bound() - target.get_min_bound()))
 
 
 def off(T):
-    """Degrees and metres from the truth, at the middle of the object."""
+    """Degrees and meters from the truth, at the middle of the object."""
     middle = np.r_[source.get_center(), 1]
     return (
         np.degrees(np.arccos(np.clip((np.trace(T[:3, :3].T @ truth[:3, :3]) - 1) / 2, -1, 1))),

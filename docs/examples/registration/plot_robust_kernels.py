@@ -34,7 +34,7 @@ print(f"{len(scan)} points, {100 * is_bad.mean():.0f} % of them clutter")
 
 
 def off(T):
-    """Degrees and metres from the true pose, at the middle of the room."""
+    """Degrees and meters from the true pose, at the middle of the room."""
     middle = np.r_[room.get_center(), 1]
     E = T @ np.linalg.inv(truth)
     return np.degrees(np.arccos(np.clip((np.trace(E[:3, :3]) - 1) / 2, -1, 1))), np.linalg.norm(
@@ -43,9 +43,9 @@ def off(T):
 
 
 # %%
-# The kernels. ``k`` is in metres here: the distance from the plane beyond which a pair begins to count less, some
+# The kernels. ``k`` is in meters here: the distance from the plane beyond which a pair begins to count less, some
 # three times the noise. L2 is least squares; Huber and L1 count far pairs less; Cauchy, GM and Tukey hardly or not at
-# all. The generalised loss is all of them by one number. Geman and McClure's k is a squared length, here as in
+# all. The generalized loss is all of them by one number. Geman and McClure's k is a squared length, here as in
 # Open3D.
 k = 0.02
 kernels = {
@@ -55,7 +55,7 @@ kernels = {
     "Cauchy": reg.CauchyLoss(k),
     "Geman-McClure": reg.GMLoss(k**2),
     "Tukey": reg.TukeyLoss(3 * k),
-    "generalised, -2": GeneralizedLoss(k, shape=-2.0),
+    "generalized, -2": GeneralizedLoss(k, shape=-2.0),
 }
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}
@@ -70,7 +70,7 @@ for name in ("Cauchy", "Geman-McClure", "Tukey"):
 assert error["Tukey"][1] < 0.01
 
 # %%
-# The room from inside its corner: grey what was there, blue where Tukey brought the good points, orange the clutter.
+# The room from inside its corner: gray what was there, blue where Tukey brought the good points, orange the clutter.
 placed = scan.transform(poses["Tukey"])
 low, high = room.get_min_bound(), room.get_max_bound()
 inner = loom.AxisAlignedBoundingBox([low[0], low[1] + 0.35, low[2]], [high[0] - 0.35, high[1], low[2] + 2.2])

@@ -15,7 +15,7 @@ from pointloom.cameras.depth_filters import create_depth_pyramid, create_normal_
 # A frame with noise, and the same without
 # ----------------------------------------
 #
-# Depth is float32 in metres here; uint16 is taken with its ``depth_scale`` (1000 for millimetres). 0 means nothing was
+# Depth is float32 in meters here; uint16 is taken with its ``depth_scale`` (1000 for millimeters). 0 means nothing was
 # measured.
 
 noisy = loom.datasets.room_frames(4, width=640, height=480)[3]
@@ -32,7 +32,7 @@ def rmse(found, inner):
 # Smooth, but not across edges
 # ----------------------------
 #
-# Neighbours whose depth differs by more than about ``value_sigma`` [m] count little.
+# Neighbors whose depth differs by more than about ``value_sigma`` [m] count little.
 
 smooth = loom.filter_depth_bilateral(depth, kernel_size=7, value_sigma=0.05, dist_sigma=3.0, depth_scale=1.0)
 inner = loom.erode_depth_edges(exact, radius=4, depth_threshold=0.1, depth_scale=1.0) > 0
@@ -71,7 +71,7 @@ assert angles["smoothed"] < 0.7 * angles["measured"]
 # Smaller pictures
 # ----------------
 #
-# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, colour with all. Pixel (u, v) of
+# A pyramid for coarse-to-fine work: depth is averaged only with depth that lies near, color with all. Pixel (u, v) of
 # a level lies at (2 u, 2 v) of the one before, so its camera has half of all four numbers. (``camera.scaled(0.5)`` is
 # for pictures that were resized by area: their borders keep their place.)
 

@@ -20,8 +20,8 @@ folder = Path(tempfile.mkdtemp())
 # A source of your own
 # --------------------
 #
-# Pairs of colour and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
-# ``depth_scale``, or float32 in metres; 8-bit depth is refused, since it is a picture of depth and holds none.
+# Pairs of color and depth, from a list, a generator or your camera's loop. Depth is uint16 in units of
+# ``depth_scale``, or float32 in meters; 8-bit depth is refused, since it is a picture of depth and holds none.
 
 frames = loom.datasets.room_frames(12)
 camera = frames[0].intrinsic
@@ -49,7 +49,7 @@ assert count == 12 and recorder.count == 5
 # Read it back
 # ------------
 #
-# ``open_frames`` finds the layout by itself; frames are decoded when they come. Depth was rounded to whole millimetres.
+# ``open_frames`` finds the layout by itself; frames are decoded when they come. Depth was rounded to whole millimeters.
 
 recorded = loom.open_frames(folder / "take-1")
 print(recorded.intrinsic, "depth scale", recorded.depth_scale)

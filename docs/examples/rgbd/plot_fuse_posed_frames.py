@@ -15,7 +15,7 @@ import pointloom as loom
 # Frames
 # ------
 #
-# 24 frames of a walk through a furnished room: colour, depth in metres with the noise of a structured-light camera, and
+# 24 frames of a walk through a furnished room: color, depth in meters with the noise of a structured-light camera, and
 # the true pose, camera to world. For your own folder take ``loom.open_dataset(folder)``; for anything else
 # ``loom.frames_from``.
 
@@ -53,7 +53,7 @@ print(f"{volume.block_count} blocks, {volume.memory_bytes / 1e6:.0f} MB, {len(me
 # How good is it?
 # ---------------
 #
-# Against the room as it is: half of the vertices are off by a few millimetres, though a single depth of this camera is
+# Against the room as it is: half of the vertices are off by a few millimeters, though a single depth of this camera is
 # off by up to 14 mm at 3 m.
 
 scene = loom.RaycastingScene()
@@ -74,7 +74,7 @@ assert len(mesh.triangles) > 50_000
 # What another camera would see of it
 # -----------------------------------
 #
-# ``ray_cast`` looks into the volume without a mesh: depth, colours and normals from any pose.
+# ``ray_cast`` looks into the volume without a mesh: depth, colors and normals from any pose.
 
 seen = volume.ray_cast(camera, np.linalg.inv(frames[3].T_world_camera), depth_max=5.0)
 both = (seen.depth > 0) & (frames[3].depth > 0)

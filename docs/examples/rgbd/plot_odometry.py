@@ -38,7 +38,7 @@ print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f}
 # -----
 #
 # An ``OdometryFrame`` is a pyramid on the device, made once and used in each pair. ``hybrid`` compares surfaces and
-# brightness, so a wall without shape or a floor without colour is enough.
+# brightness, so a wall without shape or a floor without color is enough.
 
 source = od.OdometryFrame(first.depth, camera, first.color, depth_scale=1.0)
 target = od.OdometryFrame(second.depth, camera, second.color, depth_scale=1.0)

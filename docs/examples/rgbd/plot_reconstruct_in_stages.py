@@ -21,7 +21,7 @@ job = Path(tempfile.mkdtemp()) / "job"
 # --------------------------
 #
 # 24 frames without poses; frames are read three times, so they lie in a folder. ``ReconstructionConfig.read`` takes
-# Open3D's JSON as it is; an unknown name in it is an error that names the nearest one. Lengths are metres.
+# Open3D's JSON as it is; an unknown name in it is an error that names the nearest one. Lengths are meters.
 
 recorded = loom.datasets.room_frames(24)
 camera = recorded[0].intrinsic
@@ -71,7 +71,7 @@ print(f"{len(path)} poses, {np.sqrt((error**2).mean()) * 1e3:.1f} mm off (rms), 
 assert len(path) == len(recorded) and error.max() < 0.05
 
 # %%
-# The scene, and the path in two colours: one for each fragment.
+# The scene, and the path in two colors: one for each fragment.
 
 mesh = mesh.transform(start)
 colors = [(0.9, 0.35, 0.1), (0.1, 0.4, 0.85), (0.2, 0.6, 0.3)]

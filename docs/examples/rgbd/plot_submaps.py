@@ -92,7 +92,7 @@ model = loom.slam.fuse_submaps(submaps, closure.T_world_submap).extract_triangle
 assert len(model.triangles) > 10_000
 
 # %%
-# The two volumes in two colours, and the one of both.
+# The two volumes in two colors, and the one of both.
 
 T = frames[12].T_world_camera.copy()
 T[:3, 3] -= 0.6 * T[:3, 2]

@@ -1,9 +1,9 @@
 """
-Sharp colours for a scan
+Sharp colors for a scan
 ========================
 
-The colours of a fused mesh are means of voxels: blurred, and smeared where poses are a little wrong. The frames
-themselves are sharp. ``texture_mesh`` moves the poses until the frames agree and gives the mesh their colours, at its
+The colors of a fused mesh are means of voxels: blurred, and smeared where poses are a little wrong. The frames
+themselves are sharp. ``texture_mesh`` moves the poses until the frames agree and gives the mesh their colors, at its
 vertices or as a texture.
 """
 
@@ -33,7 +33,7 @@ for frame, T in zip(frames, poses, strict=False):
 mesh = volume.extract_triangle_mesh(weight_threshold=2)
 
 # %%
-# Colours at vertices
+# Colors at vertices
 # -------------------
 #
 # The residual is the root mean square of a frame's brightness (0 to 1) less the vertex's. It falls as the frames come

@@ -35,14 +35,14 @@ def warn_of_scale(
     if high < least:
         warn_of_units(
             f"depth_scale: all depth lies within {NEAREST:g} m: {given}, divided by {depth_scale:g}; leave depth_scale "
-            "out where floats are metres"
+            "out where floats are meters"
         )
         return
-    taken = "metres" if depth.dtype.kind == "f" and depth_scale == 1 else f"{depth_scale:g} units a metre"
+    taken = "meters" if depth.dtype.kind == "f" and depth_scale == 1 else f"{depth_scale:g} units a metre"
     if depth.dtype.kind == "f":
-        remedy = "floats in millimetres want depth_scale=1000"
+        remedy = "floats in millimeters want depth_scale=1000"
     elif depth_scale < 1000:
-        remedy = "integers in millimetres want depth_scale=1000"
+        remedy = "integers in millimeters want depth_scale=1000"
     else:
         remedy = "TUM's numbers want depth_scale=5000" if depth_scale < 5000 else "a larger depth_scale brings it near"
     warn_of_units(

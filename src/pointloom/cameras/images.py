@@ -28,10 +28,10 @@ MILLIMETRES = 1000.0  # default units per meter of integer depth
 FLOATS = (wp.float16, float32, float64)
 BYTES = (int8, uint8)  # 8-bit types: images, no depth
 TOO_SHALLOW = (
-    "depth: expected 16-bit integers or float metres, got {}: 8 bits hold no depth but a picture of it; read the data "
-    "set's 16-bit files, or convert what is a distance to float metres"
+    "depth: expected 16-bit integers or float meters, got {}: 8 bits hold no depth but a picture of it; read the data "
+    "set's 16-bit files, or convert what is a distance to float meters"
 )
-TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float metres"
+TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float meters"
 RAW_TRUNC = 7.0  # [m] where Open3D truncates frames of long-range data sets
 
 
@@ -277,7 +277,7 @@ def _as_array(name: str, values: Any) -> NDArray[Any]:
 
 def _check_size(image: Any) -> None:
     if image.ndim != 2 or 0 in image.shape:
-        remedy = "; colour comes first, then depth" if image.ndim == 3 else ""
+        remedy = "; color comes first, then depth" if image.ndim == 3 else ""
         raise ValueError(f"depth: expected shape [h, w], got {list(image.shape)}{remedy}")
 
 
@@ -337,11 +337,11 @@ def upload_color(color: Any, height: int, width: int, device: Any) -> wp.array:
     return upload(image.reshape(-1, 3), uint8, device)
 
 
-def _repeated(grey: wp.array) -> wp.array:
-    pixels = empty((grey.size, 3), uint8, grey.device)
+def _repeated(gray: wp.array) -> wp.array:
+    pixels = empty((gray.size, 3), uint8, gray.device)
     for channel in range(3):
-        fill_column(pixels, channel, view_as(grey, uint8, (grey.size,)))
-    return view_as(pixels, uint8, (*grey.shape, 3))
+        fill_column(pixels, channel, view_as(gray, uint8, (gray.size,)))
+    return view_as(pixels, uint8, (*gray.shape, 3))
 
 
 def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraIntrinsic:

@@ -50,7 +50,7 @@ class Undistortion:
         >>> from pointloom.cameras.undistortion import Undistortion
         >>> camera = loom.CameraModel("SIMPLE_RADIAL", 64, 48, [50, 32, 24, -0.1])
         >>> undistortion = Undistortion(camera, blank_share=1)
-        >>> pictures = [undistortion.apply(np.full((48, 64), grey, np.uint8)) for grey in (10, 20)]
+        >>> pictures = [undistortion.apply(np.full((48, 64), gray, np.uint8)) for gray in (10, 20)]
         >>> pictures[1].shape, int(pictures[1].max()), round(float(undistortion.seen.mean()), 2)
         ((51, 68), 20, 0.98)
     """

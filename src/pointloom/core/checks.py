@@ -119,7 +119,7 @@ def check_color(name: str, color: Any) -> NDArray[np.float64]:
         raise kind(f"{name}: expected red, green and blue in 0..1{remedy}, got {shown(color)}")
     rgb = check_shape(name, color, (3,))
     if not ((rgb >= 0) & (rgb <= 1)).all():
-        remedy = "; divide 8-bit colours by 255" if (rgb > 1).any() else ""
+        remedy = "; divide 8-bit colors by 255" if (rgb > 1).any() else ""
         raise ValueError(f"{name}: expected 0..1, got {rgb.tolist()}{remedy}")
     return rgb
 
@@ -129,7 +129,7 @@ def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
     if colors.dtype == np.uint8:
         return colors.astype(np.float32) / np.float32(255)
     if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
-        remedy = "; divide 8-bit colours by 255" if colors.max() > 1 else ""  # false for NaN
+        remedy = "; divide 8-bit colors by 255" if colors.max() > 1 else ""  # false for NaN
         raise ValueError(f"{name}: expected 0..1, got {colors.min()}..{colors.max()}{remedy}")
     return colors.astype(np.float32)
 

@@ -85,7 +85,7 @@ def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None)
     colors = view_as(_as(array, float32), vec3, (count,))
     low, high, finite = bound_points(colors)  # sync
     if count and not (finite == count and low.min() >= -1e-3 and high.max() <= 1 + 1e-3):
-        remedy = "; divide 8-bit colours by 255" if high.max() > 1 else ""
+        remedy = "; divide 8-bit colors by 255" if high.max() > 1 else ""
         found = f"{low.min()}..{high.max()}" if finite == count else "NaN or infinite ones"
         raise ValueError(f"{name}: expected 0..1, got {found}{remedy}")
     return colors

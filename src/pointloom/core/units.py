@@ -56,7 +56,7 @@ class LengthUnit:
     Attributes:
         name: Such as "foot".
         symbol: The suffix of numbers.
-        metres: Length of one unit [m]; None for degrees of longitude and latitude.
+        meters: Length of one unit [m]; None for degrees of longitude and latitude.
 
     Raises:
         TypeError: Name or symbol is no string, or the length is no number.
@@ -67,7 +67,7 @@ class LengthUnit:
         >>> from pointloom.core.units import LengthUnit
         >>> cloud = loom.PointCloud([[0, 0, 0], [0, 0, 10]], unit="foot")
         >>> cloud.unit
-        LengthUnit(name='foot', symbol='ft', metres=0.3048)
+        LengthUnit(name='foot', symbol='ft', meters=0.3048)
         >>> link = LengthUnit("Gunter's link", "li", 0.201168)  # a unit that is not known by name
         >>> loom.PointCloud([[0, 0, 10]], unit=link).to_unit("metre").points.round(5).tolist()
         [[0.0, 0.0, 2.01168]]
@@ -75,7 +75,7 @@ class LengthUnit:
 
     name: str
     symbol: str
-    metres: float | None
+    meters: float | None
 
     def __post_init__(self) -> None:
         for what, text in (("name", self.name), ("symbol", self.symbol)):
@@ -83,8 +83,8 @@ class LengthUnit:
                 raise TypeError(f"{what}: expected text, got {type(text).__name__}")
             if not text.strip() or not (text.isprintable() and text.isascii()):
                 raise ValueError(f"{what}: expected a line of ASCII, got {shown(text)}")
-        if self.metres is not None:
-            object.__setattr__(self, "metres", check_positive("metres", self.metres))
+        if self.meters is not None:
+            object.__setattr__(self, "meters", check_positive("meters", self.meters))
 
     def __str__(self) -> str:
         return self.name
@@ -96,13 +96,13 @@ class LengthUnit:
 
     def in_words(self) -> str:
         """Its name and length in words."""
-        if self.metres is None:
+        if self.meters is None:
             return f"{self.name}, of longitude and latitude"
-        return self.name if self.metres == 1 else f"{self.name} ({self.metres:.12g} m)"
+        return self.name if self.meters == 1 else f"{self.name} ({self.meters:.12g} m)"
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, LengthUnit):
-            return (self.name, self.metres) == (other.name, other.metres)
+            return (self.name, self.meters) == (other.name, other.meters)
         return self.name == other if isinstance(other, str) else NotImplemented
 
     def __hash__(self) -> int:
@@ -147,27 +147,27 @@ def check_unit(name: str, value: Any) -> LengthUnit | None:
     return found
 
 
-def unit_by_length(name: str, metres: float) -> LengthUnit | None:
+def unit_by_length(name: str, meters: float) -> LengthUnit | None:
     """The unit with this name and length [m]; None if they contradict each other."""
-    if not (math.isfinite(metres) and metres > 0):
+    if not (math.isfinite(meters) and meters > 0):
         return None
     named = unit_by_name(name)
-    if named is not None and (named.metres is None or abs(metres / named.metres - 1) > _NEAR_SHARE):
+    if named is not None and (named.meters is None or abs(meters / named.meters - 1) > _NEAR_SHARE):
         return None
     for unit in KNOWN:
-        if unit.metres is not None and abs(metres / unit.metres - 1) <= SAME_SHARE:
+        if unit.meters is not None and abs(meters / unit.meters - 1) <= SAME_SHARE:
             return unit
     if named is not None:  # of few digits
         return named
     if not (name.strip() and name.isprintable() and name.isascii()):
-        name = f"unit of {metres:.9g} m"
-    return LengthUnit(name, name, metres)
+        name = f"unit of {meters:.9g} m"
+    return LengthUnit(name, name, meters)
 
 
 def text_of(unit: LengthUnit) -> str:
     """A unit as one line for files: its name, and its length if the name is not known."""
-    is_known = unit.metres is None or unit_by_name(unit.name) == unit
-    return unit.name if is_known else f"{unit.name} = {unit.metres!r} m"
+    is_known = unit.meters is None or unit_by_name(unit.name) == unit
+    return unit.name if is_known else f"{unit.name} = {unit.meters!r} m"
 
 
 def unit_of_text(text: str) -> LengthUnit | None:
@@ -184,7 +184,7 @@ def unit_of_text(text: str) -> LengthUnit | None:
 
 
 def is_same(a: LengthUnit | None, b: LengthUnit | None) -> bool:
-    return a is None or b is None or a.metres == b.metres
+    return a is None or b is None or a.meters == b.meters
 
 
 def symbol_of(unit: LengthUnit | None) -> str:
@@ -198,8 +198,8 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
     if other is None:
         return known[0] if known else None
     remedy = 'to_unit("metre") converts a cloud; where a unit is told wrongly, set cloud.unit'
-    if None in (known[0].metres, other.metres):
-        remedy = "project_to_utm(cloud) makes metres of degrees; where a unit is told wrongly, set cloud.unit"
+    if None in (known[0].meters, other.meters):
+        remedy = "project_to_utm(cloud) makes meters of degrees; where a unit is told wrongly, set cloud.unit"
     warn_of_units(f"{name}: lengths in {known[0]} and in {other} meet: {remedy}")
     return None
 

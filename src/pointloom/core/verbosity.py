@@ -115,7 +115,7 @@ def get_verbosity_level() -> VerbosityLevel:
 
 
 class VerbosityContextManager:
-    """Set the verbosity level inside a `with` block and restore it afterwards.
+    """Set the verbosity level inside a `with` block and restore it afterward.
 
     Args:
         level: A VerbosityLevel.

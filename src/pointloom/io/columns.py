@@ -41,7 +41,7 @@ def stack_colors(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float
     uint16 is divided by 65535, other integers by 255, floats are unchanged; out of range raises `FileError`."""
     kinds = {(column.dtype.kind, column.dtype.itemsize) for column in columns}
     if len(kinds) > 1:
-        raise FileError(path, "the three colour channels have different types")
+        raise FileError(path, "the three color channels have different types")
     kind, size = kinds.pop()
     if kind == "f":
         with quiet():
@@ -173,9 +173,9 @@ def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
     if bad.any():
         raise FileError(
             path,
-            f"a colour is outside {span}",
+            f"a color is outside {span}",
             where=f"row {int(np.flatnonzero(bad)[0])}",
-            remedy=f"Colours are {span} in every channel",
+            remedy=f"Colors are {span} in every channel",
         )
 
 

@@ -84,8 +84,8 @@ def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[n
         first = max(every[axis], math.floor((begin - corner) / step.cell) - 2)
         last = min(every[axis + 2], math.ceil((begin + plan.size - corner) / step.cell) + 2)
         numbers = np.arange(first, last)
-        centres = corner + (numbers + 0.5) * step.cell
-        owners = np.floor((centres - plan.corner[axis]) / plan.size)
+        centers = corner + (numbers + 0.5) * step.cell
+        owners = np.floor((centers - plan.corner[axis]) / plan.size)
         numbers = numbers[np.clip(owners, 0, plan.shape[axis] - 1) == place[axis]]
         if not len(numbers):
             return None
@@ -125,7 +125,7 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
     held = {(row["ix"], row["iy"]): cells for row in tiles
             if (cells := tile_cells(step, plan, (row["ix"], row["iy"]))) is not None}  # fmt: skip
     if not held:
-        raise FileError(path, f"no cell of {step.cell:g} has its centre in a tile", remedy="Take smaller cells")
+        raise FileError(path, f"no cell of {step.cell:g} has its center in a tile", remedy="Take smaller cells")
     boxes = np.array([*held.values()])
     x0, y0, x1, y1 = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
     shape, low = (int(y1 - y0), int(x1 - x0)), np.array(step.params["corner"]) + np.array([x0, y0]) * step.cell

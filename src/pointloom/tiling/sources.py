@@ -113,7 +113,7 @@ def describe(path: Path) -> dict[str, Any]:
     file = open_las(path)
     header = file.header
     if is_geographic(header):
-        remedy = "Project it first, project_to_utm(cloud) gives metres"
+        remedy = "Project it first, project_to_utm(cloud) gives meters"
         raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
     kind = "copc" if is_copc(file) else "rows"
     if kind == "copc":

@@ -1,4 +1,4 @@
-"""Octree over the points of many LAZ files in bounded memory; src/pointloom/io/points/copc_writer.py writes its nodes as COPC.
+"""Octree over the points of many LAZ files in bounded memory; io/points/copc_writer.py writes its nodes as COPC.
 
 The tree equals that of `write_copc` over all points in file order. The cube is halved until each cell fits in memory;
 levels are computed per cell, along the Morton curve, with one open node per level. Cells smaller than a voxel of the

@@ -120,7 +120,7 @@ def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
 
 
 def _metres(unit: LengthUnit | None) -> float | None:
-    return None if unit is None else unit.metres
+    return None if unit is None else unit.meters
 
 
 def is_made(path: Path) -> bool:

@@ -103,7 +103,7 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
     page.keyboard.press("n")
     page.keyboard.press("l")
     page.keyboard.press("l")
-    assert count_pixels(stage(page), GREEN, 2) > 5000  # no light: the colour as it is
+    assert count_pixels(stage(page), GREEN, 2) > 5000  # no light: the color as it is
     assert count_pixels(first, GREEN, 2) < 500
 
 

@@ -1,4 +1,4 @@
-"""Recordings in Chromium: what is drawn where, in which colours."""
+"""Recordings in Chromium: what is drawn where, in which colors."""
 
 import math
 from dataclasses import replace

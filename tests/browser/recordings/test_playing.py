@@ -54,7 +54,7 @@ def test_the_slider_is_moved_by_keys(open_recording):
 
 
 def mark_of(page, number: int) -> float:
-    """The column of the middle of the mark in a plot, by its colour."""
+    """The column of the middle of the mark in a plot, by its color."""
     image = picture(page, panels=True)
     box = page.locator("#plots canvas").nth(number).bounding_box()
     x, y = math.ceil(box["x"]), math.ceil(box["y"])

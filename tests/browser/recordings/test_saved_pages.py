@@ -57,7 +57,7 @@ def test_a_scene_that_the_viewer_saves_opens_from_disk(open_saved, tmp_path):
 
 
 def is_hue(image: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
-    """Which pixels have the colour in any light."""
+    """Which pixels have the color in any light."""
     bright = image.max(axis=-1, keepdims=True)
     return (bright[..., 0] > 60) & is_color(image / np.maximum(bright, 1) * max(color), color, 30)
 

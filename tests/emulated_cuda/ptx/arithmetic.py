@@ -19,12 +19,12 @@ _UNSIGNED = {"lo": "lt", "ls": "le", "hi": "gt", "hs": "ge"}
 
 def _float_sum(f: FunctionTranslator, i: Instruction, x: str, y: str, z: str, plain: str) -> str | None:
     """x * y + z, of which `plain` is the form that rounds to nearest."""
-    towards = next((p for p in i.parts if p in ("rz", "rm", "rp")), None)
-    if towards is None:
+    toward = next((p for p in i.parts if p in ("rz", "rm", "rp")), None)
+    if toward is None:
         if "rn" not in i:
             f.function.findings.add(f"{i.op}.{i.kind} that ptxas may fuse")
         return f.set_float(i, plain)
-    return f.set_float(i, f"fma_towards({x}, {y}, {z}, '{towards[1]}')") if i.kind == "f32" else None
+    return f.set_float(i, f"fma_towards({x}, {y}, {z}, '{toward[1]}')") if i.kind == "f32" else None
 
 
 @translates("mov", pure=True)

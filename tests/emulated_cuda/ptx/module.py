@@ -84,7 +84,7 @@ class Variables:
             else:
                 symbol = re.match(r"^(?:generic\()?([$\w]+)\)?(?:\+(\d+))?$", entry)
                 if not symbol:
-                    raise UnknownPtx(f"initialiser {entry!r}")
+                    raise UnknownPtx(f"initializer {entry!r}")
                 self.relocations.append((offset + k * width, symbol.group(1), int(symbol.group(2) or 0)))
         self.content += content
 

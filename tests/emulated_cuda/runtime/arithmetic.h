@@ -191,7 +191,7 @@ INLINE f64 round_to(f64 a, int mode)
     return mode == 'z' ? trunc(a) : mode == 'm' ? floor(a) : mode == 'p' ? ceil(a) : nearbyint(a);
 }
 
-/* a * b + c rounded towards zero, down or up ('z', 'm', 'p'): the product is exact in double, the sum has an error that is
+/* a * b + c rounded toward zero, down or up ('z', 'm', 'p'): the product is exact in double, the sum has an error that is
    known, so it shows on which side of the exact result the nearest float lies. */
 INLINE f32 fma_towards(f32 a, f32 b, f32 c, int mode)
 {

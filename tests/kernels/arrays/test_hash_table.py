@@ -34,7 +34,7 @@ def encode(blocks, device):
 
 
 def random_keys(rng, count):
-    """Distinct keys, some of them neighbours and some far apart."""
+    """Distinct keys, some of them neighbors and some far apart."""
     near = rng.integers(0, 1 << 20, count) | (1 << 62)
     far = rng.integers(0, (1 << 63) - 2, count)
     keys = np.unique(np.concatenate([near, far]).astype(np.int64))

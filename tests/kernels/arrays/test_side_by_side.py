@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, fill
 
 @kernel
 def raise_kernel(counts: array(dtype=int32), places: array(dtype=vec3d)):
-    """Change an element of two neighbours."""
+    """Change an element of two neighbors."""
     i = tid()
     counts[i] = counts[i] + 1
     places[i] = places[i] + vec3d(1.0, 2.0, 3.0)
@@ -41,7 +41,7 @@ def test_arrays_come_back_as_they_were_given(device, rng, count):
     assert list(together.download("rows", "counts")) == ["rows", "counts"]
 
 
-def test_a_launch_changes_its_arrays_and_no_neighbour(device, rng):
+def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
     values = values_of(rng, 7)
     together = SideBySide(values, resolve_device(device))
     launch(raise_kernel, 7, [together.arrays["counts"], together.arrays["places"]])

@@ -1,4 +1,4 @@
-"""Colours of values, labels and directions: mixed between entries, clamped, grey where there is no number."""
+"""Colors of values, labels and directions: mixed between entries, clamped, gray where there is no number."""
 
 import numpy as np
 import pytest
@@ -9,12 +9,12 @@ from pointloom.kernels.drawing.value_colors import SEEN, Ramp
 from pointloom.kernels.lang import float32, float64, int32, int64, vec3
 
 TABLE = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]], np.float32)
-GREY = (0.5, 0.5, 0.5)
+GRAY = (0.5, 0.5, 0.5)
 
 
 def colors_of(device, values, limits, dtype=float32):
     place = memory.upload(np.zeros(1), float32, device).device
-    ramp = Ramp(TABLE, limits, GREY, place)
+    ramp = Ramp(TABLE, limits, GRAY, place)
     colors = value_colors.color_values(memory.upload(np.array(values), dtype, place), ramp)
     return colors.numpy(), int(ramp.flag.numpy()[0])
 
@@ -28,12 +28,12 @@ def test_values_are_mixed_between_entries_and_clamped_beyond_the_limits(device, 
 
 
 @pytest.mark.parametrize("dtype", [float32, float64])
-def test_what_is_not_finite_is_grey_and_told(device, dtype):
+def test_what_is_not_finite_is_gray_and_told(device, dtype):
     found, flag = colors_of(device, [1.0, np.nan, np.inf, -np.inf], (0.0, 1.0), dtype)
-    assert found[1:].tolist() == [list(GREY)] * 3 and flag == 1
+    assert found[1:].tolist() == [list(GRAY)] * 3 and flag == 1
 
 
-def test_equal_limits_give_the_colour_in_the_middle(device):
+def test_equal_limits_give_the_color_in_the_middle(device):
     assert colors_of(device, [5.0, 5.0], (5.0, 5.0))[0].tolist() == [[0, 1, 0]] * 2
 
 
@@ -46,11 +46,11 @@ def test_limits_beyond_half_of_float64_do_not_overflow(device):
     np.testing.assert_allclose(colors_of(device, [-1e308, 0, 1e308], (-1e308, 1e308), float64)[0], TABLE, atol=1e-6)
 
 
-def test_coordinates_are_coloured_as_values(device):
+def test_coordinates_are_colored_as_values(device):
     points = np.array([[0, 1, 2], [3, 4, 5], [np.nan, 7, 8]], np.float32)
     table = memory.upload(points, vec3, device)
     for axis in range(3):
-        ramp = Ramp(TABLE, (0.0, 8.0), GREY, table.device)
+        ramp = Ramp(TABLE, (0.0, 8.0), GRAY, table.device)
         found = value_colors.color_coordinates(table, axis, ramp).numpy()
         np.testing.assert_array_equal(found, colors_of(device, points[:, axis], (0.0, 8.0))[0])
 
@@ -58,16 +58,16 @@ def test_coordinates_are_coloured_as_values(device):
 @pytest.mark.parametrize("dtype", [int32, int64])
 def test_labels_begin_the_palette_again_and_are_told(device, dtype):
     labels = memory.upload(np.array([0, 2, 3, -1, -7, 10_000_000]), dtype, device)
-    found, seen = value_colors.color_labels(labels, TABLE, GREY)
-    expected = [TABLE[0], TABLE[2], TABLE[0], GREY, GREY, TABLE[10_000_000 % 3]]
+    found, seen = value_colors.color_labels(labels, TABLE, GRAY)
+    expected = [TABLE[0], TABLE[2], TABLE[0], GRAY, GRAY, TABLE[10_000_000 % 3]]
     np.testing.assert_array_equal(found.numpy(), np.array(expected, np.float32))
     assert seen == [-1, 0, 2, 3, SEEN - 2]
 
 
 def test_directions_are_their_coordinates(device):
     normals = memory.upload(np.array([[0, 0, 1], [-1, 0, 0], [5, -5, 0], [np.nan, 0, 0]]), vec3, device)
-    found, flag = value_colors.color_normals(normals, GREY)
-    expected = [[0.5, 0.5, 1], [0, 0.5, 0.5], [1, 0, 0.5], GREY]
+    found, flag = value_colors.color_normals(normals, GRAY)
+    expected = [[0.5, 0.5, 1], [0, 0.5, 0.5], [1, 0, 0.5], GRAY]
     np.testing.assert_array_equal(found.numpy(), np.array(expected, np.float32))
     assert flag.numpy()[0] == 1
 

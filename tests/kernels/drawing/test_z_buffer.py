@@ -1,4 +1,4 @@
-"""The z-buffer: what is in front wins, neighbours leave no gaps, and the bits do not depend on the order of threads."""
+"""The z-buffer: what is in front wins, neighbors leave no gaps, and the bits do not depend on the order of threads."""
 
 import numpy as np
 import pytest
@@ -71,7 +71,7 @@ def rays():
 
 
 def cast(vertices, triangle):
-    """Depth [h, w] of the triangle that rays through the cells' centres meet before the camera; 0 where none does."""
+    """Depth [h, w] of the triangle that rays through the cells' centers meet before the camera; 0 where none does."""
     a, b, c = np.asarray(vertices, float)[list(triangle)]
     weights = np.linalg.solve(np.column_stack([a, b, c]), rays().reshape(-1, 3).T).T.reshape(HEIGHT, WIDTH, 3)
     with np.errstate(divide="ignore"):
@@ -79,7 +79,7 @@ def cast(vertices, triangle):
 
 
 def distance_to_edges(vertices, triangle):
-    """How far [cells], shape [h, w], the centres of cells lie from the lines that the triangle's edges are seen as."""
+    """How far [cells], shape [h, w], the centers of cells lie from the lines that the triangle's edges are seen as."""
     a, b, c = np.asarray(vertices, float)[list(triangle)]
     edges = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
     return (np.abs(rays() @ edges.T) / (np.linalg.norm(edges[:, :2], axis=1) / 50)).min(axis=-1)
@@ -116,8 +116,8 @@ def test_a_fan_of_thin_triangles_leaves_no_gap(device):
     assert (depth[outside] == 0).all()
 
 
-def test_pixels_whose_centres_lie_on_an_edge_are_drawn(device):
-    """A square whose corners, and so its diagonal, lie on centres of pixels: no gap between its two triangles."""
+def test_pixels_whose_centers_lie_on_an_edge_are_drawn(device):
+    """A square whose corners, and so its diagonal, lie on centers of pixels: no gap between its two triangles."""
     left, right = 2 * (np.array([11, 41]) - 31.5) / 50
     top, bottom = 2 * (np.array([9, 39]) - 23.5) / 50
     depth, _ = draw(device, [[left, top, 2], [right, top, 2], [right, bottom, 2], [left, bottom, 2]], TWO)

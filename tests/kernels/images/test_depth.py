@@ -1,4 +1,4 @@
-"""Raw depth in metres, and pixels unprojected: what NumPy gives, element by element."""
+"""Raw depth in meters, and pixels unprojected: what NumPy gives, element by element."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pointloom.kernels.memory import upload
 from ..vectors import rotation
 
 
-def metres(device, raw, dtype, scale, farthest):
+def meters(device, raw, dtype, scale, farthest):
     """Depth as NumPy, once the largest depth that comes with it was checked."""
     depth, largest = metric_depth(upload(raw, dtype, resolve_device(device)), scale, farthest)
     assert largest_depth(largest) == depth.numpy().max(initial=0)
@@ -24,27 +24,27 @@ def metres(device, raw, dtype, scale, farthest):
 def test_raw_depth_is_divided_and_cut_behind_the_farthest(device):
     raw = np.array([0, 1, 1000, 2999, 3000, 3001, 65535], np.uint16)
     expected = np.where(raw <= 3000, raw.astype(np.float32) / np.float32(1000), 0)
-    np.testing.assert_array_equal(metres(device, raw, uint16, 1000.0, 3.0), expected)
+    np.testing.assert_array_equal(meters(device, raw, uint16, 1000.0, 3.0), expected)
     expected = raw.astype(np.float32) / np.float32(5000)
-    np.testing.assert_array_equal(metres(device, raw, uint16, 5000.0, np.inf), expected)
+    np.testing.assert_array_equal(meters(device, raw, uint16, 5000.0, np.inf), expected)
 
 
 def test_depth_in_metres_is_kept_where_it_is_a_measurement(device):
     raw = np.array([0, -1, np.nan, np.inf, -np.inf, 0.5, 3.0, 3.0001, 1e-30], np.float32)
     expected = np.array([0, 0, 0, 0, 0, 0.5, 3.0, 0, 1e-30], np.float32)
-    np.testing.assert_array_equal(metres(device, raw, float32, 1.0, 3.0), expected)
-    np.testing.assert_array_equal(metres(device, raw, float32, 4.0, 0.75), expected / 4)
+    np.testing.assert_array_equal(meters(device, raw, float32, 1.0, 3.0), expected)
+    np.testing.assert_array_equal(meters(device, raw, float32, 4.0, 0.75), expected / 4)
     expected[7] = raw[7]
     for farthest in (1e30, np.inf):
-        np.testing.assert_array_equal(metres(device, raw, float32, 1.0, farthest), expected)
+        np.testing.assert_array_equal(meters(device, raw, float32, 1.0, farthest), expected)
 
 
 @pytest.mark.parametrize("count", [1, RUN - 1, RUN, RUN + 1, 3 * RUN + 5])
 def test_depth_of_any_number_of_pixels_is_converted(device, count, rng):
     raw = rng.integers(0, 65536, count).astype(np.uint16)
     expected = raw.astype(np.float32) / np.float32(1000)
-    np.testing.assert_array_equal(metres(device, raw, uint16, 1000.0, 100.0), expected)
-    np.testing.assert_array_equal(metres(device, expected, float32, 1.0, 100.0), expected)
+    np.testing.assert_array_equal(meters(device, raw, uint16, 1000.0, 100.0), expected)
+    np.testing.assert_array_equal(meters(device, expected, float32, 1.0, 100.0), expected)
 
 
 @pytest.mark.parametrize("stride", [1, 2, 3, 7])

@@ -14,7 +14,7 @@ LIMITS = (0.02, 0.05, 0.9)  # tight, slab, cosine
 
 
 def sheets(rng, counts, noise=0.002):
-    """Points on planes with normals x, y, z in turn, two metres apart, and their normals."""
+    """Points on planes with normals x, y, z in turn, two meters apart, and their normals."""
     points, normals = [], []
     for k, count in enumerate(counts):
         p = rng.uniform(-1, 1, (count, 3))

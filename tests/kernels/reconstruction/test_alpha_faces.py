@@ -139,7 +139,7 @@ MANY = {
 
 
 @pytest.mark.parametrize("name", MANY)
-def test_neighbours_agree_on_their_tetrahedra(device, name):
+def test_neighbors_agree_on_their_tetrahedra(device, name):
     ((faces, corners),) = find(MANY[name][0], [MANY[name][1]], device)
     owners: dict[tuple[int, ...], int] = {}
     for row in corners.tolist():

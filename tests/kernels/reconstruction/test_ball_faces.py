@@ -30,7 +30,7 @@ def faces_of(points, normals, radius, device):
 
 
 def brute_faces(points, normals, radius):
-    """All triples, one after the other: the ball's centre by the circumcentre, and its distance to all points."""
+    """All triples, one after the other: the ball's center by the circumcenter, and its distance to all points."""
     found = set()
     for a, b, c in itertools.combinations(range(len(points)), 3):
         B, C = points[b] - points[a], points[c] - points[a]

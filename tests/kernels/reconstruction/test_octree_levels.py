@@ -1,4 +1,4 @@
-"""The octree's levels: leaves that tile the cube, balance, and neighbours, all by brute force from places."""
+"""The octree's levels: leaves that tile the cube, balance, and neighbors, all by brute force from places."""
 
 from __future__ import annotations
 

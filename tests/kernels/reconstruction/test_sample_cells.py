@@ -59,8 +59,8 @@ def test_the_density_is_that_of_splines_by_brute_force(device):
     for depth in (1, 2):
         cells, reach, n = pyramid.cells[depth], pyramid.reaches[depth], 1 << depth
         at = download(cells.means).astype(float) * n
-        centres = np.stack(np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
-        weights = spline(at[:, None] - centres).prod(axis=2)  # [cells of samples, cells]
+        centers = np.stack(np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+        weights = spline(at[:, None] - centers).prod(axis=2)  # [cells of samples, cells]
         w = weights @ (download(cells.counts) @ weights) / (1.5 * 0.59375)
         np.testing.assert_allclose(download(reach.densities), w, rtol=1e-5)
         parents = download(cells.parents)

@@ -56,10 +56,10 @@ def test_holes_answer_nothing(device, rng):
     assert difference(nothing, nothing) == (0, 0.0)
 
 
-def test_without_colour_depth_decides(device, rng):
+def test_without_color_depth_decides(device, rng):
     depth, brightness = picture(rng)
-    grey = code_of(device, depth, np.full_like(depth, -1))
-    assert difference(grey, code_of(device, depth, brightness)) == (2 * FERNS, 0.0)
+    gray = code_of(device, depth, np.full_like(depth, -1))
+    assert difference(gray, code_of(device, depth, brightness)) == (2 * FERNS, 0.0)
 
 
 def test_codes_lie_in_rows_and_each_is_compared(device, rng):

@@ -83,7 +83,7 @@ def test_given_normals_are_taken(device):
     assert np.abs(planes[5:, 5:] - [0, 0, -1, -2]).max() < 1e-5
 
 
-def test_colours_are_weighed_as_brightness(device):
+def test_colors_are_weighed_as_brightness(device):
     place = wp.get_device(device)
     pixels = np.tile(np.array([255, 0, 0], np.uint8), (24 * 32, 1))
     depth = upload(np.full(24 * 32, 1.0), float32, place)
@@ -93,6 +93,6 @@ def test_colours_are_weighed_as_brightness(device):
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 
-def test_without_colours_there_is_no_brightness(device):
+def test_without_colors_there_is_no_brightness(device):
     levels = levels_of(np.full((24, 32), 1.0, np.float32), device)
     assert (download(levels.brightness) < 0).all()

@@ -16,7 +16,7 @@ WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a rim that no cell holds
 
 
 def pictures(shift=(0.0, 0.0)):
-    """Depth [m] and grey colours of a wavy wall, shifted by so many cells."""
+    """Depth [m] and gray colors of a wavy wall, shifted by so many cells."""
     v, u = np.mgrid[:HEIGHT, :WIDTH]
     x, y = u / 4 - shift[0], v / 4 - shift[1]
     depth = 1.5 + 0.3 * np.sin(x / 7) * np.cos(y / 5)
@@ -47,7 +47,7 @@ def test_a_cell_is_the_mean_of_its_pixels(device):
     assert np.allclose(download(seen.brightness), means(color[..., 0] / 255), atol=1e-6)
 
 
-def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_colour_there_is_no_brightness(device):
+def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_color_there_is_no_brightness(device):
     depth, _ = pictures()
     depth[:4, :4].flat[:5] = 0.0
     depth[4:8, :4].flat[:4] = 0.0

@@ -103,7 +103,7 @@ def test_of_no_points_there_are_no_levels(device, points):
 
 
 def test_the_priority_is_no_order_of_its_own():
-    """Neighbours by index are scattered: of 4,096 ranks the first half holds about half of any run."""
+    """Neighbors by index are scattered: of 4,096 ranks the first half holds about half of any run."""
     ranks = np.argsort(np.argsort([plain_priority(i) for i in range(4096)]))
     for run in ranks.reshape(16, 256):
         assert 90 < (run < 2048).sum() < 166

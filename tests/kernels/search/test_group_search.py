@@ -1,5 +1,5 @@
 """On the CPU a group of queries gathers the points of the leaves that it may need, and reads nothing that nobody wrote;
-whatever the room for candidates, on every device, the neighbours are the same."""
+whatever the room for candidates, on every device, the neighbors are the same."""
 
 import numpy as np
 import pytest
@@ -57,7 +57,7 @@ def test_more_candidates_than_there_is_room_for_write_nothing_behind_it(compiler
 
 
 @pytest.mark.parametrize("k", [1, 7, 40])
-def test_neighbours_do_not_depend_on_the_room_for_candidates(device, k, rng, monkeypatch):
+def test_neighbors_do_not_depend_on_the_room_for_candidates(device, k, rng, monkeypatch):
     """Crowds of equal points, outliers and a surface: groups that fit, groups that do not, reaches that grow."""
     where = resolve_device(device)
     points = rng.random((1500, 3)).astype(np.float32)

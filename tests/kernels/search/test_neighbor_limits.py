@@ -1,4 +1,4 @@
-"""A limit a point stands for its list of neighbours, however these are found again."""
+"""A limit a point stands for its list of neighbors, however these are found again."""
 
 import numpy as np
 import pytest
@@ -67,7 +67,7 @@ def crowded(rng, count=3000):
 
 @pytest.mark.parametrize("make", [clustered, crowded])
 @pytest.mark.parametrize(("radius", "max_nn"), [(0.2, 12), (np.inf, 12), (0.2, None)])
-def test_walks_and_groups_find_the_same_neighbours(device, make, radius, max_nn, rng, tolerances, monkeypatch):
+def test_walks_and_groups_find_the_same_neighbors(device, make, radius, max_nn, rng, tolerances, monkeypatch):
     tree = tree_of(device, make(rng))
     normals = rng.normal(size=(tree.count, 3))
     normals = upload(np.float32(normals / np.linalg.norm(normals, axis=1, keepdims=True)), vec3, tree.device)
@@ -87,7 +87,7 @@ def test_walks_and_groups_find_the_same_neighbours(device, make, radius, max_nn,
     np.testing.assert_allclose(features, walked[2], rtol=0, atol=tolerances.fpfh_block)
 
 
-def test_marks_are_the_points_and_their_neighbours(device, rng):
+def test_marks_are_the_points_and_their_neighbors(device, rng):
     tree = tree_of(device, clustered(rng))
     chosen = np.array([3, 77, 200], np.int32)
     ranks = upload(chosen, int32, tree.device)

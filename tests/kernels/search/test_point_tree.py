@@ -68,13 +68,13 @@ def levels_of(tree):
 
 
 @pytest.mark.parametrize("levels", [1, 2, 4])
-def test_the_curve_visits_every_cell_once_and_steps_to_a_neighbour(device, levels):
+def test_the_curve_visits_every_cell_once_and_steps_to_a_neighbor(device, levels):
     side = 2**levels
     cells = np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), -1).reshape(-1, 3).astype(np.int32)
     codes = codes_of(device, cells, levels)
     np.testing.assert_array_equal(np.sort(codes), np.arange(side**3))
     steps = np.abs(np.diff(cells[np.argsort(codes)], axis=0)).sum(axis=1)
-    assert (steps == 1).all(), "neighbours on the curve are neighbours in space"
+    assert (steps == 1).all(), "neighbors on the curve are neighbors in space"
 
 
 def test_codes_at_16_levels_are_distinct_and_fit_48_bits(device, rng):

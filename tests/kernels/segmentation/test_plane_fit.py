@@ -56,7 +56,7 @@ def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
 def test_no_inlier_lies_in_a_block_that_is_passed_over(device, rng, scale):
     """Blocks that are small cubes, so that planes pass many of them by and cut the corners of others.
 
-    Over kilometres float32 is off by a tenth of a millimetre: the slack must cover it.
+    Over kilometers float32 is off by a tenth of a millimetre: the slack must cover it.
     """
     corners = np.repeat(rng.random((40, 3)), BLOCK, axis=0)
     points = (scale * (corners + 0.2 * rng.random((40 * BLOCK, 3)))).astype(np.float32)

@@ -65,8 +65,8 @@ def test_a_smaller_picture_is_the_mean_of_what_its_pixels_cover(device):
     np.testing.assert_allclose(resized(pixels, 16, 12, device), pixels / 255, atol=1e-6)
     np.testing.assert_allclose(resized(pixels, 7, 5, device).mean(), pixels.mean() / 255, atol=1e-6)
     color = rng.integers(0, 256, (12, 16, 3), dtype=np.uint8)
-    grey = color @ [0.299, 0.587, 0.114] / 255
-    np.testing.assert_allclose(resized(color, 16, 12, device), grey, atol=1e-6)
+    gray = color @ [0.299, 0.587, 0.114] / 255
+    np.testing.assert_allclose(resized(color, 16, 12, device), gray, atol=1e-6)
 
 
 def test_a_plane_is_the_same_plane_in_a_larger_picture(device):

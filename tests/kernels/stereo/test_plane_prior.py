@@ -21,7 +21,7 @@ TEXTURED = (slice(6, -6), slice(SHIFT + 6, EDGE - 6))
 
 
 def half_plain(device: str):
-    """A wall that is textured on the left and grey, but for a camera's noise, on the right, seen from two places."""
+    """A wall that is textured on the left and gray, but for a camera's noise, on the right, seen from two places."""
     where, rng = resolve_device(device), np.random.default_rng(0)
     wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
     wide[:, EDGE:] = 0.5
@@ -50,7 +50,7 @@ def after_priors(device: str, own: float, prior: float, weight: float) -> np.nda
     return np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)
 
 
-def test_a_grey_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device):
+def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device):
     reference, sources = half_plain(device)
     planes = upload(table(TRUE, 0.1), vec4, resolve_device(device))
     plain = np.array(download(judge_places(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 0]

@@ -1,4 +1,4 @@
-"""Strips and joins at seams: three pictures that meet have one colour there, and both sides are drawn alike."""
+"""Strips and joins at seams: three pictures that meet have one color there, and both sides are drawn alike."""
 
 import numpy as np
 
@@ -42,10 +42,10 @@ def steps_at(found, places):
     return np.array(steps)
 
 
-def test_three_pictures_that_meet_have_one_colour_there(device):
+def test_three_pictures_that_meet_have_one_color_there(device):
     mesh, pictures, poses = wedges(device)
-    how = {"exposures": False, "seam_levelling": False, "smoothness": 0.0, "outliers": False}
-    plain = texture(mesh, pictures, CAMERA, poses, local_levelling=False, **how)
+    how = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
+    plain = texture(mesh, pictures, CAMERA, poses, local_leveling=False, **how)
     assert len(set(plain.views.tolist())) == 3 and steps_at(plain, PLACES).min() > 15
     found = texture(mesh, pictures, CAMERA, poses, **how)
     assert steps_at(found, PLACES).max() < 1.5
@@ -58,8 +58,8 @@ def test_far_from_seams_nothing_changes(device):
     mesh, pictures, poses = wedges(device)
     large = loom.PinholeCameraIntrinsic(CAMERA.width * 4, CAMERA.height * 4, 360.0, 360.0, 191.5, 143.5)
     finer = [np.repeat(np.repeat(picture, 4, 0), 4, 1) for picture in pictures]
-    how = {"exposures": False, "seam_levelling": False, "smoothness": 0.0, "outliers": False}
-    plain = texture(mesh, finer, large, poses, local_levelling=False, **how)
+    how = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
+    plain = texture(mesh, finer, large, poses, local_leveling=False, **how)
     found = texture(mesh, finer, large, poses, **how)
     for row in range(3):
         outer = np.where(np.asarray(mesh.triangles)[row] == 0, 0.2, 0.4)

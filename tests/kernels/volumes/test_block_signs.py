@@ -67,7 +67,7 @@ def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
         assert 0 < (parts > 0).mean() < 1
 
 
-def test_neighbours_taken_further_are_those_found_anew(device, rng):
+def test_neighbors_taken_further_are_those_found_anew(device, rng):
     counts = []
     for volume in volumes_of_frames(device, rng):
         blocks = volume._blocks

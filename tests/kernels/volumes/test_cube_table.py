@@ -79,11 +79,11 @@ def test_inner_sides_of_a_case_have_their_opposites_and_the_rest_lie_on_faces():
         assert len(set(sides)) == len(sides)
         assert all(len(faces_of(a) & faces_of(b)) == 1 for a, b in outer)
         for a, b in set(sides) - outer:
-            assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbour's too"
+            assert not faces_of(a) & faces_of(b), "a diagonal in a face could be the neighbor's too"
 
 
 @pytest.mark.parametrize("axis", range(3))
-def test_neighbouring_cells_draw_the_same_contour_on_their_common_face_in_opposite_directions(axis):
+def test_neighboring_cells_draw_the_same_contour_on_their_common_face_in_opposite_directions(axis):
     low, high = FACES[2 * axis], FACES[2 * axis + 1]
 
     def contours(face, drop):

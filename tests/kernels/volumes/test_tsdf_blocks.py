@@ -137,7 +137,7 @@ def test_depth_at_the_border_of_the_picture_is_seen(device, monkeypatch, pixel, 
 
 @pytest.mark.parametrize("distance", [0.4, 1.0, 2.7])
 @pytest.mark.parametrize("focal", [75.0, 200.0, 525.0])
-def test_neighbouring_rays_are_less_than_half_a_block_apart(device, distance, focal):
+def test_neighboring_rays_are_less_than_half_a_block_apart(device, distance, focal):
     """A wall that fills the picture: each block that it crosses by at least half its width is touched."""
     voxel_size, width, height = 0.01, 160, 120
     camera = (focal, focal, 79.5, 59.5)

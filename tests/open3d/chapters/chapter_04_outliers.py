@@ -20,7 +20,7 @@ pcd = o3d.io.read_point_cloud("street.pcd")
 pcd = pcd.uniform_down_sample(every_k_points=2)
 cl, ind = pcd.remove_statistical_outlier(nb_neighbors=20, std_ratio=2.0)
 found["statistical"] = ind
-found["colours"] = np.asarray(display_inlier_outlier(pcd, ind).colors)
+found["colors"] = np.asarray(display_inlier_outlier(pcd, ind).colors)
 cl, ind = pcd.remove_radius_outlier(nb_points=10, radius=1.0)
 found["radius"] = ind
 found["kept"] = np.asarray(cl.points)

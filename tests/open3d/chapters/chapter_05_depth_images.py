@@ -22,6 +22,6 @@ for name in ("redwood", "tum", "sun", "nyu"):
     depth_again = o3d.io.read_image("./depth/0.png")  # as Open3D decodes sun and nyu in place
     found[name] = np.asarray(make(color_raw, depth_again).depth)
 eight = o3d.geometry.Image((np.asarray(depth_raw) >> 5).astype(np.uint8))
-grey = o3d.geometry.RGBDImage.create_from_color_and_depth(color_raw, eight, depth_scale=10, depth_trunc=10)
-found["8 bits"] = np.asarray(grey.depth)
-found["grey"] = np.asarray(grey.color)
+gray = o3d.geometry.RGBDImage.create_from_color_and_depth(color_raw, eight, depth_scale=10, depth_trunc=10)
+found["8 bits"] = np.asarray(gray.depth)
+found["gray"] = np.asarray(gray.color)

@@ -27,7 +27,7 @@ truth[:3, :3], truth[:3, 3] = turn, [0.5, -0.2, 0.3]
 source.transform(truth)
 target_down, target_fpfh = preprocess_point_cloud(target, voxel_size)
 found = {"features": [target_fpfh.dimension(), target_fpfh.num()]}
-sums = target_fpfh.data.sum(axis=0)  # of three histograms of 100 and their neighbours' 100
+sums = target_fpfh.data.sum(axis=0)  # of three histograms of 100 and their neighbors' 100
 found["each histogram is whole"] = bool(np.abs(sums - 600).max() < 1e-3)
 source_down = copy.deepcopy(target_down).transform(truth)
 source_fpfh = o3d.pipelines.registration.compute_fpfh_feature(

@@ -62,5 +62,5 @@ mesh.remove_triangles_by_mask(np.arange(len(mesh.triangles)) % 2 == 0)
 mesh.remove_unreferenced_vertices()
 found["every second"] = str(mesh)
 box.compute_adjacency_list()
-found["neighbours"] = [sorted(around) for around in box.adjacency_list][1]
+found["neighbors"] = [sorted(around) for around in box.adjacency_list][1]
 found["sphere"] = str(o3d.geometry.TriangleMesh.create_sphere(1.0, 10) + box)

@@ -3,7 +3,7 @@
 import numpy as np
 import open3d as o3d
 
-voxel_size = 0.047  # no multiple of two millimetres, on which depths lie: voxels' faces go between them
+voxel_size = 0.047  # no multiple of two millimeters, on which depths lie: voxels' faces go between them
 to_the_end = o3d.pipelines.registration.ICPConvergenceCriteria(1e-12, 1e-12, 300)
 camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
 

@@ -1,6 +1,6 @@
-"""Networks in the shape of published ONNX exports: their names, sizes, normalisation and last operations.
+"""Networks in the shape of published ONNX exports: their names, sizes, normalization and last operations.
 
-In place of weights they decode the picture: grey g of 0..255 is depth 1 + 9 g / 255 metres, which each then gives as
+In place of weights they decode the picture: gray g of 0..255 is depth 1 + 9 g / 255 meters, which each then gives as
 its family does. What ends in what is from the families' own code (src/pointloom/photogrammetry/depth/heads.py).
 """
 
@@ -22,17 +22,17 @@ UNIT = np.zeros(3), np.ones(3)
 BYTES = np.zeros(3), np.full(3, 1 / 255)
 
 FOCAL = 0.9  # of the pictures: the focal length over their width
-MOGE_SHIFT, MOGE_SCALE = 0.75, 1.6  # what MoGe's points lack of depth, before the scale to metres
+MOGE_SHIFT, MOGE_SCALE = 0.75, 1.6  # what MoGe's points lack of depth, before the scale to meters
 
 make = helper.make_node
 
 
 def picture_of(height: int = 60, width: int = 80) -> np.ndarray:
-    """A picture in whose grey lies the depth of a floor that comes nearer and a box before it."""
+    """A picture in whose gray lies the depth of a floor that comes nearer and a box before it."""
     v, u = np.mgrid[:height, :width]
-    grey = 220 - 150 * v / height + 20 * np.sin(5 * u / width)
+    gray = 220 - 150 * v / height + 20 * np.sin(5 * u / width)
     box = (abs(u / width - 0.6) < 0.15) & (abs(v / height - 0.5) < 0.2)
-    return np.repeat(np.where(box, 60, grey).round().astype(np.uint8)[..., None], 3, 2)
+    return np.repeat(np.where(box, 60, gray).round().astype(np.uint8)[..., None], 3, 2)
 
 
 def depth_of(picture: np.ndarray) -> np.ndarray:
@@ -89,12 +89,12 @@ def _bins() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
     nodes = [make("Sub", ["z", "one"], ["above"]), make("Div", ["above", "nine"], ["share"])]
     nodes += [make("Clip", ["share", "low", "high"], ["p"]), *_logit("p", "l"), make("Mul", ["l", "zero"], ["o"])]
     nodes += [make("Concat", ["o", "l"], ["logits"], axis=1), make("Softmax", ["logits"], ["shares"], axis=1)]
-    nodes += [make("Mul", ["shares", "centres"], ["parts"]), make("ReduceSum", ["parts", "axis"], ["m"], keepdims=1)]
+    nodes += [make("Mul", ["shares", "centers"], ["parts"]), make("ReduceSum", ["parts", "axis"], ["m"], keepdims=1)]
     nodes += [make("Squeeze", ["m", "axis"], ["out"])]
     constants = {
         name: np.float32(v) for name, v in {"one": 1, "nine": 9, "zero": 0, "low": 1e-4, "high": 0.9999}.items()
     }
-    return nodes, {**constants, "centres": np.array([1, 10], np.float32).reshape(1, 2, 1, 1)}
+    return nodes, {**constants, "centers": np.array([1, 10], np.float32).reshape(1, 2, 1, 1)}
 
 
 def _clamped() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
@@ -119,7 +119,7 @@ def _canonical() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
 
 
 def _metres() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """Depth Pro's `infer` at its own size: on to metres by the focal length that it found [px of 1536]."""
+    """Depth Pro's `infer` at its own size: on to meters by the focal length that it found [px of 1536]."""
     nodes = [make("Div", ["focal", "z"], ["raw"]), make("Relu", ["raw"], ["c"]), make("ReduceMean", ["z"], ["mean"])]
     nodes += [make("Mul", ["mean", "zero"], ["nothing"]), make("Add", ["nothing", "pixels"], ["focallength_px"])]
     nodes += [make("Div", ["width", "focallength_px"], ["w_f"]), make("Mul", ["c", "w_f"], ["inverse"])]
@@ -190,7 +190,7 @@ FILES: dict[str, tuple[str, Any, tuple[Any, Any], Any, str, tuple[str, ...]]] = 
     "zoedepth": ("zoedepth", HALF, OPEN, _bins, "pixel_values", ("predicted_depth",)),
     "zoedepth fixed": ("zoedepth", HALF, (384, 512), _bins, "pixel_values", ("predicted_depth",)),
     "depth pro": ("depth-pro", HALF, (1536, 1536), _canonical, "image", ("canonical_inverse_depth", "fov_deg")),
-    "depth pro metres": ("depth-pro", HALF, (1536, 1536), _metres, "pixel_values", PAIR),
+    "depth pro meters": ("depth-pro", HALF, (1536, 1536), _metres, "pixel_values", PAIR),
     "moge-2": ("moge-2", UNIT, OPEN, _points, "image", ("points", "mask", "metric_scale")),
     "unidepth": ("unidepth-v2", IMAGENET, (462, 616), _with_camera, "rgbs", ("pts_3d", "intrinsics")),
     "metric3d": ("metric3d-v2", BYTES, (616, 1064), _clamped, "image", ("pred_depth",)),

@@ -47,7 +47,7 @@ def test_a_picture_becomes_a_cloud_in_metres(folder):
     cloud = loom.read_point_cloud(folder / "out.ply")
     assert len(cloud) == each["points"] > 0.98 * SIDE**2
     np.testing.assert_allclose(loom.read_depth(folder / "depth.npy"), scene(), rtol=1e-3)
-    assert b"\ncomment pointloom depth: metres\n" in (folder / "out.ply").read_bytes()[:400]
+    assert b"\ncomment pointloom depth: meters\n" in (folder / "out.ply").read_bytes()[:400]
     image = loom.read_color(folder / "out.png")
     assert image.shape == (SIDE, SIDE, 3)
     assert (image != image[0, 0]).any(2).mean() > 0.3
@@ -57,7 +57,7 @@ def test_a_map_without_references_says_that_its_unit_is_arbitrary(folder):
     result = run(*words(folder))
     assert result.exit_code == 0, result.stderr
     for part in (
-        "units arbitrary: the nearest pixel is at 1; --align gives metres", "from assumed 60 degrees",
+        "units arbitrary: the nearest pixel is at 1; --align gives meters", "from assumed 60 degrees",
         "shapes are stretched if the lens was another: give --intrinsic", "CPUExecutionProvider", "Apache-2.0",
         "518 x 518, 518 x 518 for the network",
     ):  # fmt: skip

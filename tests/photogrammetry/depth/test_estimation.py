@@ -87,7 +87,7 @@ def test_files_of_references_are_those_of_arrays(network, tmp_path):
     np.testing.assert_allclose(loom.estimate_depth(PICTURE, path, align=tmp_path / "z.png").depth, z, rtol=2e-3)
     for name, text in (
         ("a.txt", "# measured\n100 500 {a}\n300 20 {b}\n"),
-        ("a.csv", "u,v,metres\n100,500,{a}\n300,20,{b}\n"),
+        ("a.csv", "u,v,meters\n100,500,{a}\n300,20,{b}\n"),
     ):
         (tmp_path / name).write_text(text.format(a=z[500, 100], b=z[20, 300]))
         found = loom.estimate_depth(PICTURE, path, align=tmp_path / name)
@@ -210,7 +210,7 @@ def test_references_that_do_not_fit_the_picture_are_refused(network, align, erro
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("1 2 3\n4 5\n", r"line 2\): expected u v metres"),
+        ("1 2 3\n4 5\n", r"line 2\): expected u v meters"),
         ("u v m\n1 2 three\n", "line 2"),
         ("# none\n", "no distances"),
     ],

@@ -1,4 +1,4 @@
-"""Networks of metric depth: what each gives is metres, and a file of another kind than the preset is refused."""
+"""Networks of metric depth: what each gives is meters, and a file of another kind than the preset is refused."""
 
 import numpy as np
 import pytest
@@ -29,7 +29,7 @@ def files(tmp_path_factory):
 
 
 def canonical(name, picture):
-    """What is to be divided by to get metres: the focal length of the input over that of the family."""
+    """What is to be divided by to get meters: the focal length of the input over that of the family."""
     if name not in BY_FOCAL:
         return 1.0
     model = PRESETS[FILES[name][0]]
@@ -52,7 +52,7 @@ def test_a_metric_network_gives_metres(name, files):
 
 @pytest.mark.parametrize(
     ("name", "size"),
-    [("depth pro", (60, 80)), ("depth pro metres", (80, 60)), ("moge-2", (80, 60)), ("unidepth", (80, 60))],
+    [("depth pro", (60, 80)), ("depth pro meters", (80, 60)), ("moge-2", (80, 60)), ("unidepth", (80, 60))],
 )
 def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(name, size, files):
     picture = picture_of(*size)
@@ -65,7 +65,7 @@ def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(n
     assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
 
 
-@pytest.mark.parametrize("name", ["depth pro", "depth pro metres"])
+@pytest.mark.parametrize("name", ["depth pro", "depth pro meters"])
 def test_a_known_focal_length_is_taken_in_place_of_depth_pro_s(name, files):
     picture = picture_of()
     found = loom.estimate_depth(picture, files[name], preset="depth-pro", intrinsic=camera_of(picture, 2 * FOCAL))
@@ -129,7 +129,7 @@ def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name
 
 
 def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
-    assert "does not say that its depth is in metres" in (
+    assert "does not say that its depth is in meters" in (
         loom.DepthModel(files["da3"], "depth-anything-3-metric").note or ""
     )
 
@@ -138,7 +138,7 @@ def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     for preset, meaning in (
         ("depth-anything-v2", "more where something is nearer"),
-        ("depth-anything-v2-metric", "metres"),
+        ("depth-anything-v2-metric", "meters"),
     ):
         assert meaning in (loom.DepthModel(path, preset).note or "")
 
@@ -186,15 +186,15 @@ def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tm
     path = linear(tmp_path / "m.onnx", size=(616, 1064))
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
         loom.DepthModel(path, "depth-anything-v2")
-    assert "metres" in (loom.DepthModel(path, "metric3d-v2").note or "")
+    assert "meters" in (loom.DepthModel(path, "metric3d-v2").note or "")
 
 
 @pytest.mark.parametrize("value", [190.0, 0.0])
 def test_a_view_that_no_lens_has_is_an_error(tmp_path, value):
     nodes = [
-        helper.make_node("ReduceMean", ["x"], ["grey"], axes=[1], keepdims=1),
-        helper.make_node("Relu", ["grey"], ["predicted_depth"]),
-        helper.make_node("ReduceMax", ["grey"], ["most"], keepdims=0),
+        helper.make_node("ReduceMean", ["x"], ["gray"], axes=[1], keepdims=1),
+        helper.make_node("Relu", ["gray"], ["predicted_depth"]),
+        helper.make_node("ReduceMax", ["gray"], ["most"], keepdims=0),
         helper.make_node("Mul", ["most", "zero"], ["nothing"]),
         helper.make_node("Add", ["nothing", "view"], ["field_of_view"]),
     ]

@@ -53,7 +53,7 @@ def test_sides_are_whole_multiples_and_never_nothing(name):
 
 def test_the_command_offers_every_preset():
     assert tuple(PRESETS) == depth_command.PRESETS
-    assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].licence
+    assert "Apache-2.0" in PRESETS[depth_command.PRESETS[0]].license
 
 
 def picture_of(size, seed=0):
@@ -61,7 +61,7 @@ def picture_of(size, seed=0):
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_the_normalisation_is_that_of_the_network_s_own_code(name):
+def test_the_normalization_is_that_of_the_network_s_own_code(name):
     preset, imagenet = PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
     own = {"dpt": ((0.5,) * 3, (0.5,) * 3), "metric3d-v2": ((0.0,) * 3, (1.0,) * 3)}
     own |= {"zoedepth": own["dpt"], "depth-pro": own["dpt"], "metric3d-convnext": own["metric3d-v2"]}
@@ -109,9 +109,9 @@ def test_a_map_of_whole_strides_covers_the_picture_to_its_borders(tmp_path):
     values, placement = model._run_placed(np.repeat(ramp[..., None], 3, 2))
     assert (placement.rows, placement.columns) == (518, 518)
     assert values.shape == (500, 500)
-    grey = np.mean([(ramp[250] / 255 - mean) / std for mean, std in zip(IMAGENET_MEAN, IMAGENET_STD, strict=True)], 0)
+    gray = np.mean([(ramp[250] / 255 - mean) / std for mean, std in zip(IMAGENET_MEAN, IMAGENET_STD, strict=True)], 0)
     cell = 14 * 500 / 518  # pixels that one of its numbers stands for
-    assert np.abs(values[250] - grey).max() < 0.6 * cell * (grey[499] - grey[0]) / 499
+    assert np.abs(values[250] - gray).max() < 0.6 * cell * (gray[499] - gray[0]) / 499
 
 
 def test_fixed_inputs_are_taken_as_they_are(tmp_path):
@@ -151,11 +151,11 @@ def test_square_exports_of_depth_anything_3_see_undistorted_pictures(tmp_path):
     values, placement = model._run_placed(picture)
     red = (200 / 255 - 0.485) / 0.229
     assert placement.used == (252, 504)
-    assert values[50, 100] == pytest.approx(red + red / 2, abs=1e-3)  # the mean around it is 0 once normalised
+    assert values[50, 100] == pytest.approx(red + red / 2, abs=1e-3)  # the mean around it is 0 once normalized
 
 
 def flat_estimate(tmp_path, name, picture, focal, **options):
-    """The estimate of a network that gives the red of a picture, 0..levels before its normalisation."""
+    """The estimate of a network that gives the red of a picture, 0..levels before its normalization."""
     preset = PRESETS[name]
     weights = (preset.std[0] / preset.levels * 255, 0, 0)
     offset = preset.mean[0] / preset.levels * 255
@@ -243,8 +243,8 @@ def mean_over(path, shape, axes, out, kind=FLOAT):
 HW = ["h", "w"]
 MODELS = {
     "two inputs": (two_inputs, "has the inputs image, mask"),
-    "colours last": (lambda p: mean_over(p, [1, *HW, 3], [3], [1, *HW]), "takes [1, 3, h, w]"),
-    "one colour": (lambda p: one_node(p, "Relu", [1, 1, *HW], [1, 1, *HW]), "takes [1, 3, h, w]"),
+    "colors last": (lambda p: mean_over(p, [1, *HW, 3], [3], [1, *HW]), "takes [1, 3, h, w]"),
+    "one color": (lambda p: one_node(p, "Relu", [1, 1, *HW], [1, 1, *HW]), "takes [1, 3, h, w]"),
     "three dimensions": (lambda p: one_node(p, "Relu", [3, *HW], [3, *HW]), "takes [1, 3, h, w]"),
     "a batch of 4": (lambda p: one_node(p, "Relu", [4, 3, *HW], [4, 3, *HW]), "takes [1, 3, h, w]"),
     "bytes": (lambda p: mean_over(p, [1, 3, *HW], [1], [1, *HW], TensorProto.UINT8), "takes floats"),

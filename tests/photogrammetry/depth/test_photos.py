@@ -1,4 +1,4 @@
-"""Pictures of all kinds as a network gets them: turned upright, grey, deep, transparent, tiny, huge, black."""
+"""Pictures of all kinds as a network gets them: turned upright, gray, deep, transparent, tiny, huge, black."""
 
 import math
 
@@ -91,20 +91,20 @@ def test_without_one_60_degrees_are_assumed_and_said():
         assert 2 * math.degrees(math.atan(160 / camera.fx)) == pytest.approx(60)
 
 
-def test_grey_deep_and_transparent_pictures_are_taken(tmp_path):
-    grey = np.repeat(UPRIGHT[..., None], 3, 2)
+def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
+    gray = np.repeat(UPRIGHT[..., None], 3, 2)
     deep = UPRIGHT.astype(np.uint16) * 257
     alpha = np.concatenate([RGB, np.full((*UPRIGHT.shape, 1), 7, np.uint8)], 2)
     files = {
-        "grey.png": (Image.fromarray(UPRIGHT), grey), "deep.png": (Image.fromarray(deep), grey),
-        "alpha.png": (Image.fromarray(alpha), RGB), "palette.png": (Image.fromarray(UPRIGHT).convert("P"), grey),
+        "gray.png": (Image.fromarray(UPRIGHT), gray), "deep.png": (Image.fromarray(deep), gray),
+        "alpha.png": (Image.fromarray(alpha), RGB), "palette.png": (Image.fromarray(UPRIGHT).convert("P"), gray),
     }  # fmt: skip
     for name, (picture, expected) in files.items():
         picture.save(tmp_path / name)
         np.testing.assert_array_equal(take_photo(tmp_path / name).color, expected, err_msg=name)
-    for array, expected in ((UPRIGHT, grey), (UPRIGHT[..., None], grey), (deep, grey), (alpha, RGB), (RGB, RGB)):
+    for array, expected in ((UPRIGHT, gray), (UPRIGHT[..., None], gray), (deep, gray), (alpha, RGB), (RGB, RGB)):
         np.testing.assert_array_equal(take_photo(array).color, expected)
-    np.testing.assert_array_equal(take_photo(np.stack([deep] * 3, -1).astype(">u2")).color, grey)
+    np.testing.assert_array_equal(take_photo(np.stack([deep] * 3, -1).astype(">u2")).color, gray)
 
 
 def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
@@ -113,7 +113,7 @@ def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
     found = loom.estimate_depth(line[None], model)
     assert found.depth.shape == (1, 30)
     assert len(found.to_point_cloud()) == 30
-    with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one colour shows no depth
+    with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one color shows no depth
         loom.estimate_depth(np.full((1, 1), 9, np.uint8), model)
 
 

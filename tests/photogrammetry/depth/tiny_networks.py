@@ -63,8 +63,8 @@ def linear(
 def in_strides(path: Path, stride: int = 14) -> Path:
     """Gives the mean of each whole square of so many pixels: what is left over at the right and below it drops."""
     nodes = [
-        helper.make_node("ReduceMean", ["x"], ["grey"], axes=[1], keepdims=1),
-        helper.make_node("AveragePool", ["grey"], ["cells"], kernel_shape=[stride] * 2, strides=[stride] * 2),
+        helper.make_node("ReduceMean", ["x"], ["gray"], axes=[1], keepdims=1),
+        helper.make_node("AveragePool", ["gray"], ["cells"], kernel_shape=[stride] * 2, strides=[stride] * 2),
         helper.make_node("Resize", ["cells", "", "scales"], ["depth"], mode="nearest"),
     ]
     sizes = [("x", FLOAT, [1, 3, "h", "w"])], [("depth", FLOAT, [1, 1, "rows", "columns"])]
@@ -128,6 +128,6 @@ def busy(path: Path) -> Path:
 
 
 def seen_by(preset: Any, picture: np.ndarray, weights: Sequence[float] = WEIGHTS) -> np.ndarray:
-    """What `linear` gives for a picture that goes in as it is, by the preset's normalisation."""
+    """What `linear` gives for a picture that goes in as it is, by the preset's normalization."""
     values = (picture.astype(np.float64) / 255 * preset.levels - preset.mean) / preset.std
     return values @ np.array(weights)

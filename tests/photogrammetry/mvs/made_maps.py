@@ -12,7 +12,7 @@ from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
 SMALL = loom.PinholeCameraIntrinsic(48, 36, 50.0, 51.0, 23.2, 17.9)
 LARGE = loom.PinholeCameraIntrinsic(64, 40, 66.0, 65.0, 30.7, 20.4)
 WALL = 3.0  # [m] z of the wall
-BALLS = ((0.1, -0.05, 2.2, 0.45), (-0.7, 0.3, 2.6, 0.3))  # centres and radii [m]
+BALLS = ((0.1, -0.05, 2.2, 0.45), (-0.7, 0.3, 2.6, 0.3))  # centers and radii [m]
 
 
 def pose(x: float, y: float = 0.0, turn: float = 0.0) -> np.ndarray:

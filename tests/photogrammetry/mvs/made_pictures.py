@@ -9,7 +9,7 @@ import pointloom as loom
 from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
 
 WIDTH, HEIGHT, FOCAL = 48, 36, 50.0
-NORMAL, DISTANCE = np.array([0.3, 0.1, -1.0]) / np.sqrt(1.1), 2.0  # n . X = -distance, towards the first camera
+NORMAL, DISTANCE = np.array([0.3, 0.1, -1.0]) / np.sqrt(1.1), 2.0  # n . X = -distance, toward the first camera
 
 
 def texture(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -35,7 +35,7 @@ def camera_at(x: float, y: float = 0.0, scale: float = 1.0) -> loom.mvs.PosedCam
 
 
 def look(camera: loom.mvs.PosedCamera) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
-    """What a camera sees of the plane: grey [h, w], and the depth [h, w]."""
+    """What a camera sees of the plane: gray [h, w], and the depth [h, w]."""
     lens = camera.intrinsic
     v, u = np.mgrid[: lens.height, : lens.width].astype(np.float64)
     rays = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], axis=-1)

@@ -65,7 +65,7 @@ def test_poses_the_wrong_way_round_are_asked_for():
 def test_planted_wrong_depth_goes_and_none_else(device, rng):
     maps = true_maps(4)
     before = loom.mvs.filter_depth_maps(maps, min_support=0, device=device)
-    faced = maps[1].normals[..., 2] < -0.6  # a ball's edge is grazed for centimetres
+    faced = maps[1].normals[..., 2] < -0.6  # a ball's edge is grazed for centimeters
     planted = (rng.random(faced.shape) < 0.1) & faced
     wrong = np.where(planted, maps[1].depth * rng.choice([0.5, 0.97, 1.03, 2.0], planted.shape), maps[1].depth)
     after = loom.mvs.filter_depth_maps(changed(maps, 1, wrong), min_support=0, device=device)

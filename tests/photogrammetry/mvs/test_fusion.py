@@ -26,7 +26,7 @@ def distance_to_scene(points, shift=(0.0, 0.0, 0.0)):
 
 
 def pictures_of(maps):
-    """Pictures whose colour is that of the picture's number."""
+    """Pictures whose color is that of the picture's number."""
     return [np.full((*each.depth.shape, 3), 40 * i, np.uint8) for i, each in enumerate(maps)]
 
 
@@ -49,7 +49,7 @@ def test_points_lie_on_the_surface_and_cover_all_that_is_seen_once(device, shift
     assert np.quantile(near, 0.02) > 0.2 * 1.5 / 66  # a fifth of the finest pixels on the balls
 
 
-def test_normals_colours_views_and_confidence_come_along(device):
+def test_normals_colors_views_and_confidence_come_along(device):
     maps = true_maps(3, balls=())
     cloud = loom.mvs.fuse(maps, pictures_of(maps), device=device)
     assert set(cloud.attributes) == {"confidence", "views"}
@@ -104,12 +104,12 @@ def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monk
         np.testing.assert_array_equal(again[name], expected[name])
 
 
-def test_pictures_of_another_size_and_grey_ones_are_taken():
+def test_pictures_of_another_size_and_gray_ones_are_taken():
     maps = true_maps(2, balls=())
     sizes = [each.depth.shape for each in maps]
     large = [np.full((2 * h, 2 * w, 3), 90, np.uint8) for h, w in sizes]
-    grey = [np.full(size, 90, np.uint8) for size in sizes]
-    for pictures in (large, grey):
+    gray = [np.full(size, 90, np.uint8) for size in sizes]
+    for pictures in (large, gray):
         np.testing.assert_allclose(loom.mvs.fuse(maps, pictures).colors, 90 / 255, atol=1e-6)
 
 
@@ -136,7 +136,7 @@ def test_a_mesh_in_utm_coordinates_is_that_near_zero(to):
 
 
 @pytest.mark.parametrize("to", ["tsdf", "poisson"])
-def test_a_mesh_may_be_finer_and_without_colours(to):
+def test_a_mesh_may_be_finer_and_without_colors(to):
     maps = true_maps(3)
     coarse, fine = (loom.mvs.fuse(maps, None, to=to, voxel_size=size) for size in (0.2, 0.08))
     assert len(fine) > 2 * len(coarse) > 0

@@ -1,4 +1,4 @@
-"""Depth where patches say nothing: a grey wall takes its frame's plane, and what stands before it keeps its shape."""
+"""Depth where patches say nothing: a gray wall takes its frame's plane, and what stands before it keeps its shape."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .test_estimation import ALL, digest
 WIDTH, HEIGHT, FOCAL = 96, 72, 100.0
 LENS = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, (WIDTH - 1) / 2, (HEIGHT - 1) / 2)
 SLANT, DISTANCE = 0.2, 2.0  # the wall is z = 2 + 0.2 x
-HALF_WIDE, HALF_HIGH = 0.6, 0.42  # of the grey part [m]
+HALF_WIDE, HALF_HIGH = 0.6, 0.42  # of the gray part [m]
 CENTER, RADIUS = np.array([0.0, 0.0, 1.6]), 0.32  # of the ball
 NOISE = 2.0  # [of 255]
 
@@ -34,7 +34,7 @@ def cameras() -> list[loom.mvs.PosedCamera]:
 
 
 def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Grey with a camera's noise, depth, and 0 for the frame, 1 for the grey wall, 2 for the ball: each [h, w]."""
+    """Gray with a camera's noise, depth, and 0 for the frame, 1 for the gray wall, 2 for the ball: each [h, w]."""
     v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
     rays = np.stack([(u - LENS.cx) / FOCAL, (v - LENS.cy) / FOCAL, np.ones_like(u)], axis=-1)
     start = camera.center
@@ -60,7 +60,7 @@ def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[n
     v, u = np.mgrid[2:HEIGHT:6, 2:WIDTH:6]
     depth = seen[0][1][v, u]
     points = np.stack([(u - LENS.cx) / FOCAL * depth, (v - LENS.cy) / FOCAL * depth, depth], -1)
-    points = points[seen[0][2][v, u] != 1]  # nobody finds features on the grey wall
+    points = points[seen[0][2][v, u] != 1]  # nobody finds features on the gray wall
     sparse = SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
     maps = loom.mvs.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
     wrong = [
@@ -71,7 +71,7 @@ def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[n
 
 
 def inner(kind: np.ndarray) -> np.ndarray:
-    """Where the grey wall is all that a window sees: beside the frame it counts as texture."""
+    """Where the gray wall is all that a window sees: beside the frame it counts as texture."""
     return ndimage.binary_erosion(kind == 1, iterations=3)
 
 
@@ -85,7 +85,7 @@ def filled():
     return estimate(False)
 
 
-def test_a_grey_wall_with_a_textured_frame_is_filled(device, filled):
+def test_a_gray_wall_with_a_textured_frame_is_filled(device, filled):
     maps, wrong, kind = estimate(False, device=device)
     for off, what in zip(wrong, kind, strict=True):
         assert (off[inner(what)] < 0.01).mean() > 0.95
@@ -98,13 +98,13 @@ def test_that_is_what_priors_do(monkeypatch):
     assert (wrong[0][inner(kind[0])] < 0.01).mean() < 0.5
 
 
-def test_a_grey_wall_is_kept_by_the_filter(filled):
+def test_a_gray_wall_is_kept_by_the_filter(filled):
     maps, _, kind = filled
     kept = loom.mvs.filter_depth_maps(maps)
     assert (kept[0].depth[inner(kind[0])] > 0).mean() > 0.8
 
 
-def test_a_textured_ball_before_a_grey_wall_stays_a_ball(monkeypatch, device):
+def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):
     _, wrong, kind = estimate(True, device=device)
     without_priors(monkeypatch)
     _, before, _ = estimate(True, device=device)

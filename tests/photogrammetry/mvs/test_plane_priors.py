@@ -1,4 +1,4 @@
-"""Planes of plain places: fitted to what is sure, walls of one colour parted, what lies before them left out."""
+"""Planes of plain places: fitted to what is sure, walls of one color parted, what lies before them left out."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_what_lies_before_a_wall_does_not_bend_its_plane(device):
     np.testing.assert_allclose(priors[~textured][:, 0], w[~textured], atol=1e-3)
 
 
-def test_two_walls_of_one_colour_have_a_plane_each(device):
+def test_two_walls_of_one_color_have_a_plane_each(device):
     w, textured = 0.5 + 0.004 * np.minimum(u, WIDTH - u), frame(10)
     priors = given(device, w, textured, ~textured)
     off = np.abs(priors[..., 0] - w)[~textured]

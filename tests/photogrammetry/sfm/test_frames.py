@@ -31,7 +31,7 @@ def blurred(frame: np.ndarray) -> np.ndarray:
 
 
 def softened(frame: np.ndarray) -> np.ndarray:
-    """A little less sharp than its neighbours, not blurred."""
+    """A little less sharp than its neighbors, not blurred."""
     return (0.85 * frame + 0.15 * blurred(frame)).astype(np.uint8)
 
 
@@ -89,14 +89,14 @@ def test_a_camera_that_goes_straight_ahead_or_rolls_slowly_is_not_still(panned):
     inner = [wide.crop((k / 3, k / 4, 320 - k / 3, 240 - k / 4)) for k in range(100)]
     rolled = [wide.rotate(0.1 * k, Image.Resampling.BICUBIC).crop((60, 45, 260, 195)) for k in range(100)]
     for frames in (inner, rolled):
-        grey = [np.asarray(frame.resize((160, 120), Image.Resampling.BILINEAR)) for frame in frames]
-        picker = picked(grey, max_gap=30)
+        gray = [np.asarray(frame.resize((160, 120), Image.Resampling.BILINEAR)) for frame in frames]
+        picker = picked(gray, max_gap=30)
         assert len(picker.chosen) >= 3 and max(np.diff(picker.chosen)) <= 32 and picker.still == 0
 
 
 def test_black_and_blank_frames_are_left_out(panned):
-    black, grey = np.zeros_like(panned[0]), np.full_like(panned[0], 120)
-    frames = [black, black, *panned[:10], grey, *panned[10:20], black]
+    black, gray = np.zeros_like(panned[0]), np.full_like(panned[0], 120)
+    frames = [black, black, *panned[:10], gray, *panned[10:20], black]
     picker = picked(frames)
     assert picker.blank == [0, 1, 12, 23] and not set(picker.blank) & set(picker.chosen)
     assert len(picker.chosen) >= 4 and picker.chosen[0] < 5
@@ -249,7 +249,7 @@ def test_no_frame_stands_twice_or_is_left_out_where_the_rate_varies(make_video, 
     """Frames of uneven times, as telephones write them in the dark."""
     expression = "setpts='if(lt(N,20),N,20+(N-20)*5)/10/TB'"
     video = make_video("uneven.mkv", panned, "-vf", expression, "-fps_mode", "vfr")
-    with video_files.VideoFrames(video_files.open_video(video), max_size=None, grey=True) as frames:
+    with video_files.VideoFrames(video_files.open_video(video), max_size=None, gray=True) as frames:
         errors = [np.abs(frame.astype(int) - panned[k]).mean() for k, frame in enumerate(frames)]
     assert len(errors) == 40 and max(errors) < 12
 
@@ -319,7 +319,7 @@ def test_photographs_are_turned_as_exif_says(panned, tmp_path, orientation):
         assert after.getexif().get_ifd(0x8769)[0xA405] == 28
 
 
-def test_grey_and_16_bit_photographs_become_8_bit(panned, tmp_path):
+def test_gray_and_16_bit_photographs_become_8_bit(panned, tmp_path):
     (tmp_path / "in").mkdir()
     for bits in (12, 16):
         for k in range(2):

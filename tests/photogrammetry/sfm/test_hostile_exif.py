@@ -56,7 +56,7 @@ FOCAL_LENGTHS = [
     ("film of a whole crop too little", GOOD | {FILM: 13}, "that on film says 35 px, that of the sensor 69 px"),
     ("digital zoom", GOOD | {FILM: 78, ZOOM: 3.0}, None),
     (
-        "centimetres for inches",
+        "centimeters for inches",
         {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 5, WIDTH: 4000},
         "the sensor would be 0.000233 mm wide",
     ),
@@ -65,13 +65,13 @@ FOCAL_LENGTHS = [
         {FOCAL: 4.25, ACROSS: 0.67, UNIT: 2, WIDTH: 4000},
         "the sensor would be 1.52e+05 mm wide",
     ),
-    ("inches for centimetres beside film", GOOD | {UNIT: 3}, "that on film says 69 px, that of the sensor 175 px"),
+    ("inches for centimeters beside film", GOOD | {UNIT: 3}, "that on film says 69 px, that of the sensor 175 px"),
     ("a sensor that is none beside film", GOOD | {UNIT: 4}, None),
     ("a unit that there is not", {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 77, WIDTH: 4000}, None),
     ("no width", GOOD | {WIDTH: 0, HEIGHT: 0}, None),
     ("no width and no film", {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 2, WIDTH: 0}, None),
     (
-        "metres of focal length",
+        "meters of focal length",
         {FOCAL: 4250.0, ACROSS: 17136.0, UNIT: 2, WIDTH: 4000},
         "4250 mm over a sensor of 5.93 mm",
     ),
@@ -111,13 +111,13 @@ def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
     assert found.to_dict()["notes"] == list(found.notes)
 
 
-@pytest.mark.parametrize("metres", [-4e8, 20_001.0])
-def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_path, metres):
-    sign = b"\1" if metres < 0 else b"\0"
-    places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(metres)})])
-    assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": metres}
-    assert places.notes() == [f"the altitude of 1 picture is rejected: a.jpg ({metres:g} m)"]
-    assert places.to_dict()["altitudes_refused"] == {"a.jpg": metres}
+@pytest.mark.parametrize("meters", [-4e8, 20_001.0])
+def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_path, meters):
+    sign = b"\1" if meters < 0 else b"\0"
+    places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(meters)})])
+    assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": meters}
+    assert places.notes() == [f"the altitude of 1 picture is rejected: a.jpg ({meters:g} m)"]
+    assert places.to_dict()["altitudes_refused"] == {"a.jpg": meters}
 
 
 @pytest.mark.parametrize("value", [0, 9, b"\0\2", b"\1\1"])

@@ -114,7 +114,7 @@ def inverses(T):
 
 
 def of_centers(T):
-    """World-to-camera rotations with the cameras' centres for translations."""
+    """World-to-camera rotations with the cameras' centers for translations."""
     out = T.copy()
     out[:, :3, 3] = np.linalg.inv(T)[:, :3, 3]
     return out
@@ -132,7 +132,7 @@ def of_centers(T):
         (lambda T: np.roll(T, 1, axis=0), "the one 1 before it"),
         (lambda T: T[np.random.default_rng(1).permutation(len(T))], "of other pictures, in another order"),
     ],
-    ids=["inverted", "OpenGL", "OpenGL inverted", "centres", "portrait", "reversed", "shifted", "shuffled"],
+    ids=["inverted", "OpenGL", "OpenGL inverted", "centers", "portrait", "reversed", "shifted", "shuffled"],
 )
 def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, said):
     wrong = with_poses(model, np.ascontiguousarray(mistake(model.T_camera_world)))

@@ -26,7 +26,7 @@ LENS = ("Maker", "Telephone 1", "5.2", "26", "")
 
 
 def scene() -> np.ndarray:
-    """48 x 64 pixels of colour that grows to the right and down, with a white patch to the upper left."""
+    """48 x 64 pixels of color that grows to the right and down, with a white patch to the upper left."""
     y, x = np.mgrid[0:48, 0:64]
     pixels = np.stack([4 * x, 5 * y, np.full_like(x, 40)], axis=2).astype(np.uint8)
     pixels[4:14, 6:26] = 250
@@ -47,10 +47,10 @@ def written(folder: Path, name: str) -> np.ndarray:
         return np.array(picture.convert("RGB")).astype(int)
 
 
-def dng(path: Path, grey: np.ndarray, *, cut: int = 0, orientation: int = 1) -> Path:
+def dng(path: Path, gray: np.ndarray, *, cut: int = 0, orientation: int = 1) -> Path:
     """A DNG of one 16-bit mosaic, red first, little-endian: the fewest tags that a raw decoder wants."""
-    height, width = grey.shape
-    data = grey.astype("<u2").tobytes()
+    height, width = gray.shape
+    data = gray.astype("<u2").tobytes()
     matrix = [(1, 1) if i % 4 == 0 else (0, 1) for i in range(9)]
     tags: dict[int, tuple[int, list]] = {
         254: (4, [0]), 256: (4, [width]), 257: (4, [height]), 258: (3, [16]), 259: (3, [1]), 262: (3, [32803]),
@@ -78,10 +78,10 @@ def dng(path: Path, grey: np.ndarray, *, cut: int = 0, orientation: int = 1) -> 
 
 
 def mosaic() -> np.ndarray:
-    """A white square to the upper left on grey, 48 x 64."""
-    grey = np.full((48, 64), 6000, np.uint16) + np.arange(64, dtype=np.uint16) * 40
-    grey[6:18, 8:24] = 50000
-    return grey
+    """A white square to the upper left on gray, 48 x 64."""
+    gray = np.full((48, 64), 6000, np.uint16) + np.arange(64, dtype=np.uint16) * 40
+    gray[6:18, 8:24] = 50000
+    return gray
 
 
 @pytest.mark.parametrize("orientation", [1, 6])
@@ -186,7 +186,7 @@ def test_a_raw_file_beside_its_jpeg_is_the_same_photograph(tmp_path):
     assert choice.notes == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
 
 
-def test_deep_grey_tiff_becomes_grey_of_8_bits(tmp_path):
+def test_deep_gray_tiff_becomes_gray_of_8_bits(tmp_path):
     (tmp_path / "in").mkdir()
     deep = (scene()[..., 0].astype(np.uint16)) * 256
     Image.fromarray(deep).save(tmp_path / "in" / "a.tif")

@@ -147,7 +147,7 @@ def test_blank_images_give_no_model_but_a_warning(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "remedy"), [("empty.png", "empty"), ("grey.png", "16-bit grey"), ("side.jpg", "lies on its side")]
+    ("name", "remedy"), [("empty.png", "empty"), ("gray.png", "16-bit gray"), ("side.jpg", "lies on its side")]
 )
 def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path, name, remedy):
     pictures = write_pictures(tmp_path / "pictures", walked[:2])
@@ -156,8 +156,8 @@ def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path
     if name == "empty.png":
         (pictures / name).touch()
     else:
-        pixels = walked[0].astype(np.uint16) * 256 if name == "grey.png" else walked[0]
-        Image.fromarray(pixels).save(pictures / name, **({} if name == "grey.png" else {"exif": exif}))
+        pixels = walked[0].astype(np.uint16) * 256 if name == "gray.png" else walked[0]
+        Image.fromarray(pixels).save(pictures / name, **({} if name == "gray.png" else {"exif": exif}))
     with pytest.raises(loom.FileError, match=rf"{name}.*{remedy}"):
         find_features(pictures, tmp_path / "f.db")
 

@@ -76,7 +76,7 @@ def test_more_than_forty_pictures_are_matched_in_a_row_and_by_looks(tmp_path, mo
 
     monkeypatch.setattr(matches, "run_job", run_job)
     for pairs in ("retrieval", "auto"):
-        report = match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbours=3)
+        report = match(database, tmp_path / "m.db", pairs=pairs, overlap=2, neighbors=3)
         with sqlite3.connect(tmp_path / "m.db") as connection:
             assert "a picture 07.png" in {name for (name,) in connection.execute("SELECT name FROM images")}
         connection.close()

@@ -22,12 +22,12 @@ FOUND = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500
 CALLS = f"""
 loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
 loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
-loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbours=5, use_gpu=None, {LIMITS})
+loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbors=5, use_gpu=None, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
 loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
 loom.sfm.assess_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
-loom.sfm.write_training_folder(folder=new(), model=model, pictures=[grey, grey], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
+loom.sfm.write_training_folder(folder=new(), model=model, pictures=[gray, gray], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
 loom.sfm.triangulate(pictures=pictures, cameras=posed, max_size=640, max_features=500, device="cpu", {LIMITS})
 """  # noqa: E501
 TABLE = {name.removeprefix("sfm."): call for name, call in read_table(CALLS, {}).items()}
@@ -97,8 +97,8 @@ def things() -> dict[str, Any]:
     model = loom.SfmModel(["a", "b"], [camera] * 2, poses, points=[[0, 0, 2.0]])
     named = {"loom": loom, "pictures": pictures, "database": database, "model": model}
     posed = loom.SfmModel(["view 0", "view 1"], [camera] * 2, poses)
-    grey = rng.integers(0, 256, (48, 64)).astype(np.uint8)
-    named |= {"posed": posed, "grey": grey, "seen": grey >= 0}
+    gray = rng.integers(0, 256, (48, 64)).astype(np.uint8)
+    named |= {"posed": posed, "gray": gray, "seen": gray >= 0}
     return named | {"new": lambda: folder() / f"new {next(numbers)}"}
 
 

@@ -110,7 +110,7 @@ def test_straightened_pixels_are_where_the_model_says(tmp_path):
             read += (shown[j + 1, i] * (1 - x + i) + shown[j + 1, i + 1] * (x - i)) * (y - j)
             places = dict(zip(model.observations[first, 1].tolist(), model.pixels[first, axis].tolist(), strict=True))
             off += (read - [places[point] for point in found.observations[mine, 1].tolist()]).tolist()
-        assert abs(np.mean(off)) < 0.05 and np.abs(off).max() < 0.4  # a step of grey is 0.4 px
+        assert abs(np.mean(off)) < 0.05 and np.abs(off).max() < 0.4  # a step of gray is 0.4 px
 
 
 def test_straight_pictures_are_copied_and_turned_or_other_ones_are_not(tmp_path):

@@ -42,7 +42,7 @@ def marks_of(poses, points=GROUND, names=NAMES, noise=0.0, most=8, seed=0):
 def control_of(
     poses, points=GROUND, names=NAMES, *, marks=None, noise=0.0, crs="EPSG:32632", wrong=(), checks=(), bars=(), seed=0
 ):
-    """Ground control in UTM, or in east, north and up of its own; `wrong` are (name, metres [3])."""
+    """Ground control in UTM, or in east, north and up of its own; `wrong` are (name, meters [3])."""
     rng = np.random.default_rng(seed + 100)
     known = FRAME.to_utm(points, int(crs[5:])) if crs else points.copy()
     known = known + rng.normal(size=known.shape) * (SIGMA if noise else 0.0)

@@ -33,7 +33,7 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
     control = control_of(poses, points, checks=("E",))
     model = model_of(poses)
     fit = fit_units(Units(control=control), model)
-    assert (fit.units, fit.by, fit.reliable, fit.notes, fit.is_upright) == ("metres", "control", True, (), True)
+    assert (fit.units, fit.by, fit.reliable, fit.notes, fit.is_upright) == ("meters", "control", True, (), True)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is turned by 0.0003 degrees
     found = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)
@@ -71,12 +71,12 @@ def test_a_check_point_does_not_move_the_model():
     assert "standard deviations off" in row(after, "E").remark
 
 
-@pytest.mark.parametrize(("wrong", "metres"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
-def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, metres):
-    fit = settle(noise=0.3, wrong=[(wrong, metres)], seed=2)
+@pytest.mark.parametrize(("wrong", "meters"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
+def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, meters):
+    fit = settle(noise=0.3, wrong=[(wrong, meters)], seed=2)
     assert [point.name for point in fit.control.points if point.use == "unused"] == [wrong]
     assert f"left out, {wrong} by " in str(fit.warnings) and "check their coordinates and marks" in str(fit.warnings)
-    np.testing.assert_allclose(row(fit, wrong).residual, -np.array(metres), atol=0.15)
+    np.testing.assert_allclose(row(fit, wrong).residual, -np.array(meters), atol=0.15)
     assert errors(fit, MODEL, POSES)[2] < 0.2
 
 
@@ -163,7 +163,7 @@ def test_another_zone_than_that_of_gps_is_reported():
         ("EPSG:32632", (5260000.0, 443500.0, 400.0), "x is the easting"),
         ("EPSG:4326", (470.5, 8.25, 400.0), "x the longitude and y the latitude"),
         ("EPSG:999999", (443500.0, 5260000.0, 400.0), "no coordinate system"),
-        ("EPSG:4978", (4.2e6, 6e5, 400.0), "expected metres of a map"),
+        ("EPSG:4978", (4.2e6, 6e5, 400.0), "expected meters of a map"),
         ("EPSG:2263", (9.8e5, 2e5, 40.0), "US survey foot"),
     ],
 )
@@ -196,7 +196,7 @@ def bars_alone(*bars, noise=0.0, align="none"):
 
 def test_scale_bars_alone_set_the_scale_and_nothing_else():
     fit = bars_alone(bar("A", "B"), bar("C", "E"))
-    assert (fit.units, fit.by, fit.reliable, fit.frame, fit.is_upright) == ("metres", "scale_bars", True, None, False)
+    assert (fit.units, fit.by, fit.reliable, fit.frame, fit.is_upright) == ("meters", "scale_bars", True, None, False)
     np.testing.assert_allclose(fit.T_world_model, np.diag([fit.scale] * 3 + [1]))
     assert abs(errors(fit, MODEL, POSES)[0]) < 1e-9
     assert max(abs(each.error) for each in fit.control.bars) < 1e-6

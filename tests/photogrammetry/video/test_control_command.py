@@ -34,8 +34,8 @@ def pictured(quick, film, tmp_path, monkeypatch):
     lines = ["local"]
     for name, place in zip("ABCDEF", PLACES, strict=True):
         for k in range(8):
-            centre = np.array([0.5 * k, -(1.0 - k % 2), 0.0])  # of the poses that the quick stage `model` finds
-            pixel = camera.project((place - centre)[None])[0] + 0.5
+            center = np.array([0.5 * k, -(1.0 - k % 2), 0.0])  # of the poses that the quick stage `model` finds
+            pixel = camera.project((place - center)[None])[0] + 0.5
             if (pixel > 0).all() and (pixel < (64, 48)).all():
                 lines.append(" ".join(f"{value:.6f}" for value in (*(2 * place), *pixel)) + f" {10 * k} {name}")
     path = tmp_path / "gcp.txt"
@@ -49,7 +49,7 @@ def test_control_is_told_in_report_and_summary_and_makes_the_mesh_alone_again(pi
     quick.ran.clear()
     report = answer(*args[:-1], "--force", "--resume", "--control", pictured)
     assert quick.ran == ["mesh"]
-    assert (report["fit"]["by"], report["units"], report["reliable"]) == ("control", "metres", True)
+    assert (report["fit"]["by"], report["units"], report["reliable"]) == ("control", "meters", True)
     assert abs(report["fit"]["scale"] - 2) < 1e-4 and len(report["fit"]["control"]["points"]) == 6
     assert report["fit"]["control"]["control_rms_m"] < 1e-4
     quick.ran.clear()

@@ -46,7 +46,7 @@ def test_the_list_of_odm_is_read(written):
     ]  # files count from the corner, we from the first pixel's middle
     assert found.marks[1].where.endswith("gcp.txt (line 3)")
     assert found.positions.tolist() == [[447000.0, 5260000.0, 410.0], [447040.0, 5260010.0, 411.5]]
-    assert (found.bars[0].metres, found.bars[0].sigma) == (41.2, 0.01)
+    assert (found.bars[0].meters, found.bars[0].sigma) == (41.2, 0.01)
 
 
 def test_a_csv_is_read_with_sigma_and_use(written):
@@ -67,7 +67,7 @@ def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(w
     found = loom.video.read_ground_control(written(ODM), scale_bars=bars)
     assert (len(found.bars), len(found.marks), found.crs) == (2, 6, "WGS84 UTM 32N")
     alone = "name,picture,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
-    assert Units(scale_bars=written(alone, "bars.csv")).ground.bars[0].metres == 1.5
+    assert Units(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
     with pytest.raises(FileError, match=r"gcp2\.txt"):
         loom.video.read_ground_control(None, scale_bars=written(ODM.replace("bar A", "# "), "gcp2.txt"))
 
@@ -88,9 +88,9 @@ def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(w
         (ODM.replace("240.5", "nan"), r"line 3\): expected column and row"),
         (ODM.replace("410.0", "inf"), r"line 2\): expected x, y and z"),
         (ODM.replace("bar A CHK-1 41.2", "bar A B 41.2"), "bars: A to B: no picture shows 'B'"),
-        (ODM.replace("41.2", "-41.2"), r"line 8\): metres: expected a finite number > 0"),
+        (ODM.replace("41.2", "-41.2"), r"line 8\): meters: expected a finite number > 0"),
         (ODM.replace("bar A CHK-1", "bar A A"), r"line 8\): b: expected the names of two points"),
-        (ODM.replace("bar A CHK-1 41.2 0.01", "bar A 41.2"), r"line 8\): expected `bar A B metres"),
+        (ODM.replace("bar A CHK-1 41.2 0.01", "bar A 41.2"), r"line 8\): expected `bar A B meters"),
         (ODM.replace("447040.0 5260010.0", "5260010.0 447040.0"), "x is the easting and y the northing"),
         (CSV.replace("name,x", "point,x"), "no coordinate system|line"),
         (CSV.replace("picture,column,row", "picture,row"), r"line 2\): the head lacks column"),

@@ -1,4 +1,4 @@
-"""GPS of pictures brings a model to metres with z up, or says why not; without it the cameras tell what is up."""
+"""GPS of pictures brings a model to meters with z up, or says why not; without it the cameras tell what is up."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def settle(poses, places, align=None, **known):
 def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
     poses = flight()
     fit, model = settle(poses, told(poses, wild=wild))
-    assert (fit.units, fit.by, fit.reliable, fit.notes) == ("metres", "exif", True, ())
+    assert (fit.units, fit.by, fit.reliable, fit.notes) == ("meters", "exif", True, ())
     assert fit.gps.left_out == tuple(f"IMG_{k:04d}.jpg" for k in wild)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-8 and off < 1e-5

@@ -118,7 +118,7 @@ def test_the_unit_is_that_of_the_poses_unless_more_is_known():
     camera = loom.CameraModel("PINHOLE", 64, 48, [60, 60, 32, 24])
     model = loom.SfmModel(["1.png", "2.png"], [camera] * 2, steps(2))
     assert fit_as_given(fit_units(loom.video.Units(), model)).units == OF_POSES
-    assert fit_as_given(fit_units(loom.video.Units(scale=2.0), model)).units == "metres"
+    assert fit_as_given(fit_units(loom.video.Units(scale=2.0), model)).units == "meters"
 
 
 def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkeypatch):

@@ -17,7 +17,7 @@ STAGES = ["frames", "features", "matches", "model", "undistorted", "depth", "fus
 
 
 def places_of(count=COUNT, size=20.0, level=True):
-    """What the quick stages' pictures tell where a unit is `size` metres, x is east and y north, as in their poses."""
+    """What the quick stages' pictures tell where a unit is `size` meters, x is east and y north, as in their poses."""
     k = np.arange(count)
     enu = size * np.column_stack([0.5 * k, np.where(k % 2 == 0, -1.0, 0.0), np.zeros(count)])
     enu[:, 1] *= level

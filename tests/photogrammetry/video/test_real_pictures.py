@@ -93,7 +93,7 @@ def test_a_known_distance_gives_metres_and_makes_the_mesh_alone_again(made, phot
     report = run_in(folder, photos, "--resume", "--force", "--known", known)
     assert [name for name, stage in report["stages"].items() if not stage["kept"]] == ["mesh"]
     assert errors_of_cameras(folder, views).scale == pytest.approx(1.0, abs=0.005)
-    assert b"\ncomment units metres\n" in (folder / "mesh.ply").read_bytes()[:300]
+    assert b"\ncomment units meters\n" in (folder / "mesh.ply").read_bytes()[:300]
     bounds = report["mesh"]["bounds"]
     assert 2 < np.linalg.norm(np.subtract(bounds["max"], bounds["min"])) < 6  # the room is 5 m x 4 m x 2.6 m
 

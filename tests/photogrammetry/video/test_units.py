@@ -29,7 +29,7 @@ def write_places(path, names=NAMES, places=PLACES):
 
 @pytest.mark.parametrize(
     ("scale", "told"),
-    [(None, {"units": "arbitrary", "scale": 1.0, "by": None}), (2.5, {"units": "metres", "scale": 2.5, "by": "scale"})],
+    [(None, {"units": "arbitrary", "scale": 1.0, "by": None}), (2.5, {"units": "meters", "scale": 2.5, "by": "scale"})],
 )
 def test_a_factor_makes_metres_and_without_one_the_unit_is_arbitrary(scale, told):
     fit = fit_units(Units(scale=scale), model_of())
@@ -42,7 +42,7 @@ def test_a_factor_makes_metres_and_without_one_the_unit_is_arbitrary(scale, told
 )
 def test_the_distance_of_two_cameras_makes_metres(names):
     fit = fit_units(Units(known=(*names, 6.0)), model_of())
-    assert fit.units == "metres"
+    assert fit.units == "meters"
     assert fit.scale == pytest.approx(2.0, rel=1e-12)  # they are 3 apart
 
 

@@ -23,7 +23,7 @@ loom.video.Settings(max_frames=30, max_size=320, intrinsic=None, units=units, se
 loom.video.Units(scale=2.0, known=None, align=None, places=None, control=None, scale_bars=None)
 loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:32632", checks=["A"], path="gcp.txt")
 loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
-loom.video.ScaleBar(a="A", b="B", metres=1.5, sigma=0.01)
+loom.video.ScaleBar(a="A", b="B", meters=1.5, sigma=0.01)
 loom.video.read_ground_control(path=gcp, scale_bars=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])

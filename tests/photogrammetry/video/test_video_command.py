@@ -145,8 +145,8 @@ def test_an_unknown_unit_stands_in_the_file_and_a_known_one_too(quick, film, out
     assert answer("video", film, "-o", output)["units"] == "arbitrary"
     assert b"\ncomment units arbitrary\n" in output.read_bytes()
     report = answer("video", film, "-o", output, "--scale", 3, "--force", "--trajectory", tmp_path / "poses.log")
-    assert (report["units"], report["fit"]["scale"]) == ("metres", 3.0)
-    assert b"\ncomment units metres\n" in output.read_bytes()
+    assert (report["units"], report["fit"]["scale"]) == ("meters", 3.0)
+    assert b"\ncomment units meters\n" in output.read_bytes()
     np.testing.assert_allclose(loom.read_triangle_mesh(output).vertices.max(axis=0), [3, 3, 3])
     steps = np.linalg.norm(np.diff(loom.read_trajectory(tmp_path / "poses.log").poses[::2, :3, 3], axis=0), axis=1)
     np.testing.assert_allclose(steps, 3.0)  # two steps of half a unit
@@ -188,8 +188,8 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
     [
         (["--scale", "2", "--known", "0,10,1"], "--scale and --known both settle the unit"),
         (["--scale", "0"], "expected a number above 0"),
-        (["--known", "0,10"], "expected two pictures and metres above 0"),
-        (["--known", ",10,-1"], "expected two pictures and metres above 0"),
+        (["--known", "0,10"], "expected two pictures and meters above 0"),
+        (["--known", ",10,-1"], "expected two pictures and meters above 0"),
         (["--max-frames", "1"], "--max-frames"),
         (["--max-size", "10"], "--max-size"),
         (["--resume"], "--resume goes with --work"),

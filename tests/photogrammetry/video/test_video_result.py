@@ -32,11 +32,11 @@ def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch)
 def test_mesh_cloud_and_model_lie_in_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     arbitrary = loom.video.reconstruct(film)
-    metres = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
-    assert (metres.units, metres.fit.scale) == ("metres", 3.0)
-    np.testing.assert_allclose(metres.mesh.vertices, 3 * arbitrary.mesh.vertices, atol=1e-6)
-    np.testing.assert_allclose(metres.cloud.points, 3 * arbitrary.cloud.points, atol=1e-6)
-    np.testing.assert_allclose(metres.model.centers, 3 * arbitrary.model.centers, atol=1e-6)
+    meters = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
+    assert (meters.units, meters.fit.scale) == ("meters", 3.0)
+    np.testing.assert_allclose(meters.mesh.vertices, 3 * arbitrary.mesh.vertices, atol=1e-6)
+    np.testing.assert_allclose(meters.cloud.points, 3 * arbitrary.cloud.points, atol=1e-6)
+    np.testing.assert_allclose(meters.model.centers, 3 * arbitrary.model.centers, atol=1e-6)
 
 
 def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_path, monkeypatch):

@@ -1,4 +1,4 @@
-"""Posed frames to a mesh: accuracy, order, colour, and what a wrong call is told."""
+"""Posed frames to a mesh: accuracy, order, color, and what a wrong call is told."""
 
 import dataclasses
 import threading
@@ -102,13 +102,13 @@ def test_reading_ahead_changes_no_bit(device, walk):
     assert len(meshes[0]) > 1000
 
 
-def test_the_wall_keeps_its_place_and_its_colour(device):
+def test_the_wall_keeps_its_place_and_its_color(device):
     mesh = loom.fuse(Wall(), voxel_size=0.02, device=device).mesh
     np.testing.assert_allclose(mesh.vertices[:, 2], 1.0, atol=1e-4)
     np.testing.assert_allclose(mesh.vertex_colors, np.tile([1, 128 / 255, 0], (len(mesh.vertices), 1)), atol=0.005)
 
 
-def test_frames_without_colour_give_a_mesh_without():
+def test_frames_without_color_give_a_mesh_without():
     result = loom.fuse(Wall(color=False), voxel_size=0.02)
     assert len(result.mesh) > 0
     assert result.mesh.vertex_colors is None

@@ -1,4 +1,4 @@
-"""Pictures of a made-up corner of a room with a ball, by rays: their depth, their colours and their poses are exact."""
+"""Pictures of a made-up corner of a room with a ball, by rays: their depth, their colors and their poses are exact."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def pose_of(turns, shift):
 
 
 def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
-    """Depth, float32 [h, w] [m], and colours, uint8 [h, w, 3], seen from a pose; noise as that of a Kinect times it."""
+    """Depth, float32 [h, w] [m], and colors, uint8 [h, w, 3], seen from a pose; noise as that of a Kinect times it."""
     v, u = np.mgrid[: camera.height, : camera.width]
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
     ways, origin = rays @ pose[:3, :3].T, pose[:3, 3]

@@ -20,7 +20,7 @@ MATRIX = [[CAMERA.fx, 0, CAMERA.cx], [0, CAMERA.fy, CAMERA.cy], [0, 0, 1]]
 
 
 def made_pictures():
-    """Two made pictures with holes, depth in whole millimetres."""
+    """Two made pictures with holes, depth in whole millimeters."""
     pictures = []
     for k, pose in enumerate(POSES):
         depth, color = picture(pose, noise=0.3, seed=k)

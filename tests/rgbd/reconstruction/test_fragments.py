@@ -103,10 +103,10 @@ def test_a_frame_that_is_gone_breaks_the_fragment(tmp_path):
     [
         (lambda frame: {"depth": (frame.depth // 256).astype(np.uint8)}, "its depth is uint8"),
         (lambda frame: {"depth": frame.depth[::2, ::2]}, "its depth is"),
-        (lambda frame: {"color": frame.color[::2, ::2]}, "its colour is"),
-        (lambda frame: {"color": frame.color.astype(np.float32)}, "its colour is float32"),
+        (lambda frame: {"color": frame.color[::2, ::2]}, "its color is"),
+        (lambda frame: {"color": frame.color.astype(np.float32)}, "its color is float32"),
     ],
-    ids=["depth of 8 bits", "depth of another size", "colour of another size", "colour in floats"],
+    ids=["depth of 8 bits", "depth of another size", "color of another size", "color in floats"],
 )
 def test_a_frame_of_another_kind_is_left_out_by_name(tmp_path, change, said):
     found = make_fragments(Walk(range(3), changed={2: change(frame_at(2))}), config(), tmp_path)
@@ -122,7 +122,7 @@ def test_depth_alone_is_enough(tmp_path):
     assert not fragment.read_cloud().has_colors
 
 
-@pytest.mark.parametrize("shade", [128, None], ids=["one shade of grey", "no colour"])
+@pytest.mark.parametrize("shade", [128, None], ids=["one shade of gray", "no color"])
 def test_a_room_without_texture_is_followed_where_its_shape_says_how(tmp_path, shade):
     """Frames of corners and furniture, whose least certain motion costs two to four times what the verdict asks for."""
     steps = range(92, 98)
@@ -133,7 +133,7 @@ def test_a_room_without_texture_is_followed_where_its_shape_says_how(tmp_path, s
     assert drift_of(found.fragments[0], walk) < 0.005
 
 
-def test_a_frame_without_colour_among_others_takes_the_clouds_colour_and_nothing_else(tmp_path):
+def test_a_frame_without_color_among_others_takes_the_clouds_color_and_nothing_else(tmp_path):
     walk = Walk(range(4), changed={2: {"color": None}})
     (fragment,) = make_fragments(walk, config(), tmp_path).fragments
     assert len(fragment) == 4
@@ -141,9 +141,9 @@ def test_a_frame_without_colour_among_others_takes_the_clouds_colour_and_nothing
 
 
 def test_depth_in_metres_is_taken_as_such(tmp_path):
-    metres = {i: {"depth": frame_at(i).depth.astype(np.float32) / 1000} for i in range(3)}
+    meters = {i: {"depth": frame_at(i).depth.astype(np.float32) / 1000} for i in range(3)}
     first = make_fragments(Walk(range(3)), config(), tmp_path / "a").fragments[0]
-    second = make_fragments(Walk(range(3), changed=metres), config(), tmp_path / "b").fragments[0]
+    second = make_fragments(Walk(range(3), changed=meters), config(), tmp_path / "b").fragments[0]
     assert np.array_equal(first.poses, second.poses)
 
 

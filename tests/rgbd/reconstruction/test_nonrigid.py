@@ -123,7 +123,7 @@ def test_a_single_fragment_is_left_as_it_is(tmp_path):
     assert report.mesh == plain.mesh
 
 
-def test_frames_without_colour_are_bent_too(tmp_path, device):
+def test_frames_without_color_are_bent_too(tmp_path, device):
     walk = bent_walk(4)
     changed = {i: change | {"color": None} for i, change in walk.changed.items()}
     report = rec.run_system(Walk(walk.indices, changed=changed), SETTINGS, tmp_path, slac=True, device=device)

@@ -44,4 +44,4 @@ def test_every_sixth_frame_of_the_kitchen_is_placed(tmp_path, real_file):
     names = {"n_frames_per_fragment": 25, "tsdf_voxel_size": 0.02}
     report = run_system(frames, Config(**names), tmp_path)
     assert (report.used, report.frames) == (50, 50)
-    assert report.trajectory_error["rmse"] < 0.06  # the true poses are good for centimetres
+    assert report.trajectory_error["rmse"] < 0.06  # the true poses are good for centimeters

@@ -134,7 +134,7 @@ def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
 
 @pytest.mark.slow
 def test_submaps_after_a_loss_are_found_again():
-    """Two that tracking put metres away, turned round, after it was lost."""
+    """Two that tracking put meters away, turned round, after it was lost."""
     submaps, _, _ = room_run(drift=0.0)
     lost = pose_of(np.array([0.0, 0.0, 2.5, 9.0, 4.0, 1.0]))
     run = [*submaps[:2], moved(submaps[5], lost, follows=False), moved(submaps[6], lost)]

@@ -73,12 +73,12 @@ def test_a_covered_lens_sees_nothing_and_the_pose_stays_true():
         assert np.array_equal(frame.color, np.zeros_like(known.color) if dark else known.color)
 
 
-def test_frames_may_lack_colour():
+def test_frames_may_lack_color():
     frame = room_loop_sequence(9, **SMALL, color=False, blur=0.5).read(3)
     assert frame.color is None and frame.depth.any()
 
 
-def test_blur_takes_detail_from_colour_and_leaves_depth(device):
+def test_blur_takes_detail_from_color_and_leaves_depth(device):
     sharp, blurred = (room_loop_sequence(300, **SMALL, blur=blur, device=device).read(10) for blur in (0.0, 2.0))
     assert np.array_equal(sharp.depth, blurred.depth)
     detail = [np.abs(np.diff(frame.color.astype(float), axis=1)).mean() for frame in (sharp, blurred)]

@@ -97,7 +97,7 @@ def test_a_lost_camera_is_found_again_from_a_keyframe(device):
     assert_found([first, second], frames(1, 2))
 
 
-def test_a_flat_wall_without_colour_is_uncertain_as_long_as_it_lasts(device):
+def test_a_flat_wall_without_color_is_uncertain_as_long_as_it_lasts(device):
     """3 mm of noise, as of a real camera; nothing is fused but the frame that the world begins with."""
     rng, slam = np.random.default_rng(0), begun(device)
     for number in range(8):
@@ -181,8 +181,8 @@ def test_pictures_of_another_size_are_refused(device):
 
 def test_an_image_pair_is_a_frame(device):
     shown, slam = frame(0), begun(device)
-    grey = loom.RGBDImage.create_from_color_and_depth(shown.color, shown.depth, depth_trunc=4.0)
-    assert slam.step(grey).verdict == "tracked"
+    gray = loom.RGBDImage.create_from_color_and_depth(shown.color, shown.depth, depth_trunc=4.0)
+    assert slam.step(gray).verdict == "tracked"
     assert slam.step(loom.RGBDImage(frame(1).color, frame(1).depth, depth_trunc=4.0)).verdict == "tracked"
 
 

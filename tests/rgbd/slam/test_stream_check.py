@@ -1,4 +1,4 @@
-"""Colour and depth of one moment: what comes twice, and what comes late, is told; what is right is not."""
+"""Color and depth of one moment: what comes twice, and what comes late, is told; what is right is not."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def stalled(taken, first, last):
     return [changed(f, depth=taken[first - 1].depth) if first <= k <= last else f for k, f in enumerate(taken)]
 
 
-def test_a_depth_picture_that_came_before_is_rejected_under_colours_that_move(device):
+def test_a_depth_picture_that_came_before_is_rejected_under_colors_that_move(device):
     taken, slam = frames(*range(10)), begun(device)
     results = slam.run(stalled(taken, 2, 8))  # a thirtieth of a second each
     assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
@@ -45,7 +45,7 @@ def test_frames_that_repeat_whole_are_a_camera_that_stands_still(device):
     assert verdicts(slam.run([first] * 5)) == ["tracked"] * 5
 
 
-def test_colours_that_are_only_noisy_do_not_move(device):
+def test_colors_that_are_only_noisy_do_not_move(device):
     slam, first = begun(device), changed(frames(0)[0], timestamp=None)
     rng = np.random.default_rng(1)
 
@@ -62,7 +62,7 @@ def test_a_lens_that_stays_covered_is_blank_and_no_stall(device):
 
 
 def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
-    """A StreamLag of a hand-held camera whose colours come so many frames late; half of each shift is noise."""
+    """A StreamLag of a hand-held camera whose colors come so many frames late; half of each shift is noise."""
     rng, lag = np.random.default_rng(seed), StreamLag()
     shake = rng.normal(size=(count + 200, 2)) + 3 * np.sin(np.arange(count + 200) / 40)[:, None]
     noise = 0.5 * rng.normal(size=(2, count, 2))
@@ -73,7 +73,7 @@ def trembling(count: int, late: int, seed: int = 0, period: float | None = None)
 
 
 @pytest.mark.parametrize("late", [5, 15, 30, -5, -30])
-def test_colours_that_come_late_or_early_are_told_with_the_time(late):
+def test_colors_that_come_late_or_early_are_told_with_the_time(late):
     lag = trembling(90, late, period=1 / 30)
     assert lag.frames == late and math.isclose(lag.seconds, abs(late) / 30)
     assert trembling(90, late).frames == late

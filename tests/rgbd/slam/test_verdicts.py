@@ -70,5 +70,5 @@ def test_each_figure_counts_in_tracking(change, verdict):
         ({"overlap": 0.4, "fitness": 0.4}, "lost"),
     ],
 )
-def test_each_figure_counts_where_a_place_is_recognised(change, verdict):
+def test_each_figure_counts_where_a_place_is_recognized(change, verdict):
     assert judge_recognition(dataclasses.replace(GOOD, **change), SURE_OVERLAP)[0] == verdict

@@ -1,4 +1,4 @@
-"""Animations and videos: as many frames as steps, at their pace, in the colours that were drawn."""
+"""Animations and videos: as many frames as steps, at their pace, in the colors that were drawn."""
 
 from __future__ import annotations
 

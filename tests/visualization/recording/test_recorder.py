@@ -152,7 +152,7 @@ def test_rgbd_odometry_chains_the_motions(path):
     assert [frame.label for frame in r.timeline.frames] == ["frame 1: aligned", "frame 2: aligned"]
 
 
-def test_clusters_take_their_colours_in_the_order_of_their_labels(device, path):
+def test_clusters_take_their_colors_in_the_order_of_their_labels(device, path):
     sheets = [bumps(300) + np.array([0, 0, 5 * k]) for k in range(3)]
     cloud = loom.PointCloud(np.vstack([*sheets, [[90.0, 0, 0]]]), device=device)
     with loom.record(path) as r:
@@ -289,7 +289,7 @@ def test_memory_is_bounded_by_dropping_frames(path, monkeypatch):
     assert r.timeline.frames[-1].label == "39"
 
 
-def test_utm_coordinates_keep_their_millimetres(path):
+def test_utm_coordinates_keep_their_millimeters(path):
     points = bumps(50)
     with loom.record(path) as r:
         r.add("target", loom.PointCloud(points + UTM))
@@ -378,8 +378,8 @@ def test_what_cannot_be_shown_is_refused_by_name(path):
         r.add("thing", "a string")
     with pytest.raises(TypeError, match="name"):
         r.add(3, bumps(3))  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="colour"):
-        r.add("cloud", bumps(3), colour=(1, 0, 0))
+    with pytest.raises(ValueError, match="shade"):
+        r.add("cloud", bumps(3), shade=(1, 0, 0))
     for call in (lambda: r.update("no", bumps(3)), lambda: r.set_pose("no", np.eye(4)), lambda: r.remove("no")):
         with pytest.raises(KeyError, match="no"):
             call()
@@ -418,7 +418,7 @@ def test_stages_stand_before_the_labels_and_fragments_come_one_by_one(path):
     np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
 
 
-def test_a_texture_becomes_colours_of_vertices(path):
+def test_a_texture_becomes_colors_of_vertices(path):
     texture = np.zeros((2, 2, 3), np.uint8)
     texture[0] = 255, 0, 0  # the upper row
     texture[1] = 0, 0, 255

@@ -1,4 +1,4 @@
-"""Colours of clouds: by what, between which limits, with which names; the maps are those of the public definitions."""
+"""Colors of clouds: by what, between which limits, with which names; the maps are those of the public definitions."""
 
 import hashlib
 
@@ -28,7 +28,7 @@ def cloud(device):
     )
 
 
-def test_every_way_of_colouring_gives_colours_for_all_points(cloud):
+def test_every_way_of_coloring_gives_colors_for_all_points(cloud):
     kinds = {"rgb": "rgb", "normal": "rgb", "label": "labels"} | dict.fromkeys(
         ["x", "height", "ring", "intensity"], "values"
     )
@@ -68,7 +68,7 @@ def test_limits_of_many_values_come_from_a_sample(cloud, monkeypatch):
     assert color_cloud(cloud, "ring").limits == tuple(np.quantile(values, [0.02, 0.98]))
 
 
-def test_values_that_are_not_finite_are_grey_and_do_not_set_limits(device):
+def test_values_that_are_not_finite_are_gray_and_do_not_set_limits(device):
     values = np.array([0.0, np.nan, 2.0, np.inf, 1.0])
     found = color_cloud(loom.PointCloud(np.zeros((5, 3)), device=device, v=values), "v", limits=None)
     assert found.has_missing and found.limits == pytest.approx((0.04, 1.96))
@@ -76,7 +76,7 @@ def test_values_that_are_not_finite_are_grey_and_do_not_set_limits(device):
     assert found.entries() == [("none", MISSING)]
 
 
-def test_nothing_but_nan_is_grey(device):
+def test_nothing_but_nan_is_gray(device):
     points = np.full((3, 3), np.nan)
     for by in ("height", np.full(3, np.nan)):
         found = color_cloud(loom.PointCloud(points, device=device), by)
@@ -84,13 +84,13 @@ def test_nothing_but_nan_is_grey(device):
         np.testing.assert_allclose(found.colors.numpy(), [MISSING] * 3, atol=1e-6)
 
 
-def test_a_constant_takes_the_colour_in_the_middle(device):
+def test_a_constant_takes_the_color_in_the_middle(device):
     found = color_cloud(loom.PointCloud(np.ones((4, 3)), device=device), "x")
     assert found.limits == (1.0, 1.0)
     np.testing.assert_allclose(found.colors.numpy(), [colormap_table("viridis")[127:129].mean(axis=0)] * 4, atol=1e-6)
 
 
-def test_labels_take_the_palette_and_noise_is_dark_grey(cloud):
+def test_labels_take_the_palette_and_noise_is_dark_gray(cloud):
     found = color_cloud(cloud, "label")
     assert list(found.names.items())[:2] == [(-1, "noise"), (0, "label 0")] and len(found.names) == 5
     expected = np.vstack([NOISE, PALETTE[:4] / 255])[cloud.attributes["label"] + 1]
@@ -105,7 +105,7 @@ def test_classes_of_las_have_their_names(device):
     assert color_cloud(cloud, "classification", colormap="turbo").kind == "values"
 
 
-def test_an_array_is_coloured_as_an_attribute_is(cloud):
+def test_an_array_is_colored_as_an_attribute_is(cloud):
     same = color_cloud(cloud, cloud.attributes["intensity"])
     np.testing.assert_array_equal(same.colors.numpy(), color_cloud(cloud, "intensity").colors.numpy())
     assert color_cloud(cloud, np.arange(500)).kind == "labels"
@@ -133,7 +133,7 @@ def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
             {},
             "color_by: there is no 'heigth'; expected one of 'height', 'x', 'y', 'z'; did you mean 'height'",
         ),
-        ("rgb", {}, "no colours"),
+        ("rgb", {}, "no colors"),
         ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
         ("pair", {}, "'pair' has 2 numbers a point"),
         ([1, 2, 3], {}, r"color_by: expected shape \[2\]"),
@@ -143,13 +143,13 @@ def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
         ("z", {"limits": 3}, "limits"),
     ],
 )
-def test_what_a_cloud_cannot_be_coloured_by_is_told(by, options, message):
+def test_what_a_cloud_cannot_be_colored_by_is_told(by, options, message):
     cloud = loom.PointCloud(np.zeros((2, 3)), pair=np.zeros((2, 2)))
     with pytest.raises(ValueError, match=message):
         color_cloud(cloud, by, **options)
 
 
-def test_only_clouds_are_coloured():
+def test_only_clouds_are_colored():
     with pytest.raises(TypeError, match="cloud:"):
         color_cloud(np.zeros((2, 3)), "z")  # pyright: ignore[reportArgumentType]
 
@@ -175,7 +175,7 @@ def test_maps_are_the_public_ones(name):
     assert np.abs(table - expected).max() <= 1
 
 
-def test_colours_are_the_same_bits_everywhere(device):
+def test_colors_are_the_same_bits_everywhere(device):
     rng = np.random.default_rng(5)
     cloud = loom.PointCloud(
         rng.random((3000, 3)) + UTM, device=device, v=rng.normal(size=3000), normals=rng.normal(size=(3000, 3))
@@ -186,7 +186,7 @@ def test_colours_are_the_same_bits_everywhere(device):
     assert digest.hexdigest() == "291c5aced75ae7e0ce03f575694d2f23909a22992e838de1e1e7122116921e61"
 
 
-def test_a_colour_bar_names_the_unit_of_the_cloud():
+def test_a_color_bar_names_the_unit_of_the_cloud():
     points = [[0, 0, 0], [1, 2, 3]]
     for unit, title in ((None, "height [m]"), ("metre", "height [m]"), ("US survey foot", "height [US ft]")):
         assert color_cloud(loom.PointCloud(points, unit=unit), "height").title == title

@@ -59,7 +59,7 @@ def test_each_kind_has_its_name_parts_and_box(name, device):
         assert low == pytest.approx(reach[0]) and high == pytest.approx(reach[1])
 
 
-def test_an_oriented_box_and_the_boxes_colour_are_drawn():
+def test_an_oriented_box_and_the_boxes_color_are_drawn():
     box = loom.OrientedBoundingBox([0, 0, 0], np.eye(3), [2, 2, 2])
     box.color = (0.2, 0.4, 0.6)
     [part] = parts_of(box)
@@ -135,7 +135,7 @@ def test_names_are_those_given_or_told_apart_by_numbers():
     assert [n for n, _, _ in named_geometries({"a": cloud, "b": {"geometry": mesh, "wireframe": True}})] == ["a", "b"]
 
 
-def test_several_clouds_without_colours_get_different_ones():
+def test_several_clouds_without_colors_get_different_ones():
     cloud, colored = loom.PointCloud(CUBE), loom.PointCloud(CUBE, colors=CUBE)
     chosen = [
         style.color
@@ -206,9 +206,9 @@ def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
 @pytest.mark.parametrize(
     ("keys", "kind", "message"),
     [
-        ({"colour": (1, 0, 0)}, ValueError, "'colour'"),
+        ({"color": (1, 0, 0)}, ValueError, "'color'"),
         ({"color": "red"}, TypeError, "color"),
-        ({"color": (255, 180, 0)}, ValueError, "color: expected 0..1.*divide 8-bit colours by 255"),
+        ({"color": (255, 180, 0)}, ValueError, "color: expected 0..1.*divide 8-bit colors by 255"),
         ({"color": (0.5, np.nan, 0)}, ValueError, "color: expected 0..1"),
         ({"point_size": -1}, ValueError, "point_size"),
         ({"line_width": "thin"}, TypeError, "line_width"),
@@ -223,7 +223,7 @@ def test_styles_out_of_range_are_refused(keys, kind, message):
         named_geometries({"geometry": loom.PointCloud(CUBE), **keys})
 
 
-def test_a_mesh_is_coloured_by_what_its_vertices_hold():
+def test_a_mesh_is_colored_by_what_its_vertices_hold():
     mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).paint_uniform_color((1, 0, 0))
     mesh.vertex_attributes["bend"] = np.array([-1.0, 0.0, 1.0])
     [part] = parts_of(mesh, Style(color_by="bend", colormap="gray", limits=(-1, 1)))

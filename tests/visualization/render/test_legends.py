@@ -1,4 +1,4 @@
-"""Legends, colour bars and labels: all inside the picture, in the right colours, nothing over anything else."""
+"""Legends, color bars and labels: all inside the picture, in the right colors, nothing over anything else."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def count(canvas, color):
 
 
 @pytest.mark.parametrize("corner", ["upper left", "upper right", "lower left", "lower right"])
-def test_a_legend_lies_in_its_corner_with_a_square_of_each_colour(canvas, corner):
+def test_a_legend_lies_in_its_corner_with_a_square_of_each_color(canvas, corner):
     draw_legend(canvas, [(f"name {k}", color) for k, color in enumerate(COLORS)], corner)
     left, top, right, bottom = changed(canvas)
     assert (left < 15) == ("left" in corner) and (right > 304) == ("right" in corner)
@@ -46,12 +46,12 @@ def test_names_without_room_are_counted_and_long_ones_cut(canvas):
 def test_no_entries_draw_nothing(canvas):
     draw_legend(canvas, [])
     draw_color_bar(canvas, Coloring(None, "labels"))
-    draw_color_bar(canvas, Coloring(None, "rgb", title="colour"))
+    draw_color_bar(canvas, Coloring(None, "rgb", title="color"))
     assert draw_labels(canvas, []) == 0
     assert count(canvas, DARK) == 320 * 240
 
 
-def test_a_colour_bar_shows_the_map_with_its_low_end_below(canvas):
+def test_a_color_bar_shows_the_map_with_its_low_end_below(canvas):
     draw_color_bar(canvas, Coloring(None, "values", (0.0, 3.0), "turbo", title="height [m]"))
     left, top, right, bottom = changed(canvas)
     assert left > 200 and right < 319 and top > 20 and bottom < 220
@@ -61,7 +61,7 @@ def test_a_colour_bar_shows_the_map_with_its_low_end_below(canvas):
     assert rows[0] < rows[1] - 30
 
 
-def test_a_grey_entry_stands_for_what_is_missing(canvas):
+def test_a_gray_entry_stands_for_what_is_missing(canvas):
     coloring = {"limits": (0.0, 3.0), "colormap": "viridis"}
     other = canvas.copy()
     draw_color_bar(canvas, Coloring(None, "values", has_missing=True, **coloring))

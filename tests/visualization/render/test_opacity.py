@@ -14,7 +14,7 @@ RED, BLUE, GREEN = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)
 
 
 def wall(z, color, opacity=1.0, half=3.0):
-    """A square across the whole picture (or a part of it) at a depth [m], as bright as its colour."""
+    """A square across the whole picture (or a part of it) at a depth [m], as bright as its color."""
     corners = np.array([[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]])
     mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]])
     return {"geometry": mesh, "color": color, "opacity": opacity, "shaded": False}
@@ -96,7 +96,7 @@ def test_depth_is_of_what_is_solid(device):
     assert depth[24, 32] == pytest.approx(3.0) and depth[0, 0] == 0
 
 
-def test_a_transparent_background_leaves_colours_and_how_opaque_they_are(device):
+def test_a_transparent_background_leaves_colors_and_how_opaque_they_are(device):
     picture = draw(wall(2, RED, 0.4), wall(3, BLUE, half=0.3), background="transparent", device=device)
     assert picture.shape == (*SIZE[::-1], 4) and repr(picture) == "Picture(64 x 48)" and picture._repr_png_()
     assert middle(picture) == [102, 0, 153, 255]

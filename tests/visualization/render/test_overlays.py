@@ -14,7 +14,7 @@ ENTRIES = [("a name", (1.0, 0.0, 0.0)), ("a longer name", (0.0, 0.0, 1.0))]
 
 
 def slab(shape, device):
-    """A cloud as wide, deep and high as told, in known colours."""
+    """A cloud as wide, deep and high as told, in known colors."""
     rng = np.random.default_rng(0)
     return loom.PointCloud(rng.random((3000, 3)) * shape, label=np.zeros(3000, np.int32), device=device)
 

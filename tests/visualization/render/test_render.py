@@ -1,4 +1,4 @@
-"""Pictures: silhouettes of the right size, colours and depths where they belong, the same bits each time, refusals."""
+"""Pictures: silhouettes of the right size, colors and depths where they belong, the same bits each time, refusals."""
 
 import contextlib
 from types import SimpleNamespace
@@ -62,7 +62,7 @@ def x_of_ramp(columns):
     return 4 * slope / (1 - 2 * slope)
 
 
-def test_vertex_colours_are_interpolated_in_perspective(device):
+def test_vertex_colors_are_interpolated_in_perspective(device):
     vertices, triangles, view = ramp()
     colors = np.column_stack([(vertices[:, 0] + 1) / 2, np.zeros(4), np.zeros(4)])
     mesh = loom.TriangleMesh(vertices, triangles, vertex_colors=colors)
@@ -130,7 +130,7 @@ def test_a_painted_mesh_is_lit_as_one_without_colors_is(device, with_normals):
     painted = ball.paint_uniform_color([1, 0.6, 0.2])
     image = loom.render(painted, straight_view(5.0), device=device)
     assert np.unique(image.reshape(-1, 3), axis=0).shape[0] > 50
-    assert np.abs(image.astype(int) - plain).max() <= 1  # colours between three corners are rounded
+    assert np.abs(image.astype(int) - plain).max() <= 1  # colors between three corners are rounded
     bare = loom.render({"geometry": painted, "shaded": False}, straight_view(5.0), device=device)
     assert np.unique(bare[60, 50:110], axis=0).tolist() == [[255, 153, 51]]
 
@@ -168,7 +168,7 @@ def test_the_order_of_triangles_does_not_change_the_picture(device):
     assert (first != loom.render(mesh, None, SMALL, device=device)).mean() < 0.01
 
 
-def test_points_keep_their_colours_and_one_point_is_a_disc(device):
+def test_points_keep_their_colors_and_one_point_is_a_disc(device):
     cloud = loom.PointCloud([[0, 0, 0]], colors=[[1.0, 0, 0]])
     image = loom.render(cloud, straight_view(2.0), point_size=20, device=device)
     assert (image[60, 80] == (255, 0, 0)).all()
@@ -200,7 +200,7 @@ def test_crowded_points_look_as_when_each_is_drawn(device):
     assert np.abs(crowded.astype(int) - alone).mean() < 8
 
 
-def test_points_behind_their_neighbours_are_darker_and_those_with_normals_are_lit(device):
+def test_points_behind_their_neighbors_are_darker_and_those_with_normals_are_lit(device):
     x, y = np.meshgrid(np.linspace(-1, 1, 200), np.linspace(-1, 1, 200))
     step = np.column_stack([x.ravel(), y.ravel(), np.where(x < 0, 0.0, 0.5).ravel()])
     options = {"camera": straight_view(6.0), "device": device}
@@ -227,7 +227,7 @@ def test_lines_are_seen_over_the_faces_that_they_lie_in(device, lean):
     assert 0.97 * alone < red <= 1.15 * alone  # over the blue cube pixels at the rim count from a smaller share on
 
 
-def test_line_widths_and_colours_are_kept_apart(device):
+def test_line_widths_and_colors_are_kept_apart(device):
     lines = loom.LineSet([[-1, -0.2, 0], [1, -0.2, 0], [-1, 0.2, 0], [1, 0.2, 0]], [[0, 1], [2, 3]])
     lines = loom.LineSet(lines.points, lines.lines, [[1, 0, 0], [0, 1, 0]])
     image = loom.render([{"geometry": lines, "line_width": 4}], straight_view(2.0), device=device)
@@ -320,13 +320,13 @@ def test_nothing_gives_the_background(device, nothing):
     assert np.unique(image.reshape(-1, 3), axis=0).tolist() == [[51, 102, 255]] and not depth.any()
 
 
-def test_colours_out_of_range_are_clamped(device):
+def test_colors_out_of_range_are_clamped(device):
     cloud = SimpleNamespace(points=[[0, 0, 0]], colors=[[7.0, -3.0, np.nan]])
     image = loom.render(cloud, straight_view(2.0), point_size=20, device=device)
     assert image[60, 80].tolist() == [255, 0, 0]
 
 
-def test_labels_legends_and_colour_bars_are_drawn(device):
+def test_labels_legends_and_color_bars_are_drawn(device):
     rng = np.random.default_rng(0)
     cloud = loom.PointCloud(rng.random((500, 3)))
     shown = {"geometry": cloud, "name": "dust", "color_by": "height", "colormap": "jet"}
@@ -349,7 +349,7 @@ def test_labels_legends_and_colour_bars_are_drawn(device):
     ("change", "kind", "message"),
     [
         ({"size": (2**17, 4)}, ValueError, "size"),
-        ({"background": "mauve"}, ValueError, "background: expected one of white, black, grey, gray, transparent"),
+        ({"background": "mauve"}, ValueError, "background: expected one of white, black, gray, gray, transparent"),
         ({"up": (0, 0, 0)}, ValueError, "up: expected a direction"),
         ({"camera": {"zom": 1}}, ValueError, "'zom'"),
         ({"camera": "no-file.json"}, FileError, "no-file"),

@@ -112,7 +112,7 @@ WAVE = [0, 5, 9, 10, 7, 3, -2, -6, -9, -10, -8, -4]  # no sine: another library 
 
 
 def ground(device):
-    """A picture of many colours."""
+    """A picture of many colors."""
     rows, columns = np.mgrid[: FIGURE[1], : FIGURE[0]]
     image = np.stack([rows, columns % 256, (rows * columns) % 256], axis=-1).astype(np.uint8)
     return Canvas.of_image(image, device)
@@ -150,11 +150,11 @@ def color_bar_figure(device):
 
 
 PICTURES = {
-    "cloud with colours": lambda: ([loom.PointCloud(hills(), colors=colors())], {}),
+    "cloud with colors": lambda: ([loom.PointCloud(hills(), colors=colors())], {}),
     "cloud with normals": lambda: (normals(), {}),
     "cloud with its normals drawn": lambda: (normals(15), {"point_show_normal": True, "point_size": 3}),
     "eye-dome cloud": lambda: (loom.PointCloud(hills()), {}),
-    "points in metres": lambda: ({"geometry": hills(20), "point_size": 0.08, "metric": True}, {}),
+    "points in meters": lambda: ({"geometry": hills(20), "point_size": 0.08, "metric": True}, {}),
     "flat mesh": lambda: (mesh(), {}),
     "smooth mesh": lambda: (mesh(vertex_colors=colors(25)), {"shading": "smooth"}),
     "wireframe": lambda: (mesh(), {"mesh_show_wireframe": True}),
@@ -165,7 +165,7 @@ PICTURES = {
     "cameras and trajectory": lambda: (cameras(), {}),
     "voxel grid": lambda: ({"geometry": voxels(), "wireframe": True}, {}),
     "labels and legend": lambda: ({"hills": mesh()}, {"legend": True, "labels": [("top", [1, 2, 0.9])]}),
-    "colour bar": lambda: (titled(), {"color_bar": True}),
+    "color bar": lambda: (titled(), {"color_bar": True}),
     "seen through": lambda: (veils(), {"background": "black", "scale_bar": True}),
     "without a background": lambda: (veils(), {"background": "transparent", "labels": [("top", [1, 2, 0.9])]}),
 }

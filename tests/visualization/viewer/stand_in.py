@@ -63,7 +63,7 @@ class Page:
 
     @property
     def rows(self) -> dict[str, tuple[Any, ...]]:
-        """The rows of its tree: label, visible, colour, by key."""
+        """The rows of its tree: label, visible, color, by key."""
         self.look()
         return self._rows
 

@@ -119,7 +119,7 @@ def test_what_is_kept_has_a_bound(city):
 
 
 @pytest.mark.parametrize("by", ["height", "classification"])
-def test_nodes_have_the_colours_of_the_whole(city, by):
+def test_nodes_have_the_colors_of_the_whole(city, by):
     tree = CopcTree(city, first=1)
     item = make_item("city", 0, tree.head, Style(), tree)
     limits = (245.0, 255.0) if by == "height" else None

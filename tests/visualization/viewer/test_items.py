@@ -1,4 +1,4 @@
-"""What the viewer makes of geometries before any page is there: coordinates, colours, surfaces, cameras, shares."""
+"""What the viewer makes of geometries before any page is there: coordinates, colors, surfaces, cameras, shares."""
 
 import dataclasses
 import math
@@ -125,7 +125,7 @@ def test_a_mesh_is_sent_whole(device):
     assert np.allclose(sent["normals"], mesh.vertex_normals)
 
 
-def test_a_mesh_has_the_colours_of_its_vertices_or_the_warm_grey_of_our_pictures():
+def test_a_mesh_has_the_colors_of_its_vertices_or_the_warm_gray_of_our_pictures():
     assert arrays_of(loom.TriangleMesh(SQUARE, FACES))[1]["plain"].tolist() == [204, 199, 189]
     colored = loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.tile([[1, 0, 0.5]], (4, 1)))
     assert arrays_of(colored)[1]["colors"].tolist() == [[255, 0, 128]] * 4

@@ -286,7 +286,7 @@ def test_of_many_moments_the_recording_has_some_and_the_newest(viewer, tmp_path)
     assert len(moments) == 10 and moments[-1][0] == "9.9 s"
     viewer.save_recording(tmp_path / "run.html", max_frames=10, title="run")
     assert "run, 10 of 100 moments" in (tmp_path / "run.html").read_text()
-    for wrong in ({"fps": 0}, {"max_points": 0}, {"max_frames": 1}, {"colour": 1}):
+    for wrong in ({"fps": 0}, {"max_points": 0}, {"max_frames": 1}, {"color": 1}):
         with pytest.raises((ValueError, TypeError), match=next(iter(wrong))):
             viewer.save_recording(tmp_path / "a.html", **wrong)
     assert [path.name for path in tmp_path.iterdir()] == ["run.html"]

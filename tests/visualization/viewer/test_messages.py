@@ -157,7 +157,7 @@ def test_hostile_messages_reach_no_call_of_the_program(server):
 def test_a_page_sets_the_value_of_a_control_and_nothing_else_of_it(server):
     seen = []
     gui = server.pages.gui
-    slider, color = gui.add_slider("size", 0.0, 10.0, 0.5, 5.0), gui.add_dropdown("colour", ("height", "rgb"), "rgb")
+    slider, color = gui.add_slider("size", 0.0, 10.0, 0.5, 5.0), gui.add_dropdown("color", ("height", "rgb"), "rgb")
     span, words = gui.add_range("span", 0, 1, 0.1, (0.2, 0.8)), gui.add_words("ours")
     slider.on_update(lambda event: seen.append(event.value))
     with page_of(server) as line:

@@ -95,7 +95,7 @@ def nodes_of(page, stream):
     return [page.nodes[node.id] for node in stream._nodes]
 
 
-def test_colours_size_pose_and_visibility_reach_all_steps(small_steps, rng):
+def test_colors_size_pose_and_visibility_reach_all_steps(small_steps, rng):
     with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3)), colors=rng.random((1000, 3))))
         stream = stream_of(shown)
@@ -210,8 +210,8 @@ def red(picture):
     return int(((picture[..., 0] > 200) & (picture[..., 1] < 80)).sum())
 
 
-def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colours(rng):
-    """Its colours are with its levels alone."""
+def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colors(rng):
+    """Its colors are with its levels alone."""
     points = rng.random((500, 3)) * [4, 4, 0.5]
     page = StandIn(cloud=loom.PointCloud(points))
     colored = loom.PointCloud(points, colors=np.tile([1.0, 0.0, 0.0], (500, 1)))

@@ -167,7 +167,7 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
 
 
 def test_points_are_sent_where_they_lie(client, stream, tree):
-    """Within a quarter of a pixel, near and far, half a million metres from zero."""
+    """Within a quarter of a pixel, near and far, half a million meters from zero."""
     precisions = []
     for view in (FAR, moved(FAR, 70.0), moved(FAR, 115.0)):
         stream.look(view)
@@ -221,7 +221,7 @@ def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
     assert client.count("add") - sent < 0.2 * len(tree), "but what came near enough to want exact positions"
 
 
-def test_colours_go_with_their_points(client, stream, tree):
+def test_colors_go_with_their_points(client, stream, tree):
     stream.look(FAR)
     sent, colors = client.world() + UTM, np.concatenate([node.colors for node in client.seen()])
     for k in range(0, len(sent), 4999):
@@ -287,7 +287,7 @@ def test_an_overtaken_look_stops(client, stream, monkeypatch):
     assert client.threads.count(threading.get_ident()) == 1, "no batch behind the first"
 
 
-def test_new_colours_reach_all_that_is_shown_and_come_back_right(client, stream):
+def test_new_colors_reach_all_that_is_shown_and_come_back_right(client, stream):
     near = moved(FAR, 120.0)
     stream.look(near)
     stream.look(FAR)

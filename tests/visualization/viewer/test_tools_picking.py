@@ -177,7 +177,7 @@ def test_all_that_a_cloud_knows_of_a_point_is_told():
         wind=np.array([[0.5, 2.0]]),
     )
     rows = dict(describe_point(cloud, 0))
-    assert rows["index"] == "0" and rows["colour"] == "255 128 0" and rows["normal"] == "0.0000 0.0000 1.0000"
+    assert rows["index"] == "0" and rows["color"] == "255 128 0" and rows["normal"] == "0.0000 0.0000 1.0000"
     assert rows["label"] == "7" and rows["wind"] == "0.5 2"
     assert [float(rows[axis]) for axis in "xyz"] == pytest.approx([412_345.1, 5_412_345.25, 297.0], abs=1e-6)
     assert dict(describe_point(cloud, 0, np.array([1.0, 2.0, 3.0])))["y"] == "2"

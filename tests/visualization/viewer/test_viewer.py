@@ -145,19 +145,19 @@ def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
             kinds = {name: {node.kind for node in found} for name, found in nodes.items()}
             assert kinds == {"mesh": {"triangles"}, "box": {"lines"}, "path": {"lines"}, "voxels": {"triangles"}}
             (mesh,) = nodes["mesh"]
-            assert mesh.plain == [204, 199, 189] and mesh.lit  # the warm grey of our pictures
+            assert mesh.plain == [204, 199, 189] and mesh.lit  # the warm gray of our pictures
             assert words_of(one).endswith(" triangles") and "points" not in words_of(one)
 
 
 def test_points_are_lit_as_in_our_pictures(shown, page, rng):
     points, normals = rng.random((50, 3)), np.tile([[0, 0, 1.0]], (50, 1))
     shown.add("plain", cloud_of(points, normals=normals))
-    shown.add("own colours", cloud_of(points, normals=normals, colors=points))
+    shown.add("own colors", cloud_of(points, normals=normals, colors=points))
     shown.add("flat", cloud_of(points), shaded=False)
     assert (node_of(shown, page, "plain").normals == [0, 0, 32767]).all()  # light falls on them at an angle
-    assert "normals" not in node_of(shown, page, "own colours")
+    assert "normals" not in node_of(shown, page, "own colors")
     reliefs = {name: node_of(shown, page, name).relief for name in shown.items}
-    assert reliefs == {"plain": False, "own colours": True, "flat": False}
+    assert reliefs == {"plain": False, "own colors": True, "flat": False}
 
 
 def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
@@ -181,11 +181,11 @@ def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
 def test_sizes_of_points_are_pixels_or_metres(shown, page, rng):
     shown.add("pixels", cloud_of(rng.random((50, 3))))
     shown.add("twice", cloud_of(rng.random((50, 3))), point_size=6)
-    shown.add("metres", cloud_of(rng.random((50, 3))), point_size=0.01, metric=True)
+    shown.add("meters", cloud_of(rng.random((50, 3))), point_size=0.01, metric=True)
     sizes = lambda: {n: (node_of(shown, page, n).size, node_of(shown, page, n).metric) for n in shown.items}  # noqa: E731
-    assert sizes() == {"pixels": (3.0, False), "twice": (6.0, False), "metres": (0.01, True)}
+    assert sizes() == {"pixels": (3.0, False), "twice": (6.0, False), "meters": (0.01, True)}
     shown.point_size = 4.5
-    assert sizes() == {"pixels": (4.5, False), "twice": (9.0, False), "metres": (0.01, True)}
+    assert sizes() == {"pixels": (4.5, False), "twice": (9.0, False), "meters": (0.01, True)}
 
 
 def test_update_replaces_points_and_colors_in_one_message(shown, page, rng):
@@ -502,11 +502,11 @@ def test_colors_go_by_what_is_known_of_the_points(shown, page, rng):
     shades = {tuple(color) for color in node_of(shown, page, "cloud").colors.tolist()}
     assert {tuple(color) for _, color, _ in legend.entries} == shades
     shown.color_by("height", colormap="gray", limits=(0.25, 0.75))
-    grey = node_of(shown, page, "cloud").colors[:, 0]
+    gray = node_of(shown, page, "cloud").colors[:, 0]
     order = np.argsort(points[:, 2])
-    assert (np.diff(grey[order].astype(int)) >= 0).all()
-    assert grey[points[:, 2] < 0.25].max() == 0
-    assert grey[points[:, 2] > 0.75].min() == 255
+    assert (np.diff(gray[order].astype(int)) >= 0).all()
+    assert gray[points[:, 2] < 0.25].max() == 0
+    assert gray[points[:, 2] > 0.75].min() == 255
     assert page.control("low").value == 0.25
     assert page.control("map").value == "gray"
     assert page.of_kind("legend") == []
@@ -601,7 +601,7 @@ def test_the_panel_lists_what_is_there(shown, page, rng):
     shown.add("three", loom.TriangleMesh(SQUARE, FACES))
     shown.catch_up()
     assert list(page.rows) == ["one", "two", "three"]
-    assert tuple(page.control("by").options) == ("own colours", "height", "x", "y", "ring")
+    assert tuple(page.control("by").options) == ("own colors", "height", "x", "y", "ring")
     (tree,) = page.of_kind("tree")
     page.say("value", id=tree.id, value=[["one", "three", "gone meanwhile"], False])
     assert [item.visible for item in shown.items.values()] == [False, True, False]
@@ -611,7 +611,7 @@ def test_the_panel_lists_what_is_there(shown, page, rng):
     shown.remove("two")
     shown.catch_up()
     assert list(page.rows) == ["one", "three"]
-    assert tuple(page.control("by").options) == ("own colours", "height", "x", "y")
+    assert tuple(page.control("by").options) == ("own colors", "height", "x", "y")
 
 
 def test_an_empty_scene_says_how_to_fill_it(shown, page):
@@ -730,7 +730,7 @@ def test_pages_know_the_unit_of_their_scale_bar_where_all_of_the_scene_is_in_one
         shown.add("feet", loom.PointCloud([[0, 0, 0], [2, 2, 2]], unit="ft"))
         assert told(page) == "ft"
         with pytest.warns(loom.UnitWarning):
-            shown.add("metres", loom.PointCloud([[0, 0, 0], [3, 3, 3]], unit="m"))
+            shown.add("meters", loom.PointCloud([[0, 0, 0], [3, 3, 3]], unit="m"))
         assert told(page) is None
         shown.remove("feet")
         assert told(page) == "m"

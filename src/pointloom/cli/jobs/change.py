@@ -112,7 +112,7 @@ def change_files(
     """
     job = Job("change", earlier, **settings)
     job.check(output, LABELLED, what="attributes")
-    job.check(painted, COLORED, what="colours")
+    job.check(painted, COLORED, what="colors")
     if picture is not None:
         check_picture(picture, overwrite=job.form["overwrite"])
     check_systems(earlier, later)

@@ -111,11 +111,11 @@ def estimate_normals_of_file(
     *,
     radius: float | None = None,
     max_nn: int = 30,
-    towards: tuple[float, float, float] | None = None,
+    toward: tuple[float, float, float] | None = None,
     direction: tuple[float, float, float] | None = None,
     **settings: Unpack[Settings],
 ) -> NormalsReport:
-    """Write a cloud with estimated normals, optionally oriented `towards` a point [m] or in a `direction`.
+    """Write a cloud with estimated normals, optionally oriented `toward` a point [m] or in a `direction`.
 
     Uses `max_nn` neighbors (with the point) within `radius` [m] or at any distance.
     """
@@ -124,8 +124,8 @@ def estimate_normals_of_file(
     cloud = job.read_cloud()
     with job.stage("normals", judged=True):
         with_normals = cloud.estimate_normals(radius=radius, max_nn=max_nn)
-        if towards is not None:
-            with_normals = with_normals.orient_normals_towards_camera_location(towards)
+        if toward is not None:
+            with_normals = with_normals.orient_normals_towards_camera_location(toward)
         if direction is not None:
             with_normals = with_normals.orient_normals_to_align_with_direction(direction)
     with job.stage("check"):
@@ -146,7 +146,7 @@ def _warning(cloud: PointCloud, radius: float) -> str | None:
     if lonely <= 0.5:
         return None
     m = symbol_of(cloud.unit)
-    few = f"{format_share(lonely)} of the points have fewer than 3 neighbours within {radius:g} {m}"
+    few = f"{format_share(lonely)} of the points have fewer than 3 neighbors within {radius:g} {m}"
     reason = f"{few}, so their normals say nothing"
     third = distance_of_nearest(search, probes, 3)
     if third is None:

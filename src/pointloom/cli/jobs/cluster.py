@@ -72,7 +72,7 @@ def cluster_file(
     `largest` keeps only the largest clusters under their labels; `paint` colors the points by label, noise black. The
     output format must store labels, or colors if `paint`, unless `largest` is given.
     """
-    formats, what = (COLORED, "labels or colours") if paint else (LABELLED, "labels")
+    formats, what = (COLORED, "labels or colors") if paint else (LABELLED, "labels")
     if largest is not None:
         formats, what = WRITTEN, "clouds"
     job = Job("cluster", source, **settings)

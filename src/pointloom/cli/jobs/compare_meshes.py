@@ -34,7 +34,7 @@ class ErrorMaps:
     picture: FilePath | None = None
 
     def check(self, job: Job) -> None:
-        job.check(self.mesh, MAP_FORMATS, what="coloured meshes")
+        job.check(self.mesh, MAP_FORMATS, what="colored meshes")
         if self.picture is not None:
             check_plot(self.picture, overwrite=job.form["overwrite"])
 

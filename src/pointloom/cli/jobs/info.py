@@ -279,7 +279,7 @@ def _measure_depth(depth: NDArray[Any]) -> DepthMap:
         type=str(depth.dtype),
         measured_share=measured.size / depth.size,
         depth={name: float(value) for name, value in limits.items()},
-        unit="metres" if depth.dtype.kind == "f" else "stored numbers (often millimetres)",
+        unit="meters" if depth.dtype.kind == "f" else "stored numbers (often millimeters)",
     )
 
 

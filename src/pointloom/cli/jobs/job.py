@@ -95,7 +95,7 @@ class JobReport(Report, Assessed):
     def note(self) -> str | None:
         """Note on a length unit other than meters."""
         unit = self.done.unit
-        if unit is None or unit.metres == 1:
+        if unit is None or unit.meters == 1:
             return None
         return f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it"
 

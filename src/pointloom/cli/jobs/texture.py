@@ -61,14 +61,14 @@ def texture_folder(
     """
     check_count("size", size)
     tell = check_progress(progress)
-    check_output(output, WRITTEN, what="coloured meshes", overwrite=overwrite)
+    check_output(output, WRITTEN, what="colored meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
     where, clock, with_atlas = resolve_device(device), Clock(), Path(output).suffix.lower() in WITH_ATLAS
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
     if with_atlas and not len(shape):
-        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colours at vertices")
+        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colors at vertices")
     dataset = _open_colored(folder, intrinsic=camera, **layout)
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
@@ -134,7 +134,7 @@ class TextureReport(Report, Assessed):
 def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
     dataset = open_dataset(folder, **options)
     if any(files.color is None for files in dataset.frames):
-        raise FileError(dataset.folder, "its frames have no colour, which is what a mesh would take from them")
+        raise FileError(dataset.folder, "its frames have no color, which is what a mesh would take from them")
     return dataset
 
 

@@ -19,8 +19,8 @@ from .registration_commands import RANGE
 @click.argument("earlier", type=FILE, metavar="A")
 @click.argument("later", type=FILE, metavar="B")
 @click.option("-o", "--output", type=FILE, metavar="OUT", help="Write the points measured at, with their distances.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw them: blue to red, grey where it is noise.")
-@click.option("--painted", type=FILE, metavar="FILE", help="Write them in the colours of the picture.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw them: blue to red, gray where it is noise.")
+@click.option("--painted", type=FILE, metavar="FILE", help="Write them in the colors of the picture.")
 @click.option("--cores", type=LENGTH, metavar="M", help="Measure at one point a cell of this edge [m]; else at all.")
 @click.option(
     "--normals", "normal_radii", type=Lengths(), metavar="M,...", help="Radii that normals are fitted in [m]."
@@ -32,10 +32,10 @@ from .registration_commands import RANGE
     help="Of A and B against each other [m].",
 )  # fmt: skip
 @click.option(
-    "--towards", "orientation", type=ANY, nargs=3, default=(0.0, 0.0, 1.0), show_default=True, metavar="X Y Z",
+    "--toward", "orientation", type=ANY, nargs=3, default=(0.0, 0.0, 1.0), show_default=True, metavar="X Y Z",
     help="Distances are positive to this side.",
 )  # fmt: skip
-@click.option("--limit", type=LENGTH, metavar="M", help="The distance of the darkest colours [m]; fitted if not given.")
+@click.option("--limit", type=LENGTH, metavar="M", help="The distance of the darkest colors [m]; fitted if not given.")
 @columns_option()
 @device_option()
 @json_option()
@@ -45,7 +45,7 @@ def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: An
 
     Two clouds are compared by M3C2: along the normals of A, by the means of both within cylinders, with a level of
     detection from their spreads and numbers. Where A is a mesh, a design or a model, B is held against it point by
-    point, or with --cylinder by means. Without --cylinder half of A's points have 20 neighbours within it, normals are
+    point, or with --cylinder by means. Without --cylinder half of A's points have 20 neighbors within it, normals are
     of 1, 2 and 4 times its radius, and cylinders reach 6 times as far.
 
     The exit code is 3 where the two hardly overlap, or nearly all points have moved one way, as they do where A and B
@@ -56,7 +56,7 @@ def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: An
     pointloom change design.ply scan.ply --picture deviation.png --limit 0.05
     """
     if not any(options["orientation"]):
-        refuse("--towards: expected a direction, got 0 0 0")
+        refuse("--toward: expected a direction, got 0 0 0")
     refuse_same(**{name: options[name] for name in ("output", "picture", "painted")})
     from ..jobs.change import change_files
 

@@ -41,7 +41,7 @@ from .pipes import RECORDINGS, from_option, open_pipes
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 _EPILOG = """\b
-Lengths are in metres; for a file whose unit is another one (`pointloom info` says which) in that unit.
+Lengths are in meters; for a file whose unit is another one (`pointloom info` says which) in that unit.
 Exit codes: 0 done, 1 error, 2 wrong call, 3 done with an unreliable result, 130 interrupted.
 POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads.
 POINTLOOM_TRACEBACK=1 shows where an error arose.
@@ -55,11 +55,11 @@ def cli() -> None:
 
     \b
     pointloom demo                            a trial run that needs no data
-    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a coloured mesh
+    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a colored mesh
     pointloom track FRAMES -o poses.txt       ... to the path of the camera
     pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
-    pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a coloured mesh
-    pointloom texture mesh.ply FRAMES -o out.glb           its colours, sharper
+    pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a colored mesh
+    pointloom texture mesh.ply FRAMES -o out.glb           its colors, sharper
     pointloom depth PHOTO --model NET.onnx -o cloud.ply    ... a photograph to a cloud
     pointloom info FILE                       what a file holds
     pointloom view FILES                      how it looks, in the browser or as a picture
@@ -219,7 +219,7 @@ def convert(
 
 @cli.command(short_help="Estimate the normals of a cloud.")
 @click.option(
-    "--radius", type=LENGTH, metavar="M", help="Neighbours lie closer than this [m]; any distance if not given."
+    "--radius", type=LENGTH, metavar="M", help="Neighbors lie closer than this [m]; any distance if not given."
 )
 @click.option(
     "--neighbors",
@@ -230,25 +230,23 @@ def convert(
     default=30,
     show_default=True,
     metavar="N",
-    help="Neighbours at most, itself included.",
+    help="Neighbors at most, itself included.",
 )
-@click.option(
-    "--towards", type=float, nargs=3, metavar="X Y Z", help="Turn normals towards this place, as a scanner's."
-)
+@click.option("--toward", type=float, nargs=3, metavar="X Y Z", help="Turn normals toward this place, as a scanner's.")
 @click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Turn normals to the side of this direction.")
 @from_cloud_to_cloud()
 def normals(source: Path, output: Path, **options: Any) -> Answer:
-    """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbours.
+    """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbors.
 
-    Normals keep the side of those that IN has; --towards and --direction choose one.
+    Normals keep the side of those that IN has; --toward and --direction choose one.
 
     \b
-    pointloom normals scan.ply out.ply --radius 0.1 --towards 0 0 1.5
+    pointloom normals scan.ply out.ply --radius 0.1 --toward 0 0 1.5
     """
     from ..jobs.clouds import estimate_normals_of_file
 
-    if options["towards"] is not None and options["direction"] is not None:
-        refuse("--towards and --direction choose different sides; give one")
+    if options["toward"] is not None and options["direction"] is not None:
+        refuse("--toward and --direction choose different sides; give one")
     return estimate_normals_of_file(source, output, **options)
 
 

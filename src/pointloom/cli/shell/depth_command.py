@@ -42,14 +42,14 @@ PRESETS = (
 @json_option()
 @force_option()
 def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of such, and write its coloured points to OUT.
+    """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of such, and write its colored points to OUT.
 
-    Nothing is downloaded: the network is yours, as an ONNX file; docs/depth.md lists the presets and their licences.
-    Needs the extra pointloom[depth]. Relative networks give no unit; --align brings metres:
+    Nothing is downloaded: the network is yours, as an ONNX file; docs/depth.md lists the presets and their licenses.
+    Needs the extra pointloom[depth]. Relative networks give no unit; --align brings meters:
 
     \b
-    .png .npy   a depth map of the same view, 16 bits by --depth-scale or float32 metres
-    .txt .csv   distances, a line of column, row and metres each; two settle scale and shift without a check
+    .png .npy   a depth map of the same view, 16 bits by --depth-scale or float32 meters
+    .txt .csv   distances, a line of column, row and meters each; two settle scale and shift without a check
     FOLDER      a COLMAP model, whose unit it then is
 
     The exit code is 3 where the map and what it is aligned to do not agree, and where hardly a point is left.

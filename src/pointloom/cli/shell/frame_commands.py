@@ -34,7 +34,7 @@ MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --confi
 ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fragments
 
 
-@click.command(short_help="Fuse a folder of posed RGB-D frames into a coloured mesh.")
+@click.command(short_help="Fuse a folder of posed RGB-D frames into a colored mesh.")
 @click.argument("dataset", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
 @frame_options()
@@ -55,7 +55,7 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 @json_option()
 @force_option()
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a coloured mesh; for frames without see pointloom reconstruct.
+    """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh; for frames without see pointloom reconstruct.
 
     \b
     Layouts (auto tells them apart by their files):
@@ -142,7 +142,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 @json_option()
 @force_option()
 def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Make a coloured mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
+    """Make a colored mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
 
     \b
     slam       each frame is held against the model of those before it; where the camera comes back to a place the loop

@@ -30,14 +30,14 @@ class Lengths(click.ParamType):
         except ValueError:
             lengths = [math.nan]
         if not all(math.isfinite(length) and length > 0 for length in lengths):
-            self.fail(f"expected lengths in metres above 0, such as 0.01,0.02, got {value!r}", param, ctx)
+            self.fail(f"expected lengths in meters above 0, such as 0.01,0.02, got {value!r}", param, ctx)
         return lengths
 
 
 class LengthOrAuto(click.ParamType):
     """A length [m], or auto."""
 
-    name = "metres"
+    name = "meters"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
         if value == "auto":
@@ -47,7 +47,7 @@ class LengthOrAuto(click.ParamType):
         except ValueError:
             number = math.nan
         if not (math.isfinite(number) and number > 0):
-            self.fail(f"expected a length in metres above 0, or auto, got {value!r}", param, ctx)
+            self.fail(f"expected a length in meters above 0, or auto, got {value!r}", param, ctx)
         return number
 
 
@@ -82,7 +82,7 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     alpha    the hull of the points as seen by balls of one radius; needs no normals
 
     Where IN has no normals they are made and oriented, and the summary says so. The exit code is 3 where the surface
-    is empty, torn or in pieces, where much of it lies far from all points, or where neighbouring normals point to
+    is empty, torn or in pieces, where much of it lies far from all points, or where neighboring normals point to
     opposite sides.
 
     \b

@@ -26,7 +26,7 @@ from .options import (
 )
 from .toolbox import COUNT, FACTOR, SEED, SHARE, Number
 
-AREA = Number("an area in square metres above 0", lambda number: 0 < number < math.inf)
+AREA = Number("an area in square meters above 0", lambda number: 0 < number < math.inf)
 ANY = Number("a finite number", math.isfinite)
 
 
@@ -69,7 +69,7 @@ def simplify(
 ) -> Answer:
     """Write the mesh IN to OUT with fewer triangles, and say how far the surface moved.
 
-    --triangles and --ratio collapse the edges that matter least (quadric decimation): borders, colours and textures
+    --triangles and --ratio collapse the edges that matter least (quadric decimation): borders, colors and textures
     stay. --voxel is quicker and coarser.
 
     The exit code is 3 where the target is missed or the surface moved by more than 1 % of its size.
@@ -107,12 +107,12 @@ def simplify(
 @click.option("--strength", type=FACTOR, metavar="S", help="sharpen: how much; 1 if not given.")
 @from_cloud_to_cloud(columns=False)
 def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answer:
-    """Write the mesh IN to OUT with smoother vertices, normals and colours.
+    """Write the mesh IN to OUT with smoother vertices, normals and colors.
 
     \b
     taubin     smooths and swells again, so that the shape hardly shrinks
-    laplacian  towards the mean of the neighbours, the near ones more
-    simple     the mean of a vertex and its neighbours
+    laplacian  toward the mean of the neighbors, the near ones more
+    simple     the mean of a vertex and its neighbors
     sharpen    away from the mean
 
     The exit code is 3 where more than a tenth of the area is gone with the noise.
@@ -163,8 +163,8 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
     "--max-distance", "limit", cls=Renamed, old="--max", type=LENGTH, metavar="M",
     help="Exit with 3 where any place lies farther apart [m].",
 )  # fmt: skip
-@click.option("--error-map", type=FILE, metavar="OUT", help="Write A coloured by its distance from B to this mesh.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw A coloured by its distance from B, with a histogram.")
+@click.option("--error-map", type=FILE, metavar="OUT", help="Write A colored by its distance from B to this mesh.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Draw A colored by its distance from B, with a histogram.")
 @click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
 @device_option()
 @up_option()

@@ -20,8 +20,8 @@ Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
 class Length(click.ParamType):
     """A length [m]: a finite number above 0."""
 
-    name = "metres"
-    what = "a length in metres above 0"
+    name = "meters"
+    what = "a length in meters above 0"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
@@ -118,7 +118,7 @@ def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decor
     )
     topics = [
         click.option("--topic", metavar="NAME", help="Of a recording: pictures of depth; the only ones if not given."),
-        click.option("--color-topic", metavar="NAME", help="Of a recording: pictures of colour, as --topic."),
+        click.option("--color-topic", metavar="NAME", help="Of a recording: pictures of color, as --topic."),
     ]
     missing = click.option(
         "--skip-missing", is_flag=True, help="Leave out frames that lack a picture or whose pose is inf or NaN."

@@ -26,8 +26,8 @@ INPUT, OUTPUT = "standard input", "standard output"
 
 _PIPE = Path("-")
 
-# Extensions of src/pointloom/io/bags/recording.py, src/pointloom/io/points/formats.py and src/pointloom/io/meshes/tables.py, which are too expensive
-# to import for --help; a test compares them.
+# Extensions of io/bags/recording.py, io/points/formats.py and io/meshes/tables.py, which are too expensive to import
+# for --help; a test compares them.
 RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]

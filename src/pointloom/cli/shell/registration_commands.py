@@ -27,7 +27,7 @@ from .toolbox import COUNT, FACTOR, Number
 
 STARTS = ("identity", "global")
 MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
-RANGE = Number("a distance in metres, 0 or above", lambda number: 0 <= number < float("inf"))
+RANGE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < float("inf"))
 
 
 @click.command(short_help="Bring one cloud onto another.")
@@ -132,7 +132,7 @@ def _motions(free: str | None, init: str) -> list[str] | None:
     metavar="N",
     help="Try each cloud with the N after it; all of up to 40 clouds, else 5, if not given.",
 )
-@click.option("--level", is_flag=True, help="All clouds are level, as of a levelled scanner: none is tilted.")
+@click.option("--level", is_flag=True, help="All clouds are level, as of a leveled scanner: none is tilted.")
 @click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
 @click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
 @click.option("--job", type=FILE, metavar="JOB", help="Work by a folder that the same command goes on with. See above.")

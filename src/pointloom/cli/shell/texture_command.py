@@ -25,10 +25,10 @@ from .options import (
 METHODS = ("rigid", "non-rigid", "none")
 
 
-@click.command(short_help="Colour a mesh by posed RGB-D frames.")
+@click.command(short_help="Color a mesh by posed RGB-D frames.")
 @click.argument("mesh", type=FILE)
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="Coloured: .ply .obj .glb .gltf.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="Colored: .ply .obj .glb .gltf.")
 @click.option("--method", type=click.Choice(METHODS), default="rigid", show_default=True, help="How pictures may move.")
 @click.option(
     "--size", type=click.IntRange(16, 16384), default=2048, show_default=True, metavar="N", help="Texels a side."
@@ -40,10 +40,10 @@ METHODS = ("rigid", "non-rigid", "none")
 @json_option()
 @force_option()
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Write to OUT the mesh MESH with the colours of FRAMES, a folder of posed RGB-D frames as `fuse` takes it.
+    """Write to OUT the mesh MESH with the colors of FRAMES, a folder of posed RGB-D frames as `fuse` takes it.
 
     \b
-    .ply              a colour at each vertex
+    .ply              a color at each vertex
     .obj .glb .gltf   a texture; where MESH has no texture coordinates an atlas is made
 
     \b

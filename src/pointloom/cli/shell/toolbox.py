@@ -40,19 +40,19 @@ COUNT = Number(f"a whole number from 1 to {MAX_POINTS}", lambda number: 1 <= num
 SEED = Number(f"a whole number from 0 to {MAX_SEED}", lambda number: 0 <= number <= MAX_SEED, int)
 FACTOR = Number("a finite number above 0", lambda number: 0 < number < math.inf)
 SHARE = Number("a share above 0 and up to 1", lambda number: 0 < number <= 1)
-COORDINATE = Number("a coordinate in metres, -inf or inf", lambda number: True)
+COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
 
 @click.command(short_help="Remove outliers, duplicates and points that are not finite.")
 @click.option("--non-finite", is_flag=True, help="Remove points that are not finite; every other filter does so too.")
 @click.option("--duplicates", is_flag=True, help="Remove all but the first of the points at one position.")
-@click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: neighbours of a mean; 20 if not given.")
+@click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: neighbors of a mean; 20 if not given.")
 @click.option(
     "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR, metavar="R",
     help="Statistical filter: how many above the mean; 2.0 if not given.",
 )  # fmt: skip
-@click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: how far neighbours may be [m].")
-@click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: neighbours a point needs.")
+@click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: how far neighbors may be [m].")
+@click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: neighbors a point needs.")
 @click.option("--removed", type=FILE, metavar="FILE", help="Write the points that were removed, if any, to this cloud.")
 @from_cloud_to_cloud()
 def clean(
@@ -75,9 +75,9 @@ def clean(
     \b
       non-finite   points with a NaN or infinite coordinate; always removed
       duplicates   (--duplicates) points at the place of an earlier one
-      statistical  (--neighbors, --deviations) points farther from their neighbours than the mean of the cloud by more
+      statistical  (--neighbors, --deviations) points farther from their neighbors than the mean of the cloud by more
                    than R standard deviations
-      radius       (--radius, --min-neighbors) points with fewer than N others within M metres
+      radius       (--radius, --min-neighbors) points with fewer than N others within M meters
 
     \b
     pointloom clean scan.ply out.ply
@@ -102,14 +102,14 @@ def clean(
 @click.command(short_help="Label the points of a cloud by cluster.")
 @click.option(
     "--radius", "eps", cls=Renamed, old="--eps", type=LENGTH, required=True, metavar="M",
-    help="Neighbours lie closer than this [m]: eps of DBSCAN.",
+    help="Neighbors lie closer than this [m]: eps of DBSCAN.",
 )  # fmt: skip
 @click.option(
     "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT, default=10, show_default=True,
-    metavar="N", help="Neighbours that make a core, itself included.",
+    metavar="N", help="Neighbors that make a core, itself included.",
 )  # fmt: skip
 @click.option("--largest", type=COUNT, metavar="N", help="Keep the N largest clusters alone; all points if not given.")
-@click.option("--paint", is_flag=True, help="Colour the points by label (tab20, noise black).")
+@click.option("--paint", is_flag=True, help="Color the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
 def cluster(source: Path, output: Path, **options: Any) -> Answer:
     """Write the cloud IN to OUT with the cluster of each point (DBSCAN) as the attribute label, -1 for noise.
@@ -147,7 +147,7 @@ def plane(
     \b
     pointloom plane scan.ply floor.ply --distance 0.02
     pointloom plane scan.ply objects.ply --distance 0.02 --invert
-    pointloom plane scan.ply labelled.ply --distance 0.02 --planes 6
+    pointloom plane scan.ply labeled.ply --distance 0.02 --planes 6
     """
     from ..jobs.planes import MIN_POINTS, extract_plane, label_planes
 
@@ -202,7 +202,7 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
 def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
     """Write to OUT fewer points of the cloud IN: one of --every, --ratio, --farthest and --voxel says which.
 
-    All but the means of --voxel are points of IN as they are, with all their attributes. Means are of normals, colours
+    All but the means of --voxel are points of IN as they are, with all their attributes. Means are of normals, colors
     and attributes in floating point too; whole numbers are those of the first point.
 
     \b

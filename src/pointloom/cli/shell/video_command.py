@@ -31,12 +31,12 @@ class KnownDistance(click.ParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[str, str, float]:
         parts = [part.strip() for part in value.split(",")]
         try:
-            metres = float(parts[-1])
+            meters = float(parts[-1])
         except ValueError:
-            metres = math.nan
-        if len(parts) != 3 or not all(parts) or not (math.isfinite(metres) and metres > 0):
-            self.fail(f"expected two pictures and metres above 0, such as 12,48,1.5, got {value!r}", param, ctx)
-        return parts[0], parts[1], metres
+            meters = math.nan
+        if len(parts) != 3 or not all(parts) or not (math.isfinite(meters) and meters > 0):
+            self.fail(f"expected two pictures and meters above 0, such as 12,48,1.5, got {value!r}", param, ctx)
+        return parts[0], parts[1], meters
 
 
 class Alignment(CompletedPath):
@@ -48,7 +48,7 @@ class Alignment(CompletedPath):
 
 ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
 CONTROL = "Points with coordinates, marked in pictures: ODM's gcp_list.txt, or a CSV."
-BARS = "Known lengths between points that are marked in pictures, lines `bar A B metres`."
+BARS = "Known lengths between points that are marked in pictures, lines `bar A B meters`."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
 CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
 TRAINING = "Write a folder that gsplat, 3DGS and nerfstudio train from."
@@ -78,8 +78,8 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 )
 @click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON); found if not given.")
 @click.option("--cameras", type=FILE, metavar="FILE", help=CAMERAS)
-@click.option("--scale", type=SCALE, metavar="F", help="Metres in a unit of the model.")
-@click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M metres apart.")
+@click.option("--scale", type=SCALE, metavar="F", help="Meters in a unit of the model.")
+@click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M meters apart.")
 @click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
 @click.option("--control", type=FILE, metavar="FILE", help=CONTROL)
 @click.option("--scale-bars", type=FILE, metavar="FILE", help=BARS)
@@ -113,18 +113,18 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
 @click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
 @click.option("--ortho", type=FILE, metavar="TIF", help="Write the mesh from above, in UTM; wants GPS and --cell.")
 @click.option("--dem", type=FILE, metavar="TIF", help="Write its heights likewise.")
-@click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in metres.")
+@click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in meters.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
 @device_option()
 @picture_option()
 @json_option()
 @force_option()
 def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Make a coloured mesh of VIDEO, or of the pictures in FOLDER: nothing else is needed.
+    """Make a colored mesh of VIDEO, or of the pictures in FOLDER: nothing else is needed.
 
     \b
     frames             sharp frames, where the camera has moved
-    features, matches  what can be recognised in them, and what they share of it
+    features, matches  what can be recognized in them, and what they share of it
     model              where they were taken, and what the lens is like
     undistorted        the pictures as a lens without distortion shows them
     depth              each picture matched with others, pixel by pixel
@@ -169,7 +169,7 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
     refuse_same(output=output, **{name: options[name] for name in files})
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
-        refuse("--ortho and --dem go with --cell, the side of their cells in metres")
+        refuse("--ortho and --dem go with --cell, the side of their cells in meters")
     from ...io.meshes.tables import MESHES
     from ...io.points.formats import WRITTEN
     from ...photogrammetry.video.job import reconstruct

@@ -217,19 +217,19 @@ class PublicSet:
     Attributes:
         name: Its name for `fetch`.
         contents: Description.
-        licence: License terms, as far as stated.
+        license: License terms, as far as stated.
         citation: What to cite.
         files: Its files.
     """
 
     name: str
     contents: str
-    licence: str
+    license: str
     citation: str
     files: tuple[PublicFile, ...]
 
     def __str__(self) -> str:
-        return f"{self.name}: {self.contents}\n  licence: {self.licence}\n  cite: {self.citation}"
+        return f"{self.name}: {self.contents}\n  license: {self.license}\n  cite: {self.citation}"
 
 
 def _open3d(path: str, md5: str, unpack: str | None = None) -> PublicFile:
@@ -257,14 +257,14 @@ _SETS = (
     ),
     PublicSet(
         "icp-clouds",
-        "three clouds of a living room (PCD, metres) and rough transformations between them (init.log)",
+        "three clouds of a living room (PCD, meters) and rough transformations between them (init.log)",
         _REDWOOD,
         _CHOI,
         (_open3d("20220301-data/DemoICPPointClouds.zip", "596cffe5f9c587045e7397ad70754de9", ""),),
     ),
     PublicSet(
         "indoor-fragment",
-        "a part of a living room, 113,662 points with colours and normals (PCD, metres)",
+        "a part of a living room, 113,662 points with colors and normals (PCD, meters)",
         _REDWOOD,
         _CHOI,
         (
@@ -276,7 +276,7 @@ _SETS = (
     ),
     PublicSet(
         "living-room",
-        "2,870 RGB-D frames of a made living room (color/, depth/ in millimetres), their true path and the true cloud",
+        "2,870 RGB-D frames of a made living room (color/, depth/ in millimeters), their true path and the true cloud",
         _REDWOOD,
         _CHOI,
         (
@@ -288,21 +288,21 @@ _SETS = (
     ),
     PublicSet(
         "living-room-fragments",
-        "57 clouds of the living room, each of 50 frames (PLY, metres)",
+        "57 clouds of the living room, each of 50 frames (PLY, meters)",
         _REDWOOD,
         _CHOI,
         (_open3d("redwood/livingroom1-fragments-ply.zip", "36e0eb23a66ccad6af52c05f8390d33e", ""),),
     ),
     PublicSet(
         "lounge",
-        "3,000 RGB-D frames of a lounge (color/, depth/ in millimetres), a path and a mesh made of them",
+        "3,000 RGB-D frames of a lounge (color/, depth/ in millimeters), a path and a mesh made of them",
         _SCENES,
         _ZHOU,
         (_open3d("20220301-data/LoungeRGBDImages.zip", "cdd307caef898519a8829ce1b6ab9f75", ""),),
     ),
     PublicSet(
         "redwood-frames",
-        "five RGB-D frames of the living room (color/, depth/ in millimetres) with their poses",
+        "five RGB-D frames of the living room (color/, depth/ in millimeters) with their poses",
         _REDWOOD,
         _CHOI,
         (_open3d("20220301-data/SampleRedwoodRGBDImages.zip", "43971c5f690c9cfc52dda8c96a0140ee", ""),),

@@ -39,7 +39,7 @@ class ImuReadings:
         >>> import pointloom as loom
         >>> from pointloom.io.bags.recording import Recording
         >>> def up_of(recording: Recording):
-        ...     return recording.imu().linear_acceleration[:100].mean(axis=0)  # as `registration.levelled` takes it
+        ...     return recording.imu().linear_acceleration[:100].mean(axis=0)  # as `registration.leveled` takes it
     """
 
     times: NDArray[np.float64]

@@ -56,7 +56,7 @@ def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
     if kind == COMPRESSED:
         return np.ascontiguousarray(decode_texture(path, np.asarray(message.data, np.uint8).tobytes())[:, :, :3])
     if message.encoding not in COLORS:
-        reason = f"pictures of {message.encoding!r} are not read as colours"
+        reason = f"pictures of {message.encoding!r} are not read as colors"
         raise FileError(path, reason, remedy=f"Known are {_list(COLORS)}")
     channels, order = COLORS[message.encoding]
     return np.ascontiguousarray(_rows(path, message, "u1", channels)[:, :, list(order)])
@@ -235,7 +235,7 @@ class RecordedFrames:
         pairs = associate(times[0], times[1], tolerance)
         for i, (time, _) in enumerate(depth):
             if i not in pairs:
-                self.left_out.append(f"{self.depth} at {time:.6f} s: no colour within {tolerance:g} s")
+                self.left_out.append(f"{self.depth} at {time:.6f} s: no color within {tolerance:g} s")
         return [(time, row, color[pairs[i]][1]) for i, (time, row) in enumerate(depth) if i in pairs]
 
     def _stamped(self, topic: str) -> list[tuple[float, Any]]:

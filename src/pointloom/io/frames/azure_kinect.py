@@ -67,7 +67,7 @@ class AzureKinectCamera(DepthCamera):
             self._open = True
             self._first = self._next_whole()
             if self._first is None:
-                raise CameraError(f"{what}: it holds no frame with depth and colour")
+                raise CameraError(f"{what}: it holds no frame with depth and color")
             height, width = self._color_of(self._first).shape[:2]
             kind = k4a.CalibrationType.COLOR
             self.intrinsic = PinholeCameraIntrinsic.from_matrix(
@@ -98,9 +98,9 @@ class AzureKinectCamera(DepthCamera):
         """RGB of a capture; its color is BGRA or, in most recordings, JPEG bytes."""
         color = np.asarray(capture.color)
         if color.ndim == 1 and color.dtype == np.uint8:
-            return decode_texture(f"colour of frame {self.count}", color.tobytes())
+            return decode_texture(f"color of frame {self.count}", color.tobytes())
         if color.ndim != 3 or color.shape[2] != 4:
-            raise CameraError(f"its colour is neither BGRA nor MJPG but of shape {list(color.shape)}")
+            raise CameraError(f"its color is neither BGRA nor MJPG but of shape {list(color.shape)}")
         return color[:, :, 2::-1]
 
     def _stop(self) -> None:

@@ -206,7 +206,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
     if not folders:
         return None
     if len(folders) > 1:
-        raise DatasetError(folders[1], f"is there beside {folders[0].name}", remedy="Keep one folder of colour")
+        raise DatasetError(folders[1], f"is there beside {folders[0].name}", remedy="Keep one folder of color")
     colors = _list_pictures(folders[0], (".png", ".jpg", ".jpeg"))
     depth_keys, color_keys = _pairing_keys(depths, colors)
     by_key = dict(zip(color_keys, colors, strict=True))
@@ -215,7 +215,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
         if key in by_key:
             pairs[path] = by_key.pop(key)
         else:
-            demand.miss(path, f"has no colour picture in {folders[0]}", "Bring it back, or remove this")
+            demand.miss(path, f"has no color picture in {folders[0]}", "Bring it back, or remove this")
     for path in by_key.values():
         demand.miss(path, f"has no depth map in {folder / 'depth'}", "Bring it back, or remove this")
     return pairs
@@ -235,7 +235,7 @@ def _pairing_keys(depths: list[Path], colors: list[Path]) -> tuple[Sequence[obje
         counts = Counter(side)
         for number, path in zip(side, paths, strict=True):
             if number is None or counts[number] > 1:
-                reason = "cannot be paired: depth and colour have different names, and its first number is not its own"
+                reason = "cannot be paired: depth and color have different names, and its first number is not its own"
                 raise DatasetError(path, reason, remedy="Name both alike, such as 00000.png and 00000.jpg")
     return stems
 
@@ -262,7 +262,7 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
         color_times, color_names = _read_listing(folder, "rgb.txt")
         color_of = associate(depth_times, color_times, TUM_TOLERANCE)
     elif (folder / "rgb").is_dir():
-        raise DatasetError(folder / "rgb.txt", "missing, though there is rgb/", remedy="It tells the times of colour")
+        raise DatasetError(folder / "rgb.txt", "missing, though there is rgb/", remedy="It tells the times of color")
     frames, left_out = [], demand.left_out
     for i, (time, name) in enumerate(zip(depth_times.tolist(), depth_names, strict=True)):
         T_world_camera, color = _pose_at(pose_times, poses, time), None
@@ -275,12 +275,12 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
                 continue
         if color_of is not None:
             if i not in color_of:
-                left_out.append(f"{name}: no colour within {TUM_TOLERANCE} s")
+                left_out.append(f"{name}: no color within {TUM_TOLERANCE} s")
                 continue
             color = folder / color_names[color_of[i]]
         frames.append(FrameFiles(Path(name).stem, folder / name, color, T_world_camera, time))
     if not frames:
-        reason = f"no depth map has a pose and colour within {TUM_TOLERANCE} s; the first: {left_out[0]}"
+        reason = f"no depth map has a pose and color within {TUM_TOLERANCE} s; the first: {left_out[0]}"
         raise DatasetError(folder, reason, remedy="The clocks of depth.txt, rgb.txt and groundtruth.txt must agree")
     return frames, left_out
 

@@ -66,7 +66,7 @@ def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
     frames = []
     for key in sorted(depths, key=lambda key: ([int(n) for n in re.findall(r"\d+", key)], key)):
         if colors and key not in colors:
-            demand.miss(depths[key], "has no colour picture of its name", "Bring it back, or remove this")
+            demand.miss(depths[key], "has no color picture of its name", "Bring it back, or remove this")
             continue
         pose = poses.get(key) if demand.poses != "ignored" else None
         T_world_camera = None if pose is None else _read_any_pose(pose)
@@ -431,7 +431,7 @@ def _open(
         found = doubted(FoundCamera(intrinsic, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
     camera, scale = found.intrinsic, depth_scale or found.depth_scale
     if not scale:
-        remedy = "Give depth_scale=: 1000 for millimetres, 5000 for pictures of the TUM benchmark"
+        remedy = "Give depth_scale=: 1000 for millimeters, 5000 for pictures of the TUM benchmark"
         raise DatasetError(folder, "nothing tells the unit of its depth maps", remedy=remedy)
     if (camera.width, camera.height) != size:
         raise DatasetError(
@@ -530,9 +530,9 @@ def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tupl
             first_path, first = sizes.setdefault(kind, (path, header))
             if (header.width, header.height) != (first.width, first.height):
                 first_size = f"{first_path} is {first.width} x {first.height}"
-                remedy = "Depth and colour must be registered, pixel for pixel"
+                remedy = "Depth and color must be registered, pixel for pixel"
                 if path == frame.color and not resize:
-                    remedy += "; open_frames takes colour of another size with resize_color=True"
+                    remedy += "; open_frames takes color of another size with resize_color=True"
                 raise DatasetError(path, f"is {header.width} x {header.height}, but {first_size}", remedy=remedy)
     if not sizes:
         raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")

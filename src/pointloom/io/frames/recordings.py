@@ -91,7 +91,7 @@ class FrameRecorder:
         colored, name = frame.color is not None, f"frame-{self.count:06d}"
         if self._colored not in (None, colored):
             raise ValueError(
-                f"frame {escaped(frame.name)}: {'has' if colored else 'has no'} colour, unlike those before it"
+                f"frame {escaped(frame.name)}: {'has' if colored else 'has no'} color, unlike those before it"
             )
         depth = _in_units(frame, self.depth_scale)
         if frame.color is not None:
@@ -167,9 +167,9 @@ def _in_units(frame: Frame, depth_scale: float) -> np.ndarray[Any, np.dtype[np.u
     """Depth in integer units; negative and NaN depths become 0."""
     if frame.depth.dtype == np.uint16:
         return np.asarray(frame.depth, np.uint16)
-    metres = np.where(frame.depth > 0, frame.depth, np.float32(0)).astype(np.float64)
-    units = np.rint(metres * depth_scale)
+    meters = np.where(frame.depth > 0, frame.depth, np.float32(0)).astype(np.float64)
+    units = np.rint(meters * depth_scale)
     if units.max(initial=0) >= 65535:
         most = 65534 / depth_scale
-        raise ValueError(f"frame {escaped(frame.name)}: depth of {metres.max():.4g} m; 16 bits hold up to {most:.4g} m")
+        raise ValueError(f"frame {escaped(frame.name)}: depth of {meters.max():.4g} m; 16 bits hold up to {most:.4g} m")
     return units.astype(np.uint16)

@@ -102,7 +102,7 @@ def frames_from(
         [('frame-000000', 0.0), ('frame-000001', 0.1)]
     """
     if isinstance(frames, str | bytes | dict) or not hasattr(frames, "__iter__"):
-        raise TypeError(f"frames: expected pairs of colour and depth to iterate over, got {shown(frames)}")
+        raise TypeError(f"frames: expected pairs of color and depth to iterate over, got {shown(frames)}")
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
     kind = CountedFrameStream if hasattr(frames, "__len__") else FrameStream

@@ -86,7 +86,7 @@ class Materials:
             coordinates = file.whole(moved, "texCoord", what, coordinates)
             transform = self._transform(moved, f"{_TRANSFORM} of {what}")
         if color != (1, 1, 1, 1):
-            self._left.add("factors of base colours beside a texture", number)
+            self._left.add("factors of base colors beside a texture", number)
         return BaseColor(texture.get("index"), coordinates, transform, color, None if mode == "BLEND" else cutoff)
 
     def _transform(self, moved: dict[str, Any], what: str) -> NDArray[np.float64] | None:

@@ -164,7 +164,7 @@ class Primitive:
             elif name == "TANGENT":
                 self._left.add("tangents")
             elif name.startswith("COLOR_") and name != "COLOR_0":
-                self._left.add(f"the colours {name[:60]}")
+                self._left.add(f"the colors {name[:60]}")
         return found
 
     def _morphed(self, name: str, values: NDArray[Any], components: str, placing: Placing) -> NDArray[Any]:
@@ -186,7 +186,7 @@ class Primitive:
             with quiet():
                 moved = moved.astype(np.float64) + weight * offsets
         if moved is not values and any(set(target) - {"POSITION", "NORMAL", "TANGENT"} for target in self._targets):
-            self._left.add("colours and texture coordinates of morph targets")
+            self._left.add("colors and texture coordinates of morph targets")
         return moved
 
     def _place(self, vertices: Vertices, placing: Placing) -> None:

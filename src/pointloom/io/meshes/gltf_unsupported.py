@@ -20,7 +20,7 @@ _MAPS = {
     "normalTexture": "normal maps",
     "occlusionTexture": "occlusion maps",
     "emissiveTexture": "emissive maps",
-    "emissiveFactor": "emissive colours",
+    "emissiveFactor": "emissive colors",
 }
 
 

@@ -434,7 +434,7 @@ def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDAr
         raise FileError(path, reason, where=rows.where(row))
     colored, colors = int((widths == 6).sum()), None
     if 0 < colored < len(widths):
-        warn_of_loss(path, "colours", f"only {colored} of {len(widths)} vertices have one", stacklevel=4)
+        warn_of_loss(path, "colors", f"only {colored} of {len(widths)} vertices have one", stacklevel=4)
     elif colored:
         colors = colors_or_loss(path, [values[k::6] for k in (3, 4, 5)], stacklevel=4)
     if (widths == widths[0]).all():

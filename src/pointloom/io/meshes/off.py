@@ -154,7 +154,7 @@ def _face_colors(
     if width < 3 or (extra != width).any():
         some = np.count_nonzero(extra > 1)
         reason = f"{some} of {len(extra)} faces have one of {width if width > 2 else '3 or 4'} values"
-        warn_of_loss(path, "colours of faces", reason, stacklevel=5)
+        warn_of_loss(path, "colors of faces", reason, stacklevel=5)
         return None
     channels = [values[first + k] for k in range(width)]
     return _fit(path, channels, color_scale(channels[:3]), "colors of faces")

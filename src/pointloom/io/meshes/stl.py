@@ -1,7 +1,7 @@
 """STL, binary and text: unshared triangles in float32; written as binary. Equal corners are merged, normals recomputed.
 
 Facet colors are the triangle attribute `colors`: 5 bits per channel in the attribute bytes (VisCAM, SolidView, flag
-0x8000; or Materialise Magics with a "COLOR=" header and reversed order), or "color r g b [a]" lines in text. 3D
+0x8000; or Materialize Magics with a "COLOR=" header and reversed order), or "color r g b [a]" lines in text. 3D
 Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
 """
 

@@ -88,10 +88,10 @@ def read_points(path: Path) -> Points:
     lengths = (widths - 8) // 2
     owners = np.repeat(np.arange(len(first)), lengths * 2)
     tracks = _as_whole(path, numbers[is_track], 0, lambda i: rows.where(int(owners[i])), "a step of a track")
-    colors = _as_whole(path, fixed[:, 4:7].reshape(-1), 0, lambda i: rows.where(i // 3), "a colour")
+    colors = _as_whole(path, fixed[:, 4:7].reshape(-1), 0, lambda i: rows.where(i // 3), "a color")
     bright = np.flatnonzero(colors > 255)
     if len(bright):
-        reason = f"expected colours of 0..255, got {colors[bright[0]]}"
+        reason = f"expected colors of 0..255, got {colors[bright[0]]}"
         raise FileError(path, reason, where=rows.where(int(bright[0]) // 3))
     return Points(
         _as_whole(path, fixed[:, 0], 0, rows.where, "the number of a point"),

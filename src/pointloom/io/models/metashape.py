@@ -166,7 +166,7 @@ def _lens_of(path: Path, sensor: ET.Element, number: str) -> CameraModel:
     for name in NOT_READ:
         if float(_numbers(path, calibration.findtext(name) or "0", 1, f"{name} of {where}")[0]) != 0:
             raise FileError(
-                path, f"{name} is not read", where=where, remedy=f"Optimise the cameras without it. {_EXPORT}"
+                path, f"{name} is not read", where=where, remedy=f"Optimize the cameras without it. {_EXPORT}"
             )
     values = {
         name: float(_numbers(path, calibration.findtext(name) or "0", 1, f"{name} of {where}")[0]) for name in NUMBERS

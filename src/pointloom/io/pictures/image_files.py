@@ -276,13 +276,13 @@ def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tup
 def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
     if header.kind != "png" or header.channels != 1 or header.bits != 16:
         found = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
-        remedy = "Store depth as 16-bit grey PNG (or float32 .npy); pictures coloured for viewing hold no depth"
+        remedy = "Store depth as 16-bit gray PNG (or float32 .npy); pictures colored for viewing hold no depth"
         raise FileError(path, f"expected a depth map, got a {found}", remedy=remedy)
 
 
 def check_color_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
     if header.channels == 1 and header.bits == 16:
-        raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Read depth maps with read_depth")
+        raise FileError(path, "expected a color picture, got 16-bit gray", remedy="Read depth maps with read_depth")
 
 
 def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:

@@ -78,7 +78,7 @@ KINDS = {".heic": "heif", ".heif": "heif", ".tif": "tiff", ".tiff": "tiff", ".we
 EXTRA = "photos"
 
 _ORIENTATION, _INNER = 0x0112, 0x8769  # EXIF tags: orientation, offset of further tags
-_DEEP_GREY = ("I;16", "I;16B", "I;16L", "I;16N")
+_DEEP_GRAY = ("I;16", "I;16B", "I;16L", "I;16N")
 _NUMBERS = ("F", "I", "LAB")  # Pillow modes that are no colors or cannot be converted to RGB
 
 
@@ -106,7 +106,7 @@ def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], 
         with foreign_errors(path, "damaged picture"):
             picture.load()  # makes a TIFF upright and clears its orientation
         orientation = orientation_of(picture.getexif())
-        if picture.mode in _DEEP_GREY:
+        if picture.mode in _DEEP_GRAY:
             return np.array(picture).astype(np.uint16), orientation
         picture.info.pop("transparency", None)
         return np.array(picture.convert("RGB")), orientation
@@ -168,8 +168,8 @@ def _header_of(path: FilePath, kind: str, picture: Image.Image) -> PictureHeader
     if picture.mode in _NUMBERS:
         reason = f"expected a picture of 8 or 16 bits, got one of kind {picture.mode}"
         raise FileError(path, reason, remedy="Convert it to PNG or JPEG")
-    is_deep = picture.mode in _DEEP_GREY
-    channels = 1 if picture.mode in ("L", "1", *_DEEP_GREY) else 3
+    is_deep = picture.mode in _DEEP_GRAY
+    channels = 1 if picture.mode in ("L", "1", *_DEEP_GRAY) else 3
     return _checked(path, PictureHeader(kind, *picture.size, channels, 16 if is_deep else 8))
 
 

@@ -54,10 +54,10 @@ def parse_png_header(path: Any, start: bytes) -> PngHeader:
         raise FileError(path, "damaged PNG header", where="byte 8", remedy=_REMEDY)
     width, height, bits, color_type, compression, filtering, interlace = struct.unpack(">IIBBBBB", start[16:29])
     if color_type not in _COLOR_TYPES:
-        raise FileError(path, f"unknown PNG colour type {color_type}", where="byte 25", remedy=_REMEDY)
+        raise FileError(path, f"unknown PNG color type {color_type}", where="byte 25", remedy=_REMEDY)
     channels, allowed = _COLOR_TYPES[color_type]
     if bits not in allowed:
-        reason = f"PNG has no {bits} bits a channel for colour type {color_type}"
+        reason = f"PNG has no {bits} bits a channel for color type {color_type}"
         raise FileError(path, reason, where="byte 24", remedy=_REMEDY)
     if compression or filtering or interlace > 1:
         reason = f"unknown PNG compression {compression}, filter {filtering} or interlacing {interlace}"

@@ -71,12 +71,12 @@ def in_metres(path: Any, table: T, format: str) -> T:
     """Convert a table to meters for a metric format; raises `FileError` for degrees."""
     if is_same(table.unit, METRE) or table.unit is None:
         return table
-    if table.unit.metres is None:
-        reason = f"lengths in {format} are metres by its standard, and x and y are degrees"
+    if table.unit.meters is None:
+        reason = f"lengths in {format} are meters by its standard, and x and y are degrees"
         raise FileError(path, reason, remedy="Write project_to_utm(cloud), or set cloud.unit if it is told wrongly")
-    factor = table.unit.metres
+    factor = table.unit.meters
     warn_of_units(
-        f"{path}: lengths in {format} are metres by its standard, so coordinates in {table.unit} are written times "
+        f"{path}: lengths in {format} are meters by its standard, so coordinates in {table.unit} are written times "
         f"{factor:.10g}; .to_unit('metre') does so beforehand"
     )
     if isinstance(table, MeshTable):

@@ -143,7 +143,7 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
             if not full and brightest:
                 full = 255 if brightest <= 255 else 65535
             if brightest > (full or brightest):
-                reason = "colours look like 8 bits in one part and like 16 in a later one"
+                reason = "colors look like 8 bits in one part and like 16 in a later one"
                 remedy = "Read it whole, or in larger parts"
                 raise FileError(file.path, reason, where=f"points from {(number - 1) * chunk_size} on", remedy=remedy)
             block["colors"] /= np.float32(full or 65535)
@@ -160,7 +160,7 @@ def attribute_types(file: LasFile) -> dict[str, str]:
 def scale_by(full: int, colors: NDArray[np.float32], path: Path, remedy: str) -> None:
     """Scale colors to 0..1 in place with a known maximum; raises `FileError` if they exceed it."""
     if colors.max(initial=0) > full:
-        reason = "colours look like 8 bits in its coarsest level and like 16 elsewhere"
+        reason = "colors look like 8 bits in its coarsest level and like 16 elsewhere"
         raise FileError(path, reason, remedy=remedy)
     colors /= np.float32(full)
 

@@ -71,7 +71,7 @@ def is_geographic(header: LasHeader) -> bool:
 def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:
     if is_lonlat:
         message = (
-            f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives metres"
+            f"{path}: x and y are degrees of longitude and latitude, not lengths: project_to_utm(cloud) gives meters"
         )
         warnings.warn(escaped(message), GeographicWarning, stacklevel=stacklevel)
 

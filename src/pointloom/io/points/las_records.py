@@ -135,9 +135,9 @@ def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader 
                 f'cloud.to_unit("{told}") converts them'
             )
         return None
-    if unit is None or unit.metres is None:
+    if unit is None or unit.meters is None:
         return None
     name = unit.name.replace('"', '""')
     axes = 'AXIS["Easting",EAST],AXIS["Northing",NORTH]'
-    text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.metres!r}],{axes}]'
+    text = f'LOCAL_CS["{NO_NAME}",LOCAL_DATUM["{NO_NAME}",0],UNIT["{name}",{unit.meters!r}],{axes}]'
     return laspy.VLR(PROJECTION, WKT, "", text.encode("ascii") + b"\0")

@@ -83,12 +83,12 @@ def units_of(header: LasHeader) -> LasUnits:
 
 def _doubt_of(units: LasUnits) -> str | None:
     plane, height = units.plane, units.height
-    if plane is None or height is None or height.metres is None:
+    if plane is None or height is None or height.meters is None:
         return None
-    factor = height.metres / (plane.metres or 1.0)  # degrees become meters
+    factor = height.meters / (plane.meters or 1.0)  # degrees become meters
     if is_same(plane, height) or factor == 1:
         return None
-    first = "" if plane.metres else "cloud = project_to_utm(cloud); "
+    first = "" if plane.meters else "cloud = project_to_utm(cloud); "
     remedy = f"{first}points = cloud.points.copy(); points[:, 2] *= {factor:.10g}; cloud.points = points"
     return f"x and y are in {plane}, z is in {height}, so that no length is right; to mend it: {remedy}"
 

@@ -76,7 +76,7 @@ def _registered(pyproj: Any, code: int) -> Any:
 
 def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
     factor = system.axis_info[0].unit_conversion_factor
-    return unit is None or not unit.metres or abs(unit.metres / factor - 1) <= SAME
+    return unit is None or not unit.meters or abs(unit.meters / factor - 1) <= SAME
 
 
 def with_system(header: LasHeader, text: str) -> LasHeader:

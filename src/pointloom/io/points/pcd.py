@@ -28,7 +28,7 @@ from .header_units import unit_comment
 from .pcd_header import ENCODINGS, STANDING, Field, PcdHeader, read_header
 
 PACKED = ("rgb", "rgba")  # fields of colors 0xAARRGGBB
-UNREADABLE = "the text of field {!r} is nan, as PCL wrote colours with red from 128 on; write the file as binary"
+UNREADABLE = "the text of field {!r} is nan, as PCL wrote colors with red from 128 on; write the file as binary"
 
 # PCL up to 1.7 pads a compressed file as if the payload began on the second memory page: this many zero
 # bytes minus the header length.
@@ -136,7 +136,7 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
                 else:
                     parts.append(rows.cast(table[:, k], field.dtype, field.name, 0))
             if any(part is None for part in parts):
-                message = f"{path}: colours are left out: {UNREADABLE.format(field.name)}"
+                message = f"{path}: colors are left out: {UNREADABLE.format(field.name)}"
                 warnings.warn(escaped(message), UserWarning, stacklevel=7)
             else:
                 fields[field.name] = parts[0] if field.count == 1 else np.stack(parts, axis=1)
@@ -326,7 +326,7 @@ def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
     found = _role_names(fields, {name: values.ndim for name, values in fields.items()})
     if found != expected:
         names: Sequence[str] = [name for key, names in found.items() if expected.get(key) != names for name in names]
-        reason = f"the attributes {', '.join(names)} would be read as normals or colours"
+        reason = f"the attributes {', '.join(names)} would be read as normals or colors"
         raise FileError(path, reason, remedy="Rename one of them")
     return fields
 

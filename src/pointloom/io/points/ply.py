@@ -374,7 +374,7 @@ def _vertex_columns(
     expected = [_POINTS, None if normals is None else _NORMALS, None if colors is None else _COLORS[0]]
     for found, meant in zip(_role_names(path, columns), expected, strict=True):
         if found != meant:
-            reason = f"the attributes {', '.join(found or ())} would be read as normals or colours"
+            reason = f"the attributes {', '.join(found or ())} would be read as normals or colors"
             raise FileError(path, reason, remedy="Rename one of them")
     return columns
 

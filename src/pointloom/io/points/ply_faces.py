@@ -119,10 +119,10 @@ def attribute_columns(
             raise FileError(path, f"attribute {name!r}: faces have another property {clash[0]!r}", remedy="Rename it")
         columns |= parts
     if colors is None and all(name in columns for name in _COLORS):
-        reason = f"the attributes {', '.join(_COLORS)} of triangles would be read as colours"
+        reason = f"the attributes {', '.join(_COLORS)} of triangles would be read as colors"
         raise FileError(path, reason, remedy="Rename one of them")
     alpha = columns.get(_ALPHA)
     if colors is not None and colors.shape[1] == 3 and alpha is not None and alpha.dtype == np.uint8:
-        raise FileError(path, "the attribute 'alpha' of triangles would be read with the colours", remedy="Rename it")
+        raise FileError(path, "the attribute 'alpha' of triangles would be read with the colors", remedy="Rename it")
     heads = [f"property {TYPE_NAMES[f'{c.dtype.kind}{c.dtype.itemsize}']} {name}" for name, c in columns.items()]
     return heads, list(columns.values())

@@ -88,7 +88,7 @@ def _read_pts(path: Path, body: bytes) -> PointTable:
     table = rows.numbers().reshape(count, width)
     colors = None
     if width >= 6:
-        channels = [rows.cast(column, np.dtype(np.uint8), "colour", 0) for column in table[:, -3:].T]
+        channels = [rows.cast(column, np.dtype(np.uint8), "color", 0) for column in table[:, -3:].T]
         colors = stack_colors(path, channels)
     attributes = {"intensity": table[:, 3].copy()} if width in (4, 7) else {}
     return PointTable(np.ascontiguousarray(table[:, :3]), None, colors, attributes)

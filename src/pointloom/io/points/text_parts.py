@@ -108,7 +108,7 @@ class TextInParts:
                 check_fields(self.path, rows, text, self._delimiter, line + min(skip, lines), len(names))
                 values = rows.numbers().reshape(-1, len(names))
                 for name in COLOR if self._kind == ".pts" and COLOR[0] in names else ():  # raises with the line
-                    rows.cast(values[:, names.index(name)], np.dtype(np.uint8), "colour", 0)
+                    rows.cast(values[:, names.index(name)], np.dtype(np.uint8), "color", 0)
                 yield names, values
             line += lines
 

@@ -169,7 +169,7 @@ def names_of(path: Path, head: _Head, width: int) -> list[str]:
         known = {4: "x y z intensity", 6: "x y z nx ny nz, or x y z r g b", 7: "x y z intensity r g b"}
         remedy = f"Add a first line of names, such as {known.get(width, 'x y z time')}; or give columns="
         if width == 6:
-            remedy += "; without names, .xyzn holds normals and .xyzrgb colours in 0..1"
+            remedy += "; without names, .xyzn holds normals and .xyzrgb colors in 0..1"
         raise FileError(path, f"has {width} columns, and nothing says what they are", remedy=remedy)
     names = [_canonical(name) for name in head.names]
     if reason := _why_wrong(names):
@@ -189,7 +189,7 @@ def _why_wrong(names: Sequence[str]) -> str:
     missing = [name for name in POSITION if name not in names]
     if missing:
         return f"no column is named {', '.join(missing)}"
-    for what, triple in (("normals", NORMAL), ("colours", COLOR)):
+    for what, triple in (("normals", NORMAL), ("colors", COLOR)):
         there = [name for name in triple if name in names]
         if 0 < len(there) < 3:
             return f"{what} need {', '.join(triple)}, and there is only {', '.join(there)}"
@@ -267,10 +267,10 @@ def color_range(path: Path, low: float, high: float, *, whole: bool) -> float:
     """Derive the maximum color value (1 or 255) from the range of values; raises `FileError` if it is ambiguous."""
     if not whole or low < 0 or high > 255:
         if high > 1:
-            reason = f"colours from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"
+            reason = f"colors from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"
             raise FileError(path, reason, remedy="Scale them to 0..1")
         return 1.0
     if high == 1:
-        reason = "all colours are 0 or 1, which may be parts of 1 or of 255"
-        raise FileError(path, reason, remedy="Write .xyzrgb for colours in 0..1, .pts for whole numbers in 0..255")
+        reason = "all colors are 0 or 1, which may be parts of 1 or of 255"
+        raise FileError(path, reason, remedy="Write .xyzrgb for colors in 0..1, .pts for whole numbers in 0..255")
     return 255.0

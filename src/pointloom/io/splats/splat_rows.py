@@ -78,5 +78,5 @@ def check_rounding(path: Any, points: NDArray[Any], error: float) -> None:
     """Raise `FileError` if a format would round centers by more than 2 mm."""
     if error > 2e-3:
         low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-        reason = f"centres from {low} to {high} m would be rounded by {error:.2g} m"
+        reason = f"centers from {low} to {high} m would be rounded by {error:.2g} m"
         raise FileError(path, reason, remedy="translate the splats to near the origin, or write .ply")

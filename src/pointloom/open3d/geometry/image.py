@@ -20,7 +20,7 @@ WEIGHTS = {
     ImageFilterType.Sobel3dx: ([-1.0, 0.0, 1.0], [1.0, 2.0, 1.0]),
     ImageFilterType.Sobel3dy: ([1.0, 2.0, 1.0], [-1.0, 0.0, 1.0]),
 }
-GREY = np.array([0.2990, 0.5870, 0.1140], np.float32)
+GRAY = np.array([0.2990, 0.5870, 0.1140], np.float32)
 
 
 class Image(ToldNames):
@@ -56,7 +56,7 @@ class Image(ToldNames):
     def _floats(self) -> NDArray[np.float32]:
         """Gray floats as in Open3D: bytes over 255, larger types unscaled."""
         values = self._values.astype(np.float32) / np.float32(255 if self._values.dtype == np.uint8 else 1)
-        return values if values.ndim == 2 else values[..., :3] @ GREY
+        return values if values.ndim == 2 else values[..., :3] @ GRAY
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """The memory itself, unless a copy or another type is requested."""

@@ -34,10 +34,10 @@ class RGBDImage(Geometry2D):
         color, depth = np.asarray(self.color), np.asarray(self.depth)
         if color.shape[:2] != depth.shape:
             raise ValueError(f"color, depth: expected one size, got {list(color.shape[:2])} and {list(depth.shape)}")
-        cpu, is_grey = resolve_device("cpu"), color.dtype != np.uint8
+        cpu, is_gray = resolve_device("cpu"), color.dtype != np.uint8
         pixels = (
             upload(color.flatten(), float32, cpu)
-            if is_grey
+            if is_gray
             else upload(color.reshape(depth.size, -1).copy(), uint8, cpu)
         )
         return images.RGBDImage._from_device_arrays(pixels, upload(depth.flatten(), float32, cpu), *depth.shape)
@@ -53,13 +53,13 @@ class RGBDImage(Geometry2D):
     ) -> Self:
         """Make an image; depth is divided by `depth_scale`, and 0 from `depth_trunc` on."""
         pixels, numbers = pixels_of(color, "color"), depth_of(depth, bytes_too=True)
-        is_grey = pixels.dtype == np.float32 and convert_rgb_to_intensity  # gray already, or converted
-        taken = np.zeros(numbers.shape, np.uint8) if is_grey else pixels
+        is_gray = pixels.dtype == np.float32 and convert_rgb_to_intensity  # gray already, or converted
+        taken = np.zeros(numbers.shape, np.uint8) if is_gray else pixels
         made = images.RGBDImage.create_from_color_and_depth(
             taken, numbers, depth_scale, below(depth_trunc), convert_rgb_to_intensity
         )
         image = cls._of(made)
-        if is_grey:
+        if is_gray:
             image.color = Image(Image(pixels)._floats())
         return image
 

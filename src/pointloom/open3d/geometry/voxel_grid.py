@@ -67,9 +67,7 @@ class VoxelGrid(Geometry):
     ) -> VoxelGrid:
         """Voxels of a cloud with mean colors."""
         if pooling_mode is not VoxelPoolingMode.AVG:
-            raise ValueError(
-                f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean colour"
-            )
+            raise ValueError(f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean color")
         cloud = ours(input, PointCloud, "input")
         means = cloud.voxel_down_sample(voxel_size)
         origin = cloud.get_min_bound() - voxel_size / 2

@@ -25,7 +25,7 @@ def read_image(filename: FilePath) -> Image:
         pixels = image_files.decode_texture(filename, Path(filename).read_bytes())
         return Image(pixels[..., ALPHA[header.channels]])
     pixels = image_files.read_color(filename)
-    return Image(pixels[..., 0] if header.channels == 1 and _is_grey(filename) else pixels)
+    return Image(pixels[..., 0] if header.channels == 1 and _is_gray(filename) else pixels)
 
 
 def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
@@ -39,7 +39,7 @@ def write_image(filename: FilePath, image: Any, quality: int = -1) -> bool:
     return True
 
 
-def _is_grey(filename: FilePath) -> bool:
+def _is_gray(filename: FilePath) -> bool:
     """True if pixels are gray and not palette indices."""
     with PIL.Image.open(filename) as picture:
         return picture.mode in ("L", "1")

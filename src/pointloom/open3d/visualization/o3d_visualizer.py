@@ -245,7 +245,7 @@ class O3DVisualizer(KnownNames):
 
     def set_background(self, bg_color: Any, bg_image: Any = None) -> None:
         if bg_image is not None:
-            raise PointloomError("bg_image: pages have a colour behind the scene, no picture")
+            raise PointloomError("bg_image: pages have a color behind the scene, no picture")
         self._window.get_render_option().background_color = np.asarray(bg_color, np.float64)[:3]
         self.post_redraw()
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import ToldNames
 from ...core.checks import check_direction, check_number, check_shape
-from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MIN_ZOOM, MAX_ZOOM, ZOOM
+from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MAX_ZOOM, MIN_ZOOM, ZOOM
 from ...visualization.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
 from ..held import ours

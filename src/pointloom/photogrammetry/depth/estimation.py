@@ -36,7 +36,7 @@ from .tiles import MAX_TILES, refine_by_tiles
 SPARSE = "the sparse model"
 AXIS = 1e-3  # [rad] about the axis, where distortion is negligible
 NO_DEPTH = 65535  # invalid integer depth besides 0, as in 7-Scenes
-FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and metres; or the path of one"
+FORMS = "a sparse model, a depth map [h, w], or distances [n, 3] of u, v and meters; or the path of one"
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ def _read(path: Path) -> Any:
         return read_depth(path)
     if suffix in (".txt", ".csv"):
         return read_distances(path)
-    remedy = "Use .png or .npy (a depth map), .txt or .csv (u v metres), or the folder of a COLMAP model"
+    remedy = "Use .png or .npy (a depth map), .txt or .csv (u v meters), or the folder of a COLMAP model"
     raise FileError(path, f"unknown extension {suffix!r}", remedy=remedy)
 
 
@@ -95,19 +95,22 @@ def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
         except ValueError:
             rows.append([])
         if len(rows[-1]) != 3:
-            raise FileError(path, f"expected u v metres, got {line[:60]!r}", where=f"line {number}")
+            raise FileError(path, f"expected u v meters, got {line[:60]!r}", where=f"line {number}")
     if not rows:
-        raise FileError(path, "holds no distances", remedy="Write a line of u v metres for each")
+        raise FileError(path, "holds no distances", remedy="Write a line of u v meters for each")
     return np.array(rows)
 
 
-_HEADS = (["u", "v", "metres"], ["u", "v", "meters"], ["u", "v", "m"], ["x", "y", "metres"], ["u", "v", "depth"])
+_HEADS = [["u", "v", name] for name in ("meters", "metres", "m", "depth")] + [
+    ["x", "y", "meters"],
+    ["x", "y", "metres"],
+]
 
 
 def _of_distances(array: NDArray[Any], size: tuple[int, int]) -> References:
     rows = array.astype(np.float64)
     if not (np.isfinite(rows).all() and (rows[:, 2] > 0).all() and (rows[:, 2] < 1e30).all()):
-        raise ValueError("align: expected finite pixels and distances above 0, one row of u, v and metres each")
+        raise ValueError("align: expected finite pixels and distances above 0, one row of u, v and meters each")
     outside = ~_inside(rows[:, :2], size)
     if outside.any():
         u, v, _ = rows[outside][0]

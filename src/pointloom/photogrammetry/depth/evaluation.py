@@ -72,5 +72,5 @@ def _metres(name: str, values: Any, scale: float) -> NDArray[np.float64]:
     array = check_numeric(name, values)
     if array.ndim != 2 or 0 in array.shape:
         raise ValueError(f"{name}: expected shape [h, w], got {list(array.shape)}")
-    metres = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else scale)
-    return np.where(np.isfinite(metres) & (metres > 0), metres, 0.0)
+    meters = array.astype(np.float64) / (1.0 if array.dtype.kind == "f" else scale)
+    return np.where(np.isfinite(meters) & (meters > 0), meters, 0.0)

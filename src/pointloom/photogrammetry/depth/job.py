@@ -115,8 +115,8 @@ def depth_of_pictures(
         raise first
     if folder is not None:
         say("pictures", len(jobs), len(jobs))
-    licence, provider = PRESETS[network.preset].licence, network.provider
-    run = network.path, network.preset, licence, provider, str(where), tuple(pictures), tuple(failures)
+    license, provider = PRESETS[network.preset].license, network.provider
+    run = network.path, network.preset, license, provider, str(where), tuple(pictures), tuple(failures)
     return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.note)
 
 
@@ -214,9 +214,9 @@ class _Extras:
 
 def _unit_comment(found: DepthEstimate) -> str:
     if found.unit == ARBITRARY:
-        return "pointloom depth: units arbitrary, the nearest point at depth 1; align to get metres"
+        return "pointloom depth: units arbitrary, the nearest point at depth 1; align to get meters"
     if found.unit == "m":
-        return "pointloom depth: metres"
+        return "pointloom depth: meters"
     return "pointloom depth: in the unit of the sparse model"
 
 

@@ -55,7 +55,7 @@ _HEADS = {
 _MEANINGS = {
     "inverse": "more where something is nearer",
     "depth": "more where something is farther",
-    "metric": "metres, more where something is farther",
+    "metric": "meters, more where something is farther",
 }
 
 
@@ -127,7 +127,7 @@ def _by_outputs(path: str, signature: Signature) -> Head:
         return Head(RECIPROCAL)
     if "view" in signature.outputs or signature.outputs["depth"] == "canonical_inverse_depth":
         return Head(INVERSE)
-    reason = "does not say whether it gives metres or canonical inverse depth"
+    reason = "does not say whether it gives meters or canonical inverse depth"
     raise FileError(path, reason, remedy="Export it with its focal length or its field of view")
 
 
@@ -140,7 +140,7 @@ def note_on(head: Head, preset: Preset) -> str | None:
     if preset.output == "metric" and preset.reading == "map":
         twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
         if (twin := next(twins, None)) is not None:
-            return f"the file does not say that its depth is in metres, {preset.name} does: {twin.name} ends as it does"
+            return f"the file does not say that its depth is in meters, {preset.name} does: {twin.name} ends as it does"
     return None
 
 

@@ -162,8 +162,8 @@ def _read_canonical(head: str | None, given: dict[str, Any], placement: Placemen
     with np.errstate(divide="ignore", invalid="ignore"):
         if head == RECIPROCAL:
             if own is None:
-                metres = bring_back(np.where(values < 0.999 * FARTHEST, values, np.float32(np.nan)), placement)
-                return Reading(metres, placement, is_metric=True)
+                meters = bring_back(np.where(values < 0.999 * FARTHEST, values, np.float32(np.nan)), placement)
+                return Reading(meters, placement, is_metric=True)
             own_share = np.float32(own / placement.width)
             values = np.where(values < 0.999 * FARTHEST, own_share / values, np.float32(0))
         canonical = bring_back(np.asarray(values, np.float32), placement)

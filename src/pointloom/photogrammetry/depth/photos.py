@@ -69,8 +69,8 @@ def _three_colors(array: NDArray[Any]) -> NDArray[np.uint8]:
 
 def _read_photo(path: str | os.PathLike[str]) -> Photo:
     header = read_picture_header(path)
-    is_deep_grey = header.channels == 1 and header.bits == 16
-    color = _three_colors(read_depth(path)) if is_deep_grey else read_color(path)
+    is_deep_gray = header.channels == 1 and header.bits == 16
+    color = _three_colors(read_depth(path)) if is_deep_gray else read_color(path)
     tags = _exif_tags(path, header.kind)
     mirror, turns = _TURNS.get(tags.get(_ORIENTATION, 1), (False, 0))
     height, width = color.shape[:2]

@@ -25,7 +25,7 @@ class Preset:
 
     Args:
         name: Name of the preset.
-        licence: License of the weights.
+        license: License of the weights.
         sizing: Input size for dynamic models. "lower": both sides at least `size`; "upper": at most; "minimal": the
             side with the least change becomes `size`; then rounded to `multiple`. "area": same number of pixels,
             keeping the aspect. "exact": `fixed`, stretched. "pad": `fixed`, letterboxed with the mean.
@@ -48,7 +48,7 @@ class Preset:
     """
 
     name: str
-    licence: str
+    license: str
     sizing: str
     size: tuple[int, int]
     multiple: int
@@ -76,10 +76,10 @@ class Preset:
 
 def _midas(name: str, side: int, *, inside: bool) -> Preset:
     """MiDaS v2.1; `inside` for the ONNX files of its release, which normalize internally and have a fixed size."""
-    licence = "MIT"
+    license = "MIT"
     if inside:
-        return Preset(name, licence, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO, std=ONE)
-    return Preset(name, licence, "upper", (side, side), 32)
+        return Preset(name, license, "exact", (side, side), 32, fixed=((side, side),), mean=ZERO, std=ONE)
+    return Preset(name, license, "upper", (side, side), 32)
 
 
 _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"

@@ -121,7 +121,7 @@ class PictureDepth(Assessed):
         if self.unit == "m":
             line = f"{reach} m"
         elif self.unit == ARBITRARY:
-            line = f"{reach}, units arbitrary: the nearest pixel is at 1; --align gives metres"
+            line = f"{reach}, units arbitrary: the nearest pixel is at 1; --align gives meters"
         else:
             line = f"{reach} in the unit of the sparse model"
         if self.references:
@@ -151,7 +151,7 @@ class DepthReport(Assessed):
         source: The image or folder.
         is_folder: True if it is a folder.
         model: The network file.
-        preset, licence: The type of network, and the license of its published weights.
+        preset, license: The type of network, and the license of its published weights.
         provider: The onnxruntime provider.
         device: Device of the clouds.
         pictures: Images with a cloud.
@@ -165,7 +165,7 @@ class DepthReport(Assessed):
     is_folder: bool
     model: str
     preset: str
-    licence: str
+    license: str
     provider: str
     device: str
     pictures: tuple[PictureDepth, ...]
@@ -197,7 +197,7 @@ class DepthReport(Assessed):
             "source": self.source,
             "model": self.model,
             "preset": self.preset,
-            "licence": self.licence,
+            "license": self.license,
             "provider": self.provider,
             "device": self.device,
             "pictures": [each.to_dict() for each in self.pictures],
@@ -210,7 +210,7 @@ class DepthReport(Assessed):
         }
 
     def fields(self) -> Fields:
-        network = f"{self.model}, preset {self.preset} ({self.licence})"
+        network = f"{self.model}, preset {self.preset} ({self.license})"
         fields = [("network", network if self.note is None else f"{network}\n{self.note}"), ("ran on", self.provider)]
         if len(self.pictures) == 1 and not self.failures:
             fields += self.pictures[0].fields()

@@ -109,7 +109,7 @@ def estimate_depth_maps(
         device: "cpu", "cuda:0", "auto"; None: the CPU.
         folder: Folder for the maps, one file per image; None: in memory.
         going: Checkpoint folder: a repeated call with the same arguments resumes from it, bitwise identical. Delete it
-            afterwards; do not use it with other arguments.
+            afterward; do not use it with other arguments.
         device_bytes: Device memory limit for images and maps, exceeded if one image with its sources needs more.
         progress: Called with ("depth", steps done, steps in all).
 

@@ -22,7 +22,7 @@ from .exif_checks import doubt_of_focal
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
-from .picture_folder import UPRIGHT, check_place, is_grey_16, list_pictures, read_lens, read_orientation, scaled_size
+from .picture_folder import UPRIGHT, check_place, is_gray_16, list_pictures, read_lens, read_orientation, scaled_size
 
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
@@ -240,7 +240,7 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
     groups: dict[Group, list[str]] = {}
     for path in paths:
         header = read_picture_header(path)
-        fault = "is 16-bit grey" if is_grey_16(header) else ""
+        fault = "is 16-bit gray" if is_gray_16(header) else ""
         if read_orientation(path) != UPRIGHT:
             fault = "lies on its side, as its EXIF data say"
         if fault:

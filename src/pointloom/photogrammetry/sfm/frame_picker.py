@@ -16,11 +16,11 @@ from PIL import Image
 ANALYSIS_SIZE = 640  # [px] longer side for analysis; finer blur is irrelevant
 THUMBNAIL_SIZE = 80  # [px] longer side of thumbnails
 
-NEIGHBOURS = 7  # frames on both sides for the median sharpness
+NEIGHBORS = 7  # frames on both sides for the median sharpness
 BLURRED = 0.6  # fraction of that median
 NEAR = 2  # frames on both sides searched for the sharpest
 FAST = 1.5  # times the requested movement: faster cameras are elsewhere in the next frame
-LAG = NEIGHBOURS + NEAR  # look-ahead frames
+LAG = NEIGHBORS + NEAR  # look-ahead frames
 
 STILL = 0.004  # of the longer side: tripod noise, a third of a thumbnail pixel
 _SAME = 0.25  # relative change of a block by noise
@@ -32,19 +32,19 @@ _BRIGHT = 95  # percentile
 _LEAST = 1e-12
 
 
-def sharpness(grey: NDArray[np.uint8]) -> float:
-    if min(grey.shape) < 3:
+def sharpness(gray: NDArray[np.uint8]) -> float:
+    if min(gray.shape) < 3:
         return 0.0
-    z = grey.astype(np.int16)
+    z = gray.astype(np.int16)
     laplacian = z[:-2, 1:-1] + z[2:, 1:-1] + z[1:-1, :-2] + z[1:-1, 2:] - 4 * z[1:-1, 1:-1]
     return float(laplacian.var(dtype=np.float64))
 
 
-def thumbnail(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    height, width = grey.shape
+def thumbnail(gray: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    height, width = gray.shape
     factor = min(1.0, THUMBNAIL_SIZE / max(height, width))
     size = (max(1, round(width * factor)), max(1, round(height * factor)))
-    return np.asarray(Image.fromarray(grey).resize(size, Image.Resampling.BOX))
+    return np.asarray(Image.fromarray(gray).resize(size, Image.Resampling.BOX))
 
 
 def is_blank(small: NDArray[np.uint8]) -> bool:
@@ -121,13 +121,13 @@ class FramePicker:
         self._judged = 0
         self._skipped = 0  # frames since the last selected one with a still camera
 
-    def add(self, grey: NDArray[np.uint8]) -> None:
-        small = thumbnail(grey)
+    def add(self, gray: NDArray[np.uint8]) -> None:
+        small = thumbnail(gray)
         if is_blank(small):
             self.blank.append(len(self._sharpness))
             self._sharpness.append(float("nan"))
         else:
-            self._sharpness.append(sharpness(grey))
+            self._sharpness.append(sharpness(gray))
         self._small.append(small)
         if len(self._sharpness) > LAG:
             self._judge()
@@ -166,7 +166,7 @@ class FramePicker:
         return self._small[number - len(self._sharpness)]
 
     def _is_blurred(self, number: int) -> bool:
-        around = np.array(self._sharpness[max(number - NEIGHBOURS, 0) : number + NEIGHBOURS + 1])
+        around = np.array(self._sharpness[max(number - NEIGHBORS, 0) : number + NEIGHBORS + 1])
         around = around[~np.isnan(around)]
         return bool(len(around) and self._sharpness[number] < BLURRED * np.median(around))
 

@@ -51,9 +51,9 @@ def choose_video_frames(
 
 def _look(video: VideoFile, picker: FramePicker, limits: dict[str, Any], say: ReportProgress) -> tuple[int, str, int]:
     """Feed all frames to the picker; returns their number, the decoder's messages, and its memory [B]."""
-    with VideoFrames(video, max_size=ANALYSIS_SIZE, grey=True, **limits) as frames:
-        for grey in frames:
-            picker.add(grey)
+    with VideoFrames(video, max_size=ANALYSIS_SIZE, gray=True, **limits) as frames:
+        for gray in frames:
+            picker.add(gray)
             say("look", frames.count, max(video.promised or 0, frames.count))
         picker.end()
         return frames.count, frames.said, frames.peak_bytes

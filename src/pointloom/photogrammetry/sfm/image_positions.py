@@ -170,7 +170,7 @@ class PicturePlaces:
     def notes(self) -> list[str]:
         said = [f"{name} ({reason})" for name, reason in self.refused.items()]
         notes = [f"GPS of {counted(len(said), 'picture')} is rejected: {some_of(said)}"] if said else []
-        said = [f"{name} ({metres:g} m)" for name, metres in self.altitudes_refused.items()]
+        said = [f"{name} ({meters:g} m)" for name, meters in self.altitudes_refused.items()]
         if said:
             notes.append(f"the altitude of {counted(len(said), 'picture')} is rejected: {some_of(said)}")
         return notes
@@ -320,15 +320,15 @@ def _text(value: Any) -> str:
 def _without_far(places: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
     if len(places) < 3:
         return places
-    metres = metres_about_median(places)
-    far = np.linalg.norm(metres, axis=1)
+    meters = meters_about_median(places)
+    far = np.linalg.norm(meters, axis=1)
     for place, distance in zip(places, far.tolist(), strict=True):
         if distance > FARTHEST:
             refused[place.name] = f"lies {distance / 1000:,.0f} km from the median of the others"
     return [place for place in places if place.name not in refused]
 
 
-def metres_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
+def meters_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
     """Approximate positions about their median, [n, 2] [m]."""
     degrees = np.array([[place.latitude, place.longitude] for place in places])
     degrees[:, 1] = _unwrapped(degrees[:, 1].tolist())

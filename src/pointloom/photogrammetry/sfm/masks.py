@@ -193,8 +193,8 @@ def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tup
         if abs(width * size[1] - height * size[0]) <= max(width, height) and width >= size[0]:
             if (width, height) == size:
                 return np.ascontiguousarray(each)
-            grey = Image.fromarray(np.where(each, 255, 0).astype(np.uint8))
-            return np.asarray(grey.resize(size, Image.Resampling.BOX)) >= KEPT
+            gray = Image.fromarray(np.where(each, 255, 0).astype(np.uint8))
+            return np.asarray(gray.resize(size, Image.Resampling.BOX)) >= KEPT
     reason = f"is a mask of {mask.shape[1]} x {mask.shape[0]}, its picture {size[0]} x {size[1]} pixels"
     raise FileError(place, reason, remedy="Make masks of the size of their pictures")
 

@@ -31,7 +31,7 @@ from .picture_folder import check_place
 
 Descriptors = NDArray[np.uint8]
 WORDS = 64
-NEIGHBOURS = 10  # partners per image
+NEIGHBORS = 10  # partners per image
 LENGTH = 128  # length of a SIFT descriptor
 TURNS = 12  # k-means iterations: words then move by less than one integer step
 SAMPLE = 30_000  # descriptors for k-means over all images
@@ -87,24 +87,24 @@ def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64
     return np.rint(FINE * rooted / np.maximum(lengths, 1.0)).ravel()
 
 
-def alike_pictures(sets: Sequence[Descriptors], neighbours: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
-    """Up to `neighbours` most similar other images for each, by descriptors uint8 [n, length], the best first."""
-    learnt = learn_words(sets, words, seed)
-    if not len(learnt):
+def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, words: int = WORDS) -> list[list[int]]:
+    """Up to `neighbors` most similar other images for each, by descriptors uint8 [n, length], the best first."""
+    learned = learn_words(sets, words, seed)
+    if not len(learned):
         return [[] for _ in sets]
-    table = np.stack([describe(each, learnt) for each in sets])
+    table = np.stack([describe(each, learned) for each in sets])
     alike = table @ table.T
     np.fill_diagonal(alike, -np.inf)
     empty = np.array([not len(each) for each in sets])
     alike[:, empty] = -np.inf
-    order = np.argsort(-alike, axis=1, kind="stable")[:, :neighbours]
+    order = np.argsort(-alike, axis=1, kind="stable")[:, :neighbors]
     return [[] if empty[i] else [int(j) for j in row if np.isfinite(alike[i, j])] for i, row in enumerate(order)]
 
 
-def pairs_that_look_alike(database: Path, neighbours: int, *, seed: int) -> list[tuple[int, int]]:
+def pairs_that_look_alike(database: Path, neighbors: int, *, seed: int) -> list[tuple[int, int]]:
     found = read_descriptors(database)
     numbers = list(found)
-    alike = alike_pictures(list(found.values()), neighbours, seed=seed)
+    alike = alike_pictures(list(found.values()), neighbors, seed=seed)
     both = [(numbers[i], numbers[j]) for i, row in enumerate(alike) for j in row]
     return sorted({(min(pair), max(pair)) for pair in both})
 
@@ -125,7 +125,7 @@ FEW_PICTURES = 40  # maximum for exhaustive matching (780 pairs): less work than
 
 _PAIR = 2147483647  # COLMAP's id of the pair (a, b) is _PAIR a + b
 _SIFT = 0  # COLMAP's id of the feature type
-_MAX_NEIGHBOURS = 10_000
+_MAX_NEIGHBORS = 10_000
 _MAX_OVERLAP = 30  # powers of two
 
 
@@ -163,7 +163,7 @@ def match(
     *,
     pairs: str = "auto",
     overlap: int = OVERLAP,
-    neighbours: int = NEIGHBOURS,
+    neighbors: int = NEIGHBORS,
     use_gpu: bool | None = None,
     seed: int = 0,
     max_seconds: float | None = MAX_SECONDS,
@@ -178,7 +178,7 @@ def match(
         pairs: "sequential" for images in capture order (video); "exhaustive" for all pairs; "retrieval" for the most
             similar images; "auto": exhaustive up to 40 images, else sequential and retrieval.
         overlap: Sequential: number of later images per image, at distances 1, 2, 4, 8, ...
-        neighbours: Retrieval: number of most similar images per image.
+        neighbors: Retrieval: number of most similar images per image.
         use_gpu: As of `find_features`.
         seed: Random seed.
         max_seconds: Time limit [s]; None: no limit.
@@ -206,7 +206,7 @@ def match(
     clock, say = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)
     check_count("overlap", overlap, maximum=_MAX_OVERLAP, because='pairs="exhaustive" takes all')
-    check_count("neighbours", neighbours, maximum=_MAX_NEIGHBOURS, because='pairs="exhaustive" takes all')
+    check_count("neighbors", neighbors, maximum=_MAX_NEIGHBORS, because='pairs="exhaustive" takes all')
     check_use_gpu(use_gpu)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
@@ -219,7 +219,7 @@ def match(
     job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
     with database_in_the_making(target) as part:
         shutil.copyfile(source, part)
-        listed = _listed_pairs(source, pairs, overlap, neighbours, seed)
+        listed = _listed_pairs(source, pairs, overlap, neighbors, seed)
         if pairs in ("retrieval", MIXED):
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
             Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
@@ -254,10 +254,10 @@ def _kind_of(database: Path) -> str:
     return "aliked" if types - {_SIFT, None} else "sift"
 
 
-def _listed_pairs(database: Path, pairs: str, overlap: int, neighbours: int, seed: int) -> NDArray[np.int64]:
+def _listed_pairs(database: Path, pairs: str, overlap: int, neighbors: int, seed: int) -> NDArray[np.int64]:
     if pairs not in ("retrieval", MIXED):
         return pairs_of(database, pairs, overlap)
-    chosen = set(pairs_that_look_alike(database, neighbours, seed=seed))
+    chosen = set(pairs_that_look_alike(database, neighbors, seed=seed))
     if pairs == MIXED:
         chosen |= {(int(a), int(b)) for a, b in pairs_of(database, "sequential", overlap)}
     return np.array(sorted(chosen), np.int64).reshape(-1, 2)

@@ -1,7 +1,7 @@
 """Worker process that decodes a video with OpenCV if there is no ffmpeg: `opencv_worker.py < job.json > frames.ppm`.
 
 It only imports cv2, whose decoders crash on some files and whose libraries conflict with others. The JSON job has
-"path", "container" (ffmpeg's name), and "probe": true for a JSON description of the video, or "max_size", "grey" and
+"path", "container" (ffmpeg's name), and "probe": true for a JSON description of the video, or "max_size", "gray" and
 "numbers" (null: all) for frames as PGM or PPM images.
 """
 
@@ -52,8 +52,8 @@ def write_frames(cv2: Any, video: Any, job: dict[str, Any]) -> None:
         width, height = max(1, round(width * factor)), max(1, round(height * factor))
         if (height, width) != frame.shape[:2]:
             frame = cv2.resize(frame, (width, height), interpolation=cv2.INTER_AREA)
-        frame = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY if job["grey"] else cv2.COLOR_BGR2RGB)
-        sys.stdout.buffer.write(f"P{5 if job['grey'] else 6}\n{width} {height}\n255\n".encode())
+        frame = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY if job["gray"] else cv2.COLOR_BGR2RGB)
+        sys.stdout.buffer.write(f"P{5 if job['gray'] else 6}\n{width} {height}\n255\n".encode())
         sys.stdout.buffer.write(frame.tobytes())
     sys.stdout.buffer.flush()
 

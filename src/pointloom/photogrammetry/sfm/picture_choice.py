@@ -33,7 +33,7 @@ from .picture_folder import (
 )
 from .picture_writing import Wanted, counted, some_of, write_bytes, write_picture
 
-_GREY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
+_GRAY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
 _BITS = 8
 _TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
 _TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
@@ -56,7 +56,7 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
         except FileError as error:
             left_out[paths[number].name] = error.reason
             continue
-        if is_blank(thumbnail(_grey(pixels))):
+        if is_blank(thumbnail(_gray(pixels))):
             left_out[paths[number].name] = "black, or all of one brightness"
             continue
         name, size = _write(paths[number], headers[number], pixels, stems[number], wanted)
@@ -98,8 +98,8 @@ def _headers(paths: list[Path], numbers: list[int]) -> tuple[dict[int, PictureHe
     return headers, left_out
 
 
-def _grey(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return ((pixels @ _GREY) >> 8).astype(np.uint8)
+def _gray(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return ((pixels @ _GRAY) >> 8).astype(np.uint8)
 
 
 def _write(

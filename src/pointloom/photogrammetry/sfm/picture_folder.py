@@ -107,7 +107,7 @@ def upright(pixels: NDArray, orientation: int) -> NDArray:
     return np.ascontiguousarray(turned[:, ::-1] if orientation in (2, 4, 5, 7) else turned)
 
 
-def is_grey_16(header: PictureHeader) -> bool:
+def is_gray_16(header: PictureHeader) -> bool:
     return header.channels == 1 and header.bits == 16
 
 
@@ -116,10 +116,10 @@ def read_picture(path: FilePath, header: PictureHeader, *, white: int = 65535) -
     if is_photo(path):
         pixels, orientation = read_photo(path)
     else:
-        pixels, orientation = read_depth(path) if is_grey_16(header) else read_color(path), read_orientation(path)
+        pixels, orientation = read_depth(path) if is_gray_16(header) else read_color(path), read_orientation(path)
     if pixels.ndim == 2:
-        grey = np.minimum(pixels.astype(np.float32) * (_LARGEST_8_BIT / white) + 0.5, _LARGEST_8_BIT)
-        pixels = np.repeat(grey.astype(np.uint8)[..., None], 3, axis=2)
+        gray = np.minimum(pixels.astype(np.float32) * (_LARGEST_8_BIT / white) + 0.5, _LARGEST_8_BIT)
+        pixels = np.repeat(gray.astype(np.uint8)[..., None], 3, axis=2)
     return upright(pixels, orientation)
 
 
@@ -129,7 +129,7 @@ def read_stored(path: FilePath) -> NDArray[np.uint8]:
         return read_color(path)
     pixels, _ = read_photo(path)
     if pixels.dtype != np.uint8:
-        raise FileError(path, "expected a colour picture, got 16-bit grey", remedy="Convert it to 8 bits")
+        raise FileError(path, "expected a color picture, got 16-bit gray", remedy="Convert it to 8 bits")
     return np.asarray(pixels, np.uint8)
 
 
@@ -137,7 +137,7 @@ def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
     """White level of a set of 16-bit gray images: that of 12 bits if none is brighter."""
     most = 0
     for path, header in zip(paths, headers, strict=True):
-        if is_grey_16(header):
+        if is_gray_16(header):
             with contextlib.suppress(FileError):  # reported when the file is read
                 most = max(most, int((read_photo(path)[0] if is_photo(path) else read_depth(path)).max()))
     return _LARGEST_12_BIT if 0 < most <= _LARGEST_12_BIT else 65535

@@ -28,7 +28,7 @@ from ...io.models.transforms_writer import write_content
 from ...io.pictures.image_files import write_png
 from ...io.pictures.photo_files import is_photo
 from .masks import KEPT, masks_in, read_mask, write_mask
-from .picture_folder import UPRIGHT, check_place, is_grey_16, read_header, read_orientation, read_stored
+from .picture_folder import UPRIGHT, check_place, is_gray_16, read_header, read_orientation, read_stored
 from .picture_writing import write_bytes
 from .straightened import straightened_model
 
@@ -59,8 +59,8 @@ def find_pictures(pictures: Any, model: SfmModel) -> list[Path | Pixels]:
         if (header.width, header.height) != size:
             reason = f"is {header.width} x {header.height}, its camera {size[0]} x {size[1]} pixels"
             raise FileError(path, reason, remedy="Give the pictures in the size that the cameras were found in")
-        if is_grey_16(header):
-            raise FileError(path, "expected a picture of 8 bits, got 16-bit grey", remedy="Convert it to 8 bits")
+        if is_gray_16(header):
+            raise FileError(path, "expected a picture of 8 bits, got 16-bit gray", remedy="Convert it to 8 bits")
         found.append(path)
     return found
 

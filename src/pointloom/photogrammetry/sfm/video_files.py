@@ -197,17 +197,17 @@ class VideoFrames:
         video: VideoFile,
         *,
         max_size: int | None,
-        grey: bool = False,
+        gray: bool = False,
         numbers: Sequence[int] | None = None,
         max_seconds: float = float("inf"),
         max_memory: int | None = None,
     ):
         self._video, self.count, self.said = video, 0, ""
         if video.reader == "ffmpeg":
-            command, stdin = _ffmpeg_command(video, max_size, grey, numbers), ""
+            command, stdin = _ffmpeg_command(video, max_size, gray, numbers), ""
         else:
             command = [sys.executable, "-P", str(_OPENCV)]
-            job = {"path": os.fspath(video.path), "container": video.container, "max_size": max_size, "grey": grey}
+            job = {"path": os.fspath(video.path), "container": video.container, "max_size": max_size, "gray": gray}
             stdin = json.dumps(job | {"numbers": None if numbers is None else list(numbers)})
         self._process = LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=stdin)
 
@@ -239,7 +239,7 @@ class VideoFrames:
             raise FileError(self._video.path, reason, remedy="The file may be damaged, or of a kind that is not known")
 
 
-def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers: Sequence[int] | None) -> list[str]:
+def _ffmpeg_command(video: VideoFile, max_size: int | None, gray: bool, numbers: Sequence[int] | None) -> list[str]:
     filters = []
     if numbers is not None:
         filters.append(f"select='{_any_of(list(numbers))}'")
@@ -256,7 +256,7 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, grey: bool, numbers:
         command += ["-vf", ",".join(filters)]
     if numbers is not None:
         command += ["-frames:v", str(len(numbers))]
-    return [*command, "-f", "image2pipe", "-c:v", "pgm" if grey else "ppm", "pipe:1"]
+    return [*command, "-f", "image2pipe", "-c:v", "pgm" if gray else "ppm", "pipe:1"]
 
 
 def _input(path: Path, container: str) -> list[str]:

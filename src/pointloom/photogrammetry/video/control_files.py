@@ -2,7 +2,7 @@
 
 Either ODM's `gcp_list.txt`: coordinate system ("local" for none), then `x y z column row picture [name]` lines; or CSV
 with `name,x,y,z,picture,column,row` and optional `sigma`, `sigma_z` [m] and `use` (control, check), `# crs EPSG:25832`.
-Both allow `bar A B metres [sigma]` and `mark NAME picture column row`. Points named "check" or "CHK" are check points.
+Both allow `bar A B meters [sigma]` and `mark NAME picture column row`. Points named "check" or "CHK" are check points.
 Columns and rows start at the upper left corner: the center of the first pixel is 0.5, 0.5.
 """
 
@@ -36,7 +36,7 @@ def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = 
 
     Args:
         path: ODM's `gcp_list.txt`, or a CSV with name, x, y, z, picture, column, row (docs/video.md); or None.
-        scale_bars: File of lengths, `bar A B metres [sigma]`, and marks of their ends.
+        scale_bars: File of lengths, `bar A B meters [sigma]`, and marks of their ends.
 
     Raises:
         TypeError, ValueError: Not a path, or neither is given.
@@ -90,7 +90,7 @@ def _read(found: _Found, *, is_bars: bool) -> None:
     else:
         _parse_words(found, content)
     if is_bars and len(found.bars) == before:
-        raise FileError(found.path, "holds no scale bar", remedy="Write lines `bar A B metres [sigma]`")
+        raise FileError(found.path, "holds no scale bar", remedy="Write lines `bar A B meters [sigma]`")
 
 
 def _lines_of(place: Path) -> list[tuple[int, str]]:
@@ -160,7 +160,7 @@ class _Found:
         word = words[0].lower()
         if word == "bar":
             if len(words) not in (4, 5):
-                raise self.fail(line, f"expected `bar A B metres [sigma]`, got {len(words)} words")
+                raise self.fail(line, f"expected `bar A B meters [sigma]`, got {len(words)} words")
             values = self.numbers(line, words[3:], "a length [m]")
             try:
                 self.bars.append(ScaleBar(words[1], words[2], *values))

@@ -81,13 +81,13 @@ class BarResidual:
 
     @property
     def error(self) -> float:
-        return self.found - self.bar.metres
+        return self.found - self.bar.meters
 
     def to_dict(self) -> dict[str, Any]:
         return {
             "a": self.bar.a,
             "b": self.bar.b,
-            "metres": self.bar.metres,
+            "meters": self.bar.meters,
             "found_m": number_or_none(self.found),
             "error_m": number_or_none(self.error),
             "sigma_m": number_or_none(self.sigma),
@@ -98,7 +98,7 @@ class BarResidual:
     def __str__(self) -> str:
         more = f"; {self.remark}" if self.remark else ""
         off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.found) else ""
-        return f"{self.bar}: {self.use}, {self.bar.metres:g} m{off}{more}"
+        return f"{self.bar}: {self.use}, {self.bar.meters:g} m{off}{more}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,7 +202,7 @@ class ControlFit(Assessed):
             counts.append(f"{bars} scale bar{'s' * (bars != 1)}")
         sure = f"size to {100 * self.scale_sigma:.2g} %"
         sure += f", up to {self.tilt_sigma:.2g} degrees, north to {self.yaw_sigma:.2g}" if self.is_placed else ""
-        lines = [f"metres by {', '.join(counts)}; {sure}"]
+        lines = [f"meters by {', '.join(counts)}; {sure}"]
         lines += [f"  {row}" for row in (*self.points, *self.bars)]
         if self.gps is not None:
             lines.append(str(self.gps))

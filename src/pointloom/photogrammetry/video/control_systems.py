@@ -88,7 +88,7 @@ def _is_degrees(crs: str) -> bool:
 def _check_unit(system: Any, crs: str) -> None:
     """Reject feet, since the unit of the heights is then unknown."""
     if not system.is_projected:
-        raise ValueError(f"crs: expected metres of a map or EPSG:4326, got {shown(crs)}, {system.type_name}")
+        raise ValueError(f"crs: expected meters of a map or EPSG:4326, got {shown(crs)}, {system.type_name}")
     units = {axis.unit_name for axis in system.axis_info}
     if units - {"metre"}:
-        raise ValueError(f"crs: {escaped(crs)} is in {min(units - {'metre'})}; convert places and heights to metres")
+        raise ValueError(f"crs: {escaped(crs)} is in {min(units - {'metre'})}; convert places and heights to meters")

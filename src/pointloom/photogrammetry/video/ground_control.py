@@ -63,7 +63,7 @@ class ScaleBar:
 
     Args:
         a, b: Point names.
-        metres: The length [m].
+        meters: The length [m].
         sigma: Its standard deviation [m].
 
     Raises:
@@ -78,13 +78,13 @@ class ScaleBar:
 
     a: str
     b: str
-    metres: float
+    meters: float
     sigma: float = BAR_SIGMA
 
     def __post_init__(self):
         if not check_name("a", self.a) or not check_name("b", self.b) or self.a == self.b:
             raise ValueError(f"b: expected the names of two points, got {shown(self.a)} and {shown(self.b)}")
-        object.__setattr__(self, "metres", check_positive("metres", self.metres, maximum=1e6))
+        object.__setattr__(self, "meters", check_positive("meters", self.meters, maximum=1e6))
         object.__setattr__(self, "sigma", check_sigma("sigma", self.sigma))
 
     def __str__(self) -> str:
@@ -168,7 +168,7 @@ class GroundControl:
         told: list[Any] = [self.crs, sorted(self.checks)]
         told += [[p.name, np.asarray(p.position).tolist(), np.asarray(p.sigma).tolist()] for p in self.points]
         told += [[m.point, m.picture, m.pixel.tolist()] for m in self.marks]
-        told += [[bar.a, bar.b, bar.metres, bar.sigma] for bar in self.bars]
+        told += [[bar.a, bar.b, bar.meters, bar.sigma] for bar in self.bars]
         return digest_of(told)
 
     def why_open(self) -> str:

@@ -139,7 +139,7 @@ class VideoResult(Assessed):
 
     @property
     def units(self) -> str:
-        """ "metres", "arbitrary" or "of the poses given"."""
+        """ "meters", "arbitrary" or "of the poses given"."""
         return ARBITRARY if self.fit is None else self.fit.units
 
     @property

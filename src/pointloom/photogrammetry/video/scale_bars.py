@@ -63,7 +63,7 @@ class Bars:
         return math.sqrt(self.bars[k].sigma ** 2 + of_marks)
 
     def rows(self, T: Array) -> Array:
-        return np.array([[self.length(k), self.bars[k].metres, self.sigma(k, T)] for k in self.used]).reshape(-1, 3)
+        return np.array([[self.length(k), self.bars[k].meters, self.sigma(k, T)] for k in self.used]).reshape(-1, 3)
 
     def agreeing(self, T: Array) -> Bars:
         far = tuple(k in self.used and self._is_far(k, T) for k in range(len(self.bars)))
@@ -84,7 +84,7 @@ class Bars:
         scale = scale_of(T)
 
         def told(rows: list[int]) -> str:
-            found = [f"{self.bars[k]} is {scale * self.length(k):.4g} m, told {self.bars[k].metres:g} m" for k in rows]
+            found = [f"{self.bars[k]} is {scale * self.length(k):.4g} m, told {self.bars[k].meters:g} m" for k in rows]
             return ", ".join(found)
 
         if wrong := [k for k, is_wrong in enumerate(self.wrong) if is_wrong]:
@@ -95,20 +95,20 @@ class Bars:
 
     def _is_far(self, k: int, T: Array) -> bool:
         scale = scale_of(T)
-        gap = abs(scale * self.length(k) - self.bars[k].metres)
-        return gap > max(ROUGH * self.sigma(k, T), DOUBTED * self.bars[k].metres)
+        gap = abs(scale * self.length(k) - self.bars[k].meters)
+        return gap > max(ROUGH * self.sigma(k, T), DOUBTED * self.bars[k].meters)
 
 
 def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:
     """The scale as a similarity, its relative standard deviation, and the inlier bars."""
-    scales = [bars.bars[k].metres / bars.length(k) for k in bars.used]
+    scales = [bars.bars[k].meters / bars.length(k) for k in bars.used]
     T = _scaled(float(np.median(scales)))
     if len(scales) >= MIN_TO_TELL:
         agree = bars.agreeing(T)
         bars = agree if 2 * len(agree.used) > len(scales) else bars
-    found, metres, sigma = bars.rows(T).T
-    T = _scaled(float((found * metres / sigma**2).sum() / (found**2 / sigma**2).sum()))
-    found, metres, sigma = bars.rows(T).T
+    found, meters, sigma = bars.rows(T).T
+    T = _scaled(float((found * meters / sigma**2).sum() / (found**2 / sigma**2).sum()))
+    found, meters, sigma = bars.rows(T).T
     return T, 1 / math.sqrt(float(((T[0, 0] * found / sigma) ** 2).sum())), bars
 
 

@@ -33,9 +33,9 @@ DOUBTED = 0.05  # maximum RMS residual relative to the extent
 MAX_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
 
 ARBITRARY = "arbitrary"
-METRES = "metres"
+METRES = "meters"
 OF_POSES = "of the poses given"
-UNKNOWN = "arbitrary: give --scale, --known or --align for metres"
+UNKNOWN = "arbitrary: give --scale, --known or --align for meters"
 
 EXIF, NONE = "exif", "none"  # keywords of `align`
 
@@ -85,8 +85,8 @@ class Units:
         if self.scale is not None:
             object.__setattr__(self, "scale", check_positive("scale", self.scale))
         if self.known is not None:
-            first, second, metres = _check_known(self.known)
-            object.__setattr__(self, "known", (first, second, check_positive("known", metres)))
+            first, second, meters = _check_known(self.known)
+            object.__setattr__(self, "known", (first, second, check_positive("known", meters)))
         if self.file is not None:
             read_lines(self.file)
         if not isinstance(self.places, PicturePlaces | None):
@@ -159,7 +159,7 @@ class Fit(Assessed):
 
     Attributes:
         T_world_model: Similarity, float64 [4, 4].
-        units: "metres", "arbitrary", or "of the poses given".
+        units: "meters", "arbitrary", or "of the poses given".
         scale: Meters per model unit; 1 if unknown.
         by: Source: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
         places: Agreement with the positions of `align`.
@@ -227,12 +227,12 @@ class Fit(Assessed):
         if self.control is not None:
             return str(self.control)
         if (gps := self.gps) is not None:
-            line = f"metres by GPS of {len(gps.names)} pictures, {gps.horizontal_rms:.3g} m off in plan"
+            line = f"meters by GPS of {len(gps.names)} pictures, {gps.horizontal_rms:.3g} m off in plan"
             line += "" if math.isnan(gps.vertical_rms) else f" and {gps.vertical_rms:.3g} m in height"
             line += f" (rms); size to {100 * gps.scale_sigma:.2g} %, up to {gps.tilt_sigma:.2g} degrees"
             line += f"; without {', '.join(gps.left_out)}" if gps.left_out else ""
             return f"{line}\n{gps.frame}"
-        line = f"metres by --{self.by}: {self.scale:.6g} m a unit of the model"
+        line = f"meters by --{self.by}: {self.scale:.6g} m a unit of the model"
         if (known := self.places) is not None:
             line += f"; {known.count} places, {known.rms_m:.3g} m off (rms)"
             line += f", without {', '.join(known.left_out)}" if known.left_out else ""
@@ -289,10 +289,10 @@ def _upright(fit: Fit, up: UpDirection) -> Fit:
 
 def _of_lengths(units: Units, model: SfmModel) -> Fit:
     if units.known is not None:
-        first, second, metres = units.known
+        first, second, meters = units.known
         a, b = (model.names[picture_named(name, model.names, " in the model")] for name in (first, second))
         try:
-            return _scaled(scale_from_known(model, a, b, metres), "known", METRES)
+            return _scaled(scale_from_known(model, a, b, meters), "known", METRES)
         except ValueError:
             pair = f"{shown(first)} and {shown(second)}"
             raise ValueError(f"known: {pair} were taken at one place; give two that lie apart") from None
@@ -318,7 +318,7 @@ def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
 def _check_known(known: Any) -> tuple[str, str, Any]:
     parts = known if isinstance(known, tuple | list) else ()
     if len(parts) != 3 or not all(isinstance(part, str | int) for part in parts[:2]):
-        raise TypeError(f"known: expected (picture, picture, metres), got {shown(known)}")
+        raise TypeError(f"known: expected (picture, picture, meters), got {shown(known)}")
     return str(parts[0]), str(parts[1]), parts[2]
 
 

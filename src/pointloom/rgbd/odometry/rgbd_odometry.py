@@ -308,8 +308,8 @@ def run_legacy(
     for image in (source, target):
         marked = images.mark_missing(image.depth_array, option.depth_min, option.depth_max)
         depths.append(images.smooth(marked, width, height))
-        grey = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
-        shades.append(images.smooth(grey, width, height))
+        gray = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
+        shades.append(images.smooth(gray, width, height))
     paired = rows.Open3DRules(rows.LEGACY, rows.PAIRS, option.depth_diff_max)
     sums = _sum(depths[0], shades[0], _level((width, height), lens, depths[1], shades[1]), start, paired)
     if not sums[rows.COUNT]:
@@ -411,7 +411,7 @@ def _tensor_levels(
     camera = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     filled = [image.depth_array for image in (source, target)]
     with_color = method is not Method.PointToPlane
-    shades = [_grey(image) if with_color else image.depth_array for image in (source, target)]
+    shades = [_gray(image) if with_color else image.depth_array for image in (source, target)]
     levels, size, limit = [], (width, height), _below(depth_max)
     for _ in range(count):
         marked = [images.mark_missing(depth, 0.0, limit) for depth in filled]
@@ -428,10 +428,10 @@ def _tensor_levels(
     return levels
 
 
-def _grey(image: RGBDImage) -> wp.array:
+def _gray(image: RGBDImage) -> wp.array:
     """Brightness in integer steps of 1 / 255, as in Open3D's tensor images."""
-    grey = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
-    return images.round_shades(grey)
+    gray = intensity_of(image.color_array) if image.color_array.dtype == uint8 else image.color_array
+    return images.round_shades(gray)
 
 
 def _level(

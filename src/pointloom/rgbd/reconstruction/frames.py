@@ -123,8 +123,8 @@ class Frames:
         if depth.shape != size:
             return f"its depth is {list(depth.shape)}, the camera's pictures are {list(size)}"
         if depth.dtype.kind not in "iuf" or depth.dtype.itemsize == 1:
-            return f"its depth is {depth.dtype}; expected whole numbers of 16 bits or more, or metres in float"
+            return f"its depth is {depth.dtype}; expected whole numbers of 16 bits or more, or meters in float"
         if color is not None and (np.asarray(color).dtype != np.uint8 or np.shape(color) != (*size, 3)):
             found = f"{np.asarray(color).dtype} {list(np.shape(color))}"
-            return f"its colour is {found}; expected uint8 {[*size, 3]}"
+            return f"its color is {found}; expected uint8 {[*size, 3]}"
         return ""

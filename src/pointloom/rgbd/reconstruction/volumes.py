@@ -52,7 +52,7 @@ def fuse_frames(
         for place, (frame, pose) in enumerate(zip(read, poses, strict=True)):
             color = frame.color if volume.has_color else None
             if frame.depth is None or (volume.has_color and color is None):
-                reason = frame.reason or "has no colour any more"
+                reason = frame.reason or "has no color any more"
                 lost.append(LostFrame(frame.index, frame.name, reason))
             else:
                 limit = frames.config.depth_max

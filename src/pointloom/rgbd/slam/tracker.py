@@ -34,8 +34,8 @@ from ..odometry.alignment import Method, align_frames, align_steps
 from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .frame_checks import (
-    MIN_DEPTH,
     MAX_SHIFT,
+    MIN_DEPTH,
     RIM_OVERLAP,
     SURE_OVERLAP,
     Attempt,
@@ -432,7 +432,7 @@ def _about(place: NDArray[np.float64]) -> Matrix:
 VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
 MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
 SURE = 0.8  # minimum score; half of it may be wrong for poses on a tenth of a frame
-FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterwards
+FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
 
 
 class PlaceSearch:

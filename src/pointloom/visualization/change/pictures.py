@@ -118,9 +118,9 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
     shown = np.where(changed & known, distances, np.nan)
     most = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
     coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-most, most))
-    grey = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
+    gray = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
     painted = cloud._with_arrays(cloud._device_arrays | {"colors": coloring.colors}, grid=cloud.grid)
-    return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(grey), MISSING)] if grey else []
+    return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING)] if gray else []
 
 
 def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:

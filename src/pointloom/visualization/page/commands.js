@@ -30,7 +30,7 @@ function commandsOf(engine) {
     shown("+", "larger points", sized(STEP_OF_SIZE)),
     shown("-", "smaller points", sized(1 / STEP_OF_SIZE)),
     shown("W", "edges of triangles", look(() => (looks.wireframe = !looks.wireframe))),
-    shown("N", "colours from normals", look(() => (looks.normals = !looks.normals))),
+    shown("N", "colors from normals", look(() => (looks.normals = !looks.normals))),
     shown("L", "light: where it suits, everywhere, nowhere", look(() => (looks.light = (looks.light + 1) % 3))),
   ];
 }

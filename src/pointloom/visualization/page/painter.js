@@ -2,7 +2,7 @@
 const FEW = 15_000; // points: thinning fewer saves no time
 const EDGE_SHADE = 0.12; // of the color of a surface, as in rendered images
 const PROBE = 9; // [px] side of the square that is searched for a depth
-const GREY = [204, 199, 189]; // of surfaces without a color: light and warm, darker than a white background
+const GRAY = [204, 199, 189]; // of surfaces without a color: light and warm, darker than a white background
 const BLUE = [89, 128, 158]; // of points and lines without a color
 const LARGEST_POINT = 256; // [px]
 
@@ -154,7 +154,7 @@ class Painter {
     program.number("opacity", props.opacity ?? 1);
     if (kind === "points") this.setPoints(program, node, every, lit);
     else if (!isFace) program.number("size", (props.width ?? 1) * this.density);
-    const plain = props.plain ?? (isFace ? GREY : BLUE);
+    const plain = props.plain ?? (isFace ? GRAY : BLUE);
     if (!normals && kind === "points") gl.vertexAttrib3f(1, 0, 0, 0);
     if (!colors) {
       gl.vertexAttrib3f(2, plain[0] / 255, plain[1] / 255, plain[2] / 255);

@@ -1,7 +1,7 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
-The file contains the player (src/pointloom/visualization/page/), the timeline as JSON and the arrays: byte planes of blocks of rows,
-deflated, in base64. Positions, colors and indices are exact; normals have 16 bits.
+The file contains the player (visualization/page/), the timeline as JSON and the arrays: byte planes of blocks of
+rows, deflated, in base64. Positions, colors and indices are exact; normals have 16 bits.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from ..render.coloring import label_color
 from ..render.frustum import CameraFrustum
 from ..render.pair_picture import BLUE, ORANGE
 from ..render.parts import Matrix
-from .script import GREY, Data, Look, Script, Stage, look_at
+from .script import GRAY, Data, Look, Script, Stage, look_at
 from .shapes import spread_rows
 
 if TYPE_CHECKING:
@@ -124,7 +124,7 @@ class Clusters(Script):
         painted: list[tuple[Any, Data]] = []
         for first in range(0, count, turn):
             part = chosen.select_by_mask((found >= first) & (found < first + turn))
-            groups.append((part, {"color": GREY}))
+            groups.append((part, {"color": GRAY}))
             kinds, each = np.unique(found[(found >= first) & (found < first + turn)], return_inverse=True)
             shades = np.array([label_color(int(label)) for label in kinds]).reshape(-1, 3)[each]
             painted.append((_painted(part, shades), {}))
@@ -161,7 +161,7 @@ class Planes(Script):
         for k, found in enumerate(self._found):
             taken[found] = k
         taken, chosen = taken[rows], cloud.select_by_index(rows)
-        drawn: list[tuple[Any, Data]] = [(chosen.select_by_mask(taken < 0), {"color": GREY})]
+        drawn: list[tuple[Any, Data]] = [(chosen.select_by_mask(taken < 0), {"color": GRAY})]
         for k in range(len(self._found)):
             color = RED if number is None else label_color(k)
             drawn.append((chosen.select_by_mask(taken == k), {"color": color}))
@@ -355,7 +355,7 @@ class Drive(Travel):
     def _draw_map(self, share: int = SCAN_SHARE) -> None:
         found = self._odometry.map
         if len(found):
-            self.stage.show("map", found, share=share, color=GREY)
+            self.stage.show("map", found, share=share, color=GRAY)
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:

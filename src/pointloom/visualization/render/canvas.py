@@ -215,7 +215,7 @@ def _check_image(image: Any) -> NDArray[np.uint8]:
     values = np.asarray(unmasked("image", image))
     if values.ndim != 3 or values.shape[2] != 3 or values.dtype != np.uint8 or not values.size:
         is_clear = values.ndim == 3 and values.shape[2] == 4
-        remedy = "; draw it before a background of a colour, not a transparent one" if is_clear else ""
+        remedy = "; draw it before a background of a color, not a transparent one" if is_clear else ""
         shape = list(values.shape)
         raise ValueError(f"image: expected uint8 of shape [h, w, 3], got {values.dtype} of {shape}{remedy}")
     return np.ascontiguousarray(values)

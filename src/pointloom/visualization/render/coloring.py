@@ -108,8 +108,8 @@ def color_cloud(
         return _color_attribute(cloud._device_array(by), by, chosen, ends)
     if by == "rgb":
         if not cloud.has_colors:
-            raise ValueError(f"color_by: there are no colours; expected one of {', '.join(map(repr, _choices(cloud)))}")
-        return Coloring(contiguous(cloud._device_array("colors")), "rgb", title="colour")
+            raise ValueError(f"color_by: there are no colors; expected one of {', '.join(map(repr, _choices(cloud)))}")
+        return Coloring(contiguous(cloud._device_array("colors")), "rgb", title="color")
     if by in ("normal", "normals"):
         if not cloud.has_normals:
             raise ValueError(
@@ -140,7 +140,7 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
     name = colormap or "viridis"
     ramp = Ramp(colormap_table(name), local, MISSING, points.device)
     colors = value_colors.color_coordinates(points, axis, ramp)
-    is_angle = cloud.unit is not None and cloud.unit.metres is None  # which is no unit of heights
+    is_angle = cloud.unit is not None and cloud.unit.meters is None  # which is no unit of heights
     title = by if is_angle and axis == 2 else f"{by} [{symbol_of(cloud.unit)}]"
     return Coloring(colors, "values", limits, name, title=title, has_missing=_is_raised(ramp.flag))
 
@@ -148,7 +148,7 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
 def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
     if len(values.shape) != 1:
         what = repr(name) if name else "the array"
-        raise ValueError(f"color_by: {what} has {values.shape[1]} numbers a point; colours go by attributes with one")
+        raise ValueError(f"color_by: {what} has {values.shape[1]} numbers a point; colors go by attributes with one")
     values = contiguous(values)
     kind = np.dtype(wp.dtype_to_numpy(values.dtype))
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:

@@ -15,7 +15,7 @@ from .colormaps import MISSING, colormap_table
 from .lettering import lettering
 from .ticks import Ticks, choose_ticks, count_ticks, with_ends
 
-GREY = (0.45, 0.45, 0.45)
+GRAY = (0.45, 0.45, 0.45)
 _PANEL = 0.85  # opacity of the background of legends
 _CORNERS = ("upper left", "upper right", "lower left", "lower right")
 _PITCH = 1.5  # line height over font size
@@ -82,7 +82,7 @@ def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: st
     """Draw names and colors in a corner: "upper left", "upper right", "lower left" or "lower right"."""
     if corner not in _CORNERS:
         raise ValueError(f"corner: expected one of {', '.join(_CORNERS)}, got {corner!r}")
-    lines = check_list("entries", entries, "names with colours")
+    lines = check_list("entries", entries, "names with colors")
     if not lines:
         return
     panel, names = _lay_legend([name for name, _ in lines], canvas.width, canvas.height)
@@ -93,7 +93,7 @@ def draw_legend(canvas: Canvas, entries: Sequence[tuple[str, Color]], corner: st
     rows = [top + pad + size // 2 + k * pitch for k in range(len(names))]
     shown = len(names) if len(names) == len(lines) else len(names) - 1
     for (_, color), row in zip(lines[:shown], rows, strict=False):
-        canvas.rectangle(left + pad, row - size // 2, size, size, fill=color, outline=GREY)
+        canvas.rectangle(left + pad, row - size // 2, size, size, fill=color, outline=GRAY)
     canvas.texts([(name, left + 2 * pad + size, row) for name, row in zip(names, rows, strict=True)], size=size)
 
 
@@ -146,7 +146,7 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
     paint_bar(canvas, left + pad, top + pad + panel.above, bar, tall, coloring.colormap, panel.ticks, size)
     if coloring.has_missing:
         row = top + panel.height - pad - size // 2
-        canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING, outline=GREY)
+        canvas.rectangle(left + pad, row - size // 2, bar, size, fill=MISSING, outline=GRAY)
         canvas.text("none", left + pad + bar + size // 2, row, size=size)
 
 
@@ -156,10 +156,10 @@ def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap:
     places = rows * 255 // max(height - 1, 1)
     colors = np.floor(colormap_table(colormap)[places] * 255 + 0.5).astype(np.uint8)
     canvas.image(np.repeat(colors[:, None], width, axis=1), x, y)
-    canvas.rectangle(x, y, width, height, outline=GREY)
+    canvas.rectangle(x, y, width, height, outline=GRAY)
     places = [y + (height - 1) * (1 - (v - ticks.low) / (ticks.high - ticks.low)) for v in ticks.values]
     for place in places:
-        canvas.line(x + width, round(place), x + width + size // 4, round(place), color=GREY)
+        canvas.line(x + width, round(place), x + width + size // 4, round(place), color=GRAY)
     texts = [(text, x + width + size // 2, round(p)) for text, p in zip(ticks.texts, places, strict=True)]
     canvas.texts(texts, size=size)
 

@@ -74,8 +74,8 @@ def check_legend(legend: Any) -> Any:
     if legend is None or legend is False or legend is True:
         return legend
     found = []
-    for entry in check_list("legend", legend, "names with colours"):
-        name, color = _pair("legend", entry, "a name and a colour")
+    for entry in check_list("legend", legend, "names with colors"):
+        name, color = _pair("legend", entry, "a name and a color")
         red, green, blue = check_color("legend", color).tolist()
         found.append((check_name("legend", name), (red, green, blue)))
     return found

@@ -42,14 +42,14 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> loom.save_picture("grey.png", np.full((48, 64), 128, np.uint8))
-        >>> loom.read_color("grey.png").shape
+        >>> loom.save_picture("gray.png", np.full((48, 64), 128, np.uint8))
+        >>> loom.read_color("gray.png").shape
         (48, 64, 3)
     """
     kind, shape = path_of(path).suffix.lower(), getattr(image, "shape", ())
     has_opacity = len(shape) == 3 and shape[2] == 4
     if has_opacity and kind in OPAQUE:
-        remedy = "Write .png or .webp, or draw it before a background of a colour"
+        remedy = "Write .png or .webp, or draw it before a background of a color"
         raise FileError(path, f"{kind} holds no transparency", remedy=remedy)
     check_writable(path, overwrite=overwrite)
     if not (has_opacity or kind == ".webp"):

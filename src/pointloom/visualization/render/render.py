@@ -80,7 +80,7 @@ def render(
         point_show_normal: Draw normals as lines.
         mesh_show_wireframe: Draw the edges of triangles over their faces.
         mesh_show_back_face: Draw back faces; without them one looks into a closed room from outside.
-        background: Red, green and blue, 0 to 1, or "white", "black", "grey", or "transparent" for an RGBA image.
+        background: Red, green and blue, 0 to 1, or "white", "black", "gray", or "transparent" for an RGBA image.
         shading: "smooth" or "flat" lights everything by vertex or face normals; "none" shows unlit colors. If None:
             meshes are lit, smoothly if they have normals, except textured ones; points with normals and without colors
             are lit, other points get eye-dome lighting.
@@ -269,8 +269,8 @@ TRANSPARENT = "transparent"
 NAMED: dict[str, Triple] = {
     "white": (1.0, 1.0, 1.0),
     "black": (0.0, 0.0, 0.0),
-    "grey": (0.5, 0.5, 0.5),
     "gray": (0.5, 0.5, 0.5),
+    "grey": (0.5, 0.5, 0.5),
 }
 DARK = 0.25  # luminance of a background below which lines without a color are light
 

@@ -35,11 +35,11 @@ def direction_under(up: Triple) -> Triple:
         >>> direction_under((0.0, 0.0, 1.0)), direction_under((0.0, 1.0, 0.0))
         ((-0.65, 0.7, -0.75), (-0.65, -0.75, -0.7))
     """
-    towards = np.array(up) / np.linalg.norm(up)
-    cosine = float(towards[2])
+    toward = np.array(up) / np.linalg.norm(up)
+    cosine = float(toward[2])
     if cosine < -1 + 1e-9:  # upside down: half a rotation about x
         return DIRECTION[0], -DIRECTION[1], -DIRECTION[2]
-    axis, way = np.cross(UP, towards), np.array(DIRECTION)
+    axis, way = np.cross(UP, toward), np.array(DIRECTION)
     turned = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
     x, y, z = turned.tolist()
     return x, y, z

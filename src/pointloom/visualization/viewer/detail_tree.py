@@ -142,7 +142,7 @@ class DetailTree(NodesInView):
             TypeError, DeviceError: `attributes` is not a list of names, or the device is unknown.
 
         Notes:
-            Peak memory: 40 B per point, 19 B afterwards, plus attributes.
+            Peak memory: 40 B per point, 19 B afterward, plus attributes.
         """
         where, say = resolve_device(device), check_progress(progress)
         attributes = [

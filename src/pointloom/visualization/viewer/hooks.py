@@ -286,7 +286,7 @@ class Hooks:
         Example:
             >>> import pointloom as loom
             >>> with loom.Viewer(port=0) as viewer:
-            ...     viewer.add_slider("neighbours", 4, 64, 20).value, viewer.add_slider("radius", 0.0, 1, 0.5).value
+            ...     viewer.add_slider("neighbors", 4, 64, 20).value, viewer.add_slider("radius", 0.0, 1, 0.5).value
             (20, 0.5)
         """
         return self._controls().add_slider(label, low, high, value, callback, step, folder)

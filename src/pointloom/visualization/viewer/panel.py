@@ -33,12 +33,12 @@ if TYPE_CHECKING:
     from .viewer import Viewer
 
 
-OWN = "own colours"
+OWN = "own colors"
 TICKS = 5  # of a color bar, besides its ends
 APART = 0.08  # of the bar's length: nearer ticks would overlap the number at an end
 
 # Order of the sections of the panel, from the top.
-LINE, TOOL, TOOLS, COLOUR, SCENE, POINTS, VIEW = 0, 0.5, 1, 2, 3, 4, 5
+LINE, TOOL, TOOLS, COLOR, SCENE, POINTS, VIEW = 0, 0.5, 1, 2, 3, 4, 5
 
 
 class Panel:
@@ -144,7 +144,7 @@ class Panel:
         self._normals.value, self._wireframe.value = viewer.normals, viewer.wireframe
 
     def _add_colors(self, gui: Gui) -> None:
-        with gui.add_folder("Colour", order=COLOUR):
+        with gui.add_folder("Color", order=COLOR):
             self._by = gui.add_dropdown("by", (OWN,))
             self._map = gui.add_dropdown("map", COLORMAPS, visible=False)
             self._low = gui.add_number("low", 0.0, visible=False)

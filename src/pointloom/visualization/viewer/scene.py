@@ -212,7 +212,7 @@ class Scene(Hooks):
         """Length unit of the page; None if unknown or mixed."""
         units = {geometry.unit for geometry in self._with_unit.values()} - {None}
         unit = units.pop() if len(units) == 1 and self.frame.unit == 1 else None
-        return None if unit is None or unit.metres is None else unit.symbol
+        return None if unit is None or unit.meters is None else unit.symbol
 
     def _take_in(self, item: Item) -> None:
         before = self.shown.get(item.name)

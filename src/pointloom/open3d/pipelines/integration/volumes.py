@@ -40,7 +40,7 @@ class TSDFVolume(Held):
         self._out = {}
         self.reset()
 
-    color_type = property(lambda self: self._color_type, doc="What it keeps of colours.")
+    color_type = property(lambda self: self._color_type, doc="What it keeps of colors.")
     sdf_trunc = property(lambda self: self._sdf_trunc, doc="Distance at which signed distances are cut [m].")
     voxel_length = property(lambda self: self._voxel_length, doc="Edge of a voxel [m].")
 

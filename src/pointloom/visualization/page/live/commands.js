@@ -66,7 +66,7 @@ class Commands {
 
   addOwn(group, label, keys, run, isThere = () => true) {
     const named = keys.map((key) => (key === "+" ? "plus" : key.replace("Arrow", "arrow")));
-    this.own.push({ group: capitalised(group), label: capitalised(label), keys: named, run, isThere });
+    this.own.push({ group: capitalized(group), label: capitalized(label), keys: named, run, isThere });
   }
 
   onKey(event) {
@@ -118,7 +118,7 @@ class Commands {
     const taken = new Set();
     const put = ({ label, group, keys, run }, isKeyed) => {
       const id = plainLabel(label).toLowerCase();
-      const known = found.get(id) ?? { label: capitalised(plainLabel(label)), group, keys: [], run };
+      const known = found.get(id) ?? { label: capitalized(plainLabel(label)), group, keys: [], run };
       for (const key of keys) {
         const name = key.toLowerCase();
         if (!taken.has(name) && isKeyed) known.keys.push(key);
@@ -133,7 +133,7 @@ class Commands {
   }
 }
 
-function capitalised(text) {
+function capitalized(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 

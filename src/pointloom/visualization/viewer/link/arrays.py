@@ -1,4 +1,4 @@
-"""Arrays and numbers for sending: validated in the calling thread and immutable afterwards."""
+"""Arrays and numbers for sending: validated in the calling thread and immutable afterward."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from .camera import FARTHEST, MIN_ANGLE, MAX_PIXELS, CameraState, nearest_rotation
+from .camera import FARTHEST, MAX_PIXELS, MIN_ANGLE, CameraState, nearest_rotation
 
 MAX_BYTES = 1 << 20  # of a message with a file
 MAX_SMALL_BYTES = 64 << 10  # of other messages

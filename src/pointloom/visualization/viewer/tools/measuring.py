@@ -72,7 +72,7 @@ def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) ->
     unknown unit counts as meters.
     """
     rows: list[tuple[str, str]] = []
-    is_length = unit is None or unit.metres is not None
+    is_length = unit is None or unit.meters is not None
     if len(points) >= 2:
         last = distance_between(points[-2], points[-1])
         rows += [("distance", length_text(last.length, unit))] if is_length else []

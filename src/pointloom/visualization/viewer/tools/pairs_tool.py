@@ -48,7 +48,7 @@ class PairsTool(Tool):
         self._target = gui.add_dropdown("target", names, names[1])
         self._alone = gui.add_checkbox("show one at a time", False)
         self._refine = gui.add_checkbox("refine by ICP", True)
-        self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in metres")
+        self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in meters")
         buttons = (
             ("Register (Enter)", self.finish),
             ("Back to the old pose", self.undo_pose),

@@ -178,7 +178,7 @@ def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None 
     rows = [("index", f"{index:,}")]
     rows += [(axis, coordinate_text(value, resolution)) for axis, value in zip("xyz", shown, strict=True)]
     if row.has_colors:
-        rows.append(("colour", " ".join(f"{round(255 * min(max(float(c), 0), 1))}" for c in row.colors[0])))
+        rows.append(("color", " ".join(f"{round(255 * min(max(float(c), 0), 1))}" for c in row.colors[0])))
     if row.has_normals:
         rows.append(("normal", " ".join(f"{float(c):.4f}" for c in row.normals[0])))
     return rows + [(name, _value_text(values[0])) for name, values in row.attributes.items()]

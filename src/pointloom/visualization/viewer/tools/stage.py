@@ -162,10 +162,10 @@ class Stage:
 
     def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
         """Draw a dot and a text at a world position, shifted toward the camera so that no points cover it."""
-        towards = view.T_world_camera[:3, 3] - place
-        depth = max(float(-towards @ view.T_world_camera[:3, 2]), 0.0)
+        toward = view.T_world_camera[:3, 3] - place
+        depth = max(float(-toward @ view.T_world_camera[:3, 2]), 0.0)
         nearer = min(MARK_SIZE * depth / view.intrinsic.fy, 0.5 * depth)
-        at = self.viewer.frame.to_page(place + nearer * towards / (float(np.linalg.norm(towards)) or 1.0))
+        at = self.viewer.frame.to_page(place + nearer * toward / (float(np.linalg.norm(toward)) or 1.0))
         with self.client.atomic():
             dot = self.client.scene.add_points(np.zeros((1, 3)), plain=color, size=MARK_SIZE, relief=False, t=at)
             self._nodes.append(dot)

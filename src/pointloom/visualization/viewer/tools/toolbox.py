@@ -101,7 +101,7 @@ class MeasureTool(Tool):
         stage.show([])
         stage.say(self.hint)
         unit = stage.unit(found.name for found in picks)
-        for a, b in itertools.pairwise(places if unit is None or unit.metres is not None else []):
+        for a, b in itertools.pairwise(places if unit is None or unit.meters is not None else []):
             stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
         stage.show(measurements(places, unit))
 

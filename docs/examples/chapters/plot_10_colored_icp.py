@@ -1,9 +1,9 @@
 """
-10. Coloured ICP
+10. Colored ICP
 ================
 
-A flat floor slides under ICP: its shape does not say where along itself it lies. Its pattern does. Coloured ICP uses
-both, from coarse to fine. You learn when it is worth it, how to set its scales, and when colours mislead.
+A flat floor slides under ICP: its shape does not say where along itself it lies. Its pattern does. Colored ICP uses
+both, from coarse to fine. You learn when it is worth it, how to set its scales, and when colors mislead.
 """
 
 # %%
@@ -36,7 +36,7 @@ def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
 
 
 def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
-    """How far a pose is from the true one at the rug: degrees and millimetres."""
+    """How far a pose is from the true one at the rug: degrees and millimeters."""
     rest = np.linalg.inv(truth) @ T
     middle = np.append(source.get_center(), 1)
     angle = np.degrees(np.arccos(np.clip((np.trace(rest[:3, :3]) - 1) / 2, -1, 1)))
@@ -66,13 +66,13 @@ assert len(shape.degenerate_directions) == 3
 assert off(shape.transformation, truth)[1] > 30
 
 # %%
-# Shape and colour, from coarse to fine
+# Shape and color, from coarse to fine
 # -------------------------------------
-# Coloured ICP asks for each pair: how far off is the plane, and how far off is the colour, if the source is moved
-# along the plane by the slope of the colours there? ``lambda_geometric`` weighs the two: 0.968, Open3D's default, is
-# nearly all shape; it leaves the motions to colour that shape does not determine.
+# Colored ICP asks for each pair: how far off is the plane, and how far off is the color, if the source is moved
+# along the plane by the slope of the colors there? ``lambda_geometric`` weighs the two: 0.968, Open3D's default, is
+# nearly all shape; it leaves the motions to color that shape does not determine.
 #
-# Colours have a slope over a short way only, so it goes by scales: large voxels blur the pattern and reach far, small
+# Colors have a slope over a short way only, so it goes by scales: large voxels blur the pattern and reach far, small
 # ones are exact. The first distance has to be about the error of the start (here some 7 cm: 8 cm), the last one or two
 # spacings of the points (here some 2 cm of either half of the rug). Between them halve; the voxel is the distance;
 # normals by two voxels. It is the loop of Open3D's tutorial:
@@ -113,7 +113,7 @@ assert off(at_once.transformation, truth)[1] < 10
 # How far does it reach?
 # ----------------------
 # The squares of the rug repeat every 37 cm. Begin nearer to the next red square than to the right one, and the wrong
-# squares meet. Patterns that repeat are for colours what a wall is for shape. Only the share of points that find a
+# squares meet. Patterns that repeat are for colors what a wall is for shape. Only the share of points that find a
 # partner tells, since a part of the rug now hangs over the edge.
 
 ends, shares = {}, {}
@@ -131,7 +131,7 @@ assert shares[0.3] < shares[0.1] - 0.1
 # The steps to watch:
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-with loom.record(folder / "colours.html", automatic=False, max_points=60_000, title="Coloured ICP") as recording:
+with loom.record(folder / "colors.html", automatic=False, max_points=60_000, title="Colored ICP") as recording:
     recording.add("target", target)
     recording.add("source", source)
     T = np.eye(4)
@@ -147,12 +147,12 @@ with loom.record(folder / "colours.html", automatic=False, max_points=60_000, ti
             recording.set_pose("source", T)
             recording.plot("off the truth [mm]", off(T, truth)[1])
             recording.step(f"voxels of {voxel_size} m, step {3 * (count + 1)}")
-page = folder / "colours.html"
+page = folder / "colors.html"
 
 # %%
 # What goes wrong
 # ---------------
-# **No colours**, or no normals: an error says which, and what makes them.
+# **No colors**, or no normals: an error says which, and what makes them.
 
 try:
     reg.registration_colored_icp(source.without("colors"), target, 0.05)
@@ -162,7 +162,7 @@ except ValueError as error:
 assert "color" in message
 
 # %%
-# **Colours from 0 to 255.** They are 0 to 1 here. Arrays of uint8 are taken and scaled; floats from 0 to 255 are
+# **Colors from 0 to 255.** They are 0 to 1 here. Arrays of uint8 are taken and scaled; floats from 0 to 255 are
 # refused, so divide them: ``loom.PointCloud(points, colors=values / 255)``.
 
 eight_bits = (source.colors * 255).round().astype(np.uint8)
@@ -175,9 +175,9 @@ except ValueError as error:
 assert "255" in message
 
 # %%
-# **Another light.** One scan by day and one by lamp differ in colour where nothing moved. Then colours mislead, and
+# **Another light.** One scan by day and one by lamp differ in color where nothing moved. Then colors mislead, and
 # fitness does not tell, as it knows distances alone. Compare with ``lambda_geometric=1.0``: where shape fixes the pose
-# both should end alike. Or bring the colours of one to the mean and the spread of the other's, channel by channel,
+# both should end alike. Or bring the colors of one to the mean and the spread of the other's, channel by channel,
 # before you begin.
 #
 # **Is it right?** Without a truth, as in life: look at the pattern where the two meet (as above); begin from a few
@@ -186,8 +186,8 @@ assert "255" in message
 #
 # Try it
 # ------
-# - ``lambda_geometric=1.0`` is shape alone, 0.5 trusts colours more. Which one is best here?
-# - Do the same with two frames of the walk (chapter 7). Is coloured ICP any better where there is furniture?
+# - ``lambda_geometric=1.0`` is shape alone, 0.5 trusts colors more. Which one is best here?
+# - Do the same with two frames of the walk (chapter 7). Is colored ICP any better where there is furniture?
 #
 # Where to go next
 # ----------------

@@ -24,7 +24,7 @@ REACH_VOXELS = 2.0  # search radius of planes
 
 
 @dataclass(frozen=True, eq=False)
-class Localisability(Assessed):
+class Localizability(Assessed):
     """Motions that two clouds determine at a pose, the least determined first.
 
     Attributes:
@@ -69,7 +69,7 @@ class Localisability(Assessed):
         return (f"the source may {' and '.join(ways)}: the clouds lie on each other as well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
-        """Prior for `registration_icp(..., pivot=localisability.middle)` that holds only the undetermined motions."""
+        """Prior for `registration_icp(..., pivot=localizability.middle)` that holds only the undetermined motions."""
         if not len(self.open_motions):
             raise ValueError("prior: no motion is open; registration_icp needs none")
         check_positive("sigma", sigma)
@@ -83,9 +83,9 @@ class Localisability(Assessed):
         return "\n".join(lines)
 
 
-def localisability(
+def localizability(
     source: PointCloud, target: PointCloud, transformation: ArrayLike, max_correspondence_distance: float
-) -> Localisability:
+) -> Localizability:
     """Determine which motions two clouds constrain at their registered pose.
 
     In a corridor, a tunnel, a field, or on a sphere or tube, ICP finds one of many poses with fitness 1. Motions that
@@ -116,7 +116,7 @@ def localisability(
         >>> side = np.arange(30000) % 3
         >>> walls = np.column_stack([x, np.where(side < 2, 2.0 * side - 1, y), np.where(side < 2, z, -1)])
         >>> scans = loom.PointCloud(walls[:15000]), loom.PointCloud(walls[15000:])
-        >>> found = loom.registration.localisability(*scans, np.eye(4), 0.3)
+        >>> found = loom.registration.localizability(*scans, np.eye(4), 0.3)
         >>> found.kinds[0], found.kinds[-1]
         ('none', 'full')
         >>> found.warnings
@@ -134,7 +134,7 @@ def localisability(
     pose = to_local(T, source.origin, target.origin)
     hold = find_hold(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
     if hold is None or hold.matches < ENOUGH:
-        return Localisability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
+        return Localizability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
     (matrix,) = symmetric_matrices(hold.triangle[None])
     shares, vectors = eigh(matrix / hold.matches)
     scale = np.array([hold.lever] * 3 + [1.0] * 3)
@@ -147,7 +147,7 @@ def localisability(
         is_held: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
         kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held.tolist()]
     middle = hold.middle + target.origin
-    return Localisability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+    return Localizability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
 
 
 def _told(direction: tuple[float, float, float]) -> str:

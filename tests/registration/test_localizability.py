@@ -27,7 +27,7 @@ def scans(shape, rng, *, noise=0.0, corner=(0.0, 0.0, 0.0), device="cpu", change
 @pytest.mark.parametrize("shape", list(FREE))
 def test_open_motions_are_those_of_the_shape_however_noisy_it_is(device, shape, rng):
     for noise in (0.0, 0.02):
-        found = reg.localisability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
+        found = reg.localizability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
         assert len(found.open_motions) == len(FREE[shape]), (noise, str(found))
         assert (found.reliable) == (not len(FREE[shape]))
         if len(FREE[shape]):
@@ -42,7 +42,7 @@ def test_a_corridor_that_its_end_holds_is_held_in_part(rng):
         points[::60] = np.column_stack([rng.uniform(-0.5, 0.5, 200), np.full(200, 3.0), rng.uniform(-0.5, 0.5, 200)])
         return points
 
-    found = reg.localisability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
+    found = reg.localizability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
     assert found.kinds == ("partial", *("full",) * 5) and found.reliable
     assert abs(found.motions[0, 4]) > 0.99
 
@@ -54,7 +54,7 @@ def test_open_motions_alone_are_held_by_a_prior(rng):
     source = source.transform(np.linalg.inv(truth)).estimate_normals(max_nn=20)
     target = target.estimate_normals(max_nn=20)
     first = reg.registration_icp(source, target, 0.25, None, reg.TransformationEstimationPointToPlane())
-    found = reg.localisability(source, target, first.transformation, 0.25)
+    found = reg.localizability(source, target, first.transformation, 0.25)
     assert found.translations == pytest.approx(np.array([[0.0, 1.0, 0.0]]), abs=0.02)
     odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # right along the corridor, wrong across it
     result = reg.registration_icp(
@@ -64,14 +64,14 @@ def test_open_motions_alone_are_held_by_a_prior(rng):
     off = np.abs(result.transformation - truth)
     assert off[1, 3] < 0.02 and off[[0, 2], 3].max() < 0.01 and off[:3, :3].max() < 0.005
     assert abs(first.transformation[1, 3] - 0.15) > 0.1
-    surface = reg.localisability(*scans("surface", rng), np.eye(4), 0.2)
+    surface = reg.localizability(*scans("surface", rng), np.eye(4), 0.2)
     with pytest.raises(ValueError, match=r"^prior:"):
         surface.prior(np.eye(4), 0.1)
 
 
 def test_clouds_that_do_not_meet_hold_nothing():
     cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
-    far = reg.localisability(cube, cube.translate([50, 0, 0]), np.eye(4), 0.1)
+    far = reg.localizability(cube, cube.translate([50, 0, 0]), np.eye(4), 0.1)
     assert far.kinds == ("none",) * 6 and "no surface" in str(far.warnings)
-    empty = reg.localisability(loom.PointCloud(), cube, np.eye(4), 0.1)
+    empty = reg.localizability(loom.PointCloud(), cube, np.eye(4), 0.1)
     assert empty.kinds == ("none",) * 6

@@ -1,5 +1,5 @@
 """
-A model without a unit becomes metres
+A model without a unit becomes meters
 =====================================
 
 A model from photographs has no scale and lies anyhow. One known distance gives the scale; places of the cameras
@@ -18,7 +18,7 @@ from pointloom.registration.trajectories.similarity import read_positions
 reg = loom.registration
 
 # %%
-# Twelve pictures round an owl, with their true poses in metres; the model is a copy of them that was scaled, turned
+# Twelve pictures round an owl, with their true poses in meters; the model is a copy of them that was scaled, turned
 # and moved as a reconstruction leaves it.
 shots = loom.datasets.photographs(12)
 names = [f"photo_{k:02}.jpg" for k in range(len(shots.poses))]
@@ -49,8 +49,8 @@ apart = np.linalg.norm(metric.centers[6] - metric.centers[1])
 assert abs(apart - np.linalg.norm(shots.poses[6, :3, 3] - shots.poses[1, :3, 3])) < 1e-9
 
 # %%
-# **Places from GPS**, in a file of lines ``name x y z``. Each has 3 mm of noise (the owl is small: read metres where
-# this says millimetres), one picture has none, and two are wrong by half a metre.
+# **Places from GPS**, in a file of lines ``name x y z``. Each has 3 mm of noise (the owl is small: read meters where
+# this says millimeters), one picture has none, and two are wrong by half a metre.
 rng = np.random.default_rng(2)
 gps = shots.poses[:, :3, 3] + rng.normal(scale=0.003, size=(len(names), 3))
 gps[4] += [0.4, 0.1, -0.3]

@@ -1,5 +1,5 @@
 """
-Neighbours of a million places at once
+Neighbors of a million places at once
 ======================================
 
 Which points are near this one? Asked for a whole cloud at once, it is the base of nearly everything that clouds are
@@ -18,8 +18,8 @@ search = loom.NearestNeighborSearch(room)
 print(room)
 
 # %%
-# **The k nearest**: rows of equal length, nearest first; distances are squared, in square metres, as one mostly
-# compares them. A point is its own nearest neighbour, at distance 0.
+# **The k nearest**: rows of equal length, nearest first; distances are squared, in square meters, as one mostly
+# compares them. A point is its own nearest neighbor, at distance 0.
 indices, sqdists, counts = search.knn_search(room, 8)
 print("knn:", indices.shape, indices.dtype, "median distance to the 8th", f"{np.median(np.sqrt(sqdists[:, -1])):.3f} m")
 assert (counts == 8).all() and (sqdists[:, 0] == 0).all() and (np.diff(sqdists, axis=1) >= 0).all()
@@ -39,13 +39,13 @@ within = search.radius_search(room.points[:1000], 0.1)
 hybrid = search.hybrid_search(room, 0.1, 12)
 found = np.asarray(hybrid.counts)
 print(
-    f"within 10 cm of the first 1000 points: {len(np.ravel(within.indices))} neighbours; hybrid: "
+    f"within 10 cm of the first 1000 points: {len(np.ravel(within.indices))} neighbors; hybrid: "
     f"{found.mean():.1f} of at most 12"
 )
 assert hybrid.indices.shape == (len(room), 12) and (np.asarray(hybrid.indices)[found < 12, -1] == -1).all()
 
 # %%
-# What it is good for, an example: carry a value over from another cloud. The colours of a coarse copy go to the dense
+# What it is good for, an example: carry a value over from another cloud. The colors of a coarse copy go to the dense
 # one, each point taking the mean of its three nearest, weighted by distance. No loop in Python.
 coarse = room.voxel_down_sample(0.10)
 three = loom.NearestNeighborSearch(coarse).knn_search(room, 3)
@@ -53,11 +53,11 @@ weights = 1.0 / (np.asarray(three.sqdists) + 1e-6)
 weights /= weights.sum(axis=1, keepdims=True)
 carried = np.einsum("ij,ijk->ik", weights, coarse.colors[np.asarray(three.indices)])
 error = np.abs(carried - room.colors).mean()
-print(f"colours from {len(coarse)} points on {len(room)}: {255 * error:.1f} of 255 off on average")
+print(f"colors from {len(coarse)} points on {len(room)}: {255 * error:.1f} of 255 off on average")
 assert error < 0.1
 
 # %%
-# Another one: how densely was it scanned? Neighbours within 10 cm over the area of that disc, in points a square
+# Another one: how densely was it scanned? Neighbors within 10 cm over the area of that disc, in points a square
 # metre.
 dense = np.asarray(search.radius_search(room, 0.1).counts)
 room["points per m2"] = (dense / (np.pi * 0.1**2)).astype(np.float32)
@@ -67,7 +67,7 @@ view = loom.fit_view(shown.points, direction=(-0.5, 0.62, -0.8), width=960, heig
 density = loom.render({"geometry": shown, "color_by": "points per m2", "colormap": "viridis"}, view, color_bar=True)
 
 # %%
-# The colours that were carried over.
+# The colors that were carried over.
 painted = loom.render(
     loom.PointCloud(room.points, colors=carried.clip(0, 1)).crop(
         loom.AxisAlignedBoundingBox([low[0], low[1] + 0.1, low[2]], [high[0] - 0.1, high[1], low[2] + 2.2])

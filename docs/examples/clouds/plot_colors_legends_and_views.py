@@ -1,8 +1,8 @@
 """
-Colours that mean something, legends, and the same view again
+Colors that mean something, legends, and the same view again
 =============================================================
 
-A picture of a cloud answers a question when its colours do. Here the ways of colouring, what belongs beside them,
+A picture of a cloud answers a question when its colors do. Here the ways of coloring, what belongs beside them,
 and how a view is kept so that tomorrow's picture is taken from the same place.
 """
 
@@ -38,7 +38,7 @@ corners = np.vstack([style["geometry"].points for style in scene.values()] + [[p
 row = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420), labels=labels)
 
 # %%
-# **A colour bar** for what the first ``color_by`` means, **a legend** for what is what.
+# **A color bar** for what the first ``color_by`` means, **a legend** for what is what.
 view = loom.fit_view(cloud.points, direction=(-0.4, 0.8, -0.4), width=960, height=640)
 bar = loom.render(
     {"geometry": cloud, "color_by": "curvature", "limits": (0, bend), "colormap": "turbo"}, view, color_bar=True
@@ -65,7 +65,7 @@ print(f"pictures from the view and from its file differ by {difference:.3f} of 2
 assert difference < 1.0
 
 # %%
-# **Depth of the picture** comes along when asked for: metres along the axis, 0 where nothing is. So places of the
+# **Depth of the picture** comes along when asked for: meters along the axis, 0 where nothing is. So places of the
 # picture are places of the scene.
 shot, depth = loom.render(cloud, view, depth=True)
 row_, column = np.argwhere(depth > 0)[len(np.argwhere(depth > 0)) // 2]

@@ -1,8 +1,8 @@
 """
-Feet, metres and UTM without losing a millimetre
+Feet, meters and UTM without losing a millimetre
 ================================================
 
-Survey files are in feet as often as in metres, and far from the origin: an easting of 630,087 m has no millimetres
+Survey files are in feet as often as in meters, and far from the origin: an easting of 630,087 m has no millimeters
 left in 32 bits. Units are read from the file and never guessed, and coordinates are kept about an origin. Take this
 page when lengths come out 3.28 times too long, or when points tremble.
 """
@@ -49,29 +49,29 @@ assert np.abs(normals @ across).min() > np.cos(np.radians(1.0))
 feet = loom.PointCloud(rng.uniform(0, 100, (2000, 3)), unit="US survey foot")
 loom.write_point_cloud(folder / "feet.las", feet)
 back = loom.read_point_cloud(folder / "feet.las")
-metres = back.to_unit("metre")
+meters = back.to_unit("metre")
 print(
-    f"read as {back.unit.name} ({back.unit.symbol}, {back.unit.metres:.7f} m): "
+    f"read as {back.unit.name} ({back.unit.symbol}, {back.unit.meters:.7f} m): "
     f"{np.ptp(back.points[:, 0]):.2f} {back.unit.symbol} wide,",
-    f"{np.ptp(metres.points[:, 0]):.3f} m",
+    f"{np.ptp(meters.points[:, 0]):.3f} m",
 )
-assert back.unit == "US survey foot" and metres.unit == "metre"
-assert np.allclose(metres.points, feet.points * 1200 / 3937, atol=2e-3)
+assert back.unit == "US survey foot" and meters.unit == "metre"
+assert np.allclose(meters.points, feet.points * 1200 / 3937, atol=2e-3)
 
 # %%
 # Two units that meet are a warning, as mixing them has lost spacecraft. Made an error, it stops a pipeline there.
 with warnings.catch_warnings():
     warnings.simplefilter("error", loom.UnitWarning)
     try:
-        feet.compute_point_cloud_distance(metres)
+        feet.compute_point_cloud_distance(meters)
     except loom.UnitWarning as error:
         print("UnitWarning:", error)
     else:
-        raise AssertionError("feet and metres met in silence")
-assert np.median(feet.to_unit("metre").compute_point_cloud_distance(metres)) < 1e-3
+        raise AssertionError("feet and meters met in silence")
+assert np.median(feet.to_unit("metre").compute_point_cloud_distance(meters)) < 1e-3
 
 # %%
-# A unit that has no name here is made: the length of one, in metres.
+# A unit that has no name here is made: the length of one, in meters.
 link = LengthUnit("Gunter's link", "li", 0.201168)
 field = loom.PointCloud([[0, 0, 0], [100, 0, 0]], unit=link).to_unit("metre")
 print(f"a chain of 100 links is {field.points[1, 0]:.4f} m")
@@ -79,7 +79,7 @@ assert abs(field.points[1, 0] - 20.1168) < 1e-4
 
 # %%
 # **Degrees** are no lengths: a radius of 0.001 degrees is 111 m one way and 80 m the other. ``project_to_utm`` makes
-# metres of them; ``utm_epsg`` says which zone it would take, to give several clouds of one place the same.
+# meters of them; ``utm_epsg`` says which zone it would take, to give several clouds of one place the same.
 longitude = -79.3871 + rng.uniform(0, 0.002, 5000)
 latitude = 43.6426 + rng.uniform(0, 0.002, 5000)
 hill = 100 + 20 * np.exp(-(((longitude + 79.3861) / 5e-4) ** 2) - ((latitude - 43.6436) / 5e-4) ** 2)
@@ -92,7 +92,7 @@ assert zone == 32617 and abs(size[0] - 161) < 6 and abs(size[1] - 222) < 6
 assert utm.unit == "metre"
 
 # %%
-# The colour bar of a height is in the unit that the cloud has.
+# The color bar of a height is in the unit that the cloud has.
 picture = loom.render(
     {"geometry": utm, "color_by": "height", "colormap": "viridis", "point_size": 6},
     loom.fit_view(utm.points, direction=(-0.3, 0.7, -0.55), width=960, height=640),

@@ -14,7 +14,7 @@ from ..rigid import nearest_rotation, rotation_of
 OPPOSITE = 1e-9  # sine: nearly opposite directions have no shortest rotation
 
 
-def levelled(
+def leveled(
     init: ArrayLike | None, up_in_source: ArrayLike, up_in_target: ArrayLike = (0.0, 0.0, 1.0)
 ) -> NDArray[np.float64]:
     """Rotate a pose by the smallest angle that aligns the up directions, as known from an IMU at rest.
@@ -36,8 +36,8 @@ def levelled(
 
     Example:
         >>> import numpy as np, pointloom as loom
-        >>> from pointloom.registration.icp.levelling import levelled
-        >>> T = levelled(None, up_in_source=[0.0, 0.5, 9.8])
+        >>> from pointloom.registration.icp.leveling import leveled
+        >>> T = leveled(None, up_in_source=[0.0, 0.5, 9.8])
         >>> up = T[:3, :3] @ [0.0, 0.5, 9.8]
         >>> bool(np.abs(up[:2]).max() < 1e-12), np.degrees(np.arccos(T[2, 2])).round(2)
         (True, np.float64(2.92))
