@@ -502,6 +502,6 @@ def test_public_packages_show_their_public_names_alone():
     assert sys.modules["pointloom.registration.icp"] is icp
     with pytest.raises(AttributeError, match=r"'icp': it is a private module; did you mean 'registration_icp'"):
         loom.registration.icp  # noqa: B018
-    with pytest.raises(AttributeError, match=r"'borders': it is a private module$"):
-        loom.tiling.borders  # noqa: B018
+    with pytest.raises(AttributeError, match=r"'border_merging': it is a private module$"):
+        loom.tiling.border_merging  # noqa: B018
     assert loom.registration is sys.modules["pointloom.registration"]

@@ -59,6 +59,18 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
     return load, names
 
 
+def private(package: str) -> Callable[[str], Any]:
+    """`__getattr__` of a private package with the name of an Open3D module: the error says where the names are."""
+
+    def load(name: str) -> Any:
+        if name.startswith("_") or _no_module(package, name, {}):
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        root, _, own = package.partition(".")
+        raise AttributeError(_no_name(root, own, _read(root)))
+
+    return load
+
+
 def _no_module(package: str, name: str, homes: dict[str, str]) -> str:
     """Error message for a private submodule with the public names it defines; "" for other names."""
     from difflib import get_close_matches

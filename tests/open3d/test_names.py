@@ -41,7 +41,7 @@ def test_the_page_of_all_names_is_fresh(o3d):
         ],
         ("o3d.read_point_cloud", "it is o3d.io.read_point_cloud"),
         ("o3d.PoseGraph", "it is o3d.pipelines.registration.PoseGraph"),
-        ("o3d.data.BunnyMesh", r"loom\.data\.object_mesh"),
+        ("o3d.data.BunnyMesh", r"loom\.datasets\.object_mesh"),
         ("o3d.utility.Debug", r"o3d\.utility\.VerbosityLevel"),
         ("o3d.visualization.Visualizer().register_mouse_move_callback", "not here"),
         ("o3d.pipelines.registration.ICPConvergenceCriteria().max_iterations", "did you mean 'max_iteration'"),
