@@ -96,10 +96,11 @@ mutants: $(FULL) ## Small changes of behavior, one at a time: do the tests notic
 nightly: $(BENCH) $(EMULATION) $(BROWSER) ## Everything that is too slow for CI, with a table of results (many hours)
 	@$(BIN)/python scripts/nightly.py $(ARGS)
 
-lint: $(FULL) ## Check style, format, sizes and docs/api.txt
+lint: $(FULL) ## Check style, format, sizes, prose and docs/api.txt
 	@$(BIN)/ruff check .
 	@$(BIN)/ruff format --check .
 	@$(BIN)/python scripts/check_sizes.py
+	@$(BIN)/python scripts/check_prose.py
 	@$(BIN)/python scripts/write_api.py --check
 
 api: $(FULL) ## Write docs/api.txt, the list of public names
