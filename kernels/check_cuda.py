@@ -103,7 +103,7 @@ def report_heavy(compiled: Compiled) -> list[str]:
 def check_module(
     name: str, *, architectures: tuple[int, ...] = ARCHITECTURES, may_be_empty: bool = False
 ) -> tuple[int, list[str], str]:
-    """Compile one module. Return its kernel count, report lines and errors; no lines for a module without kernels."""
+    """Compile one module. Return its kernel count, report lines and errors. No lines for a module without kernels."""
     try:
         importlib.import_module(name)
         if may_be_empty and name not in lang.LAUNCHED:

@@ -44,7 +44,7 @@ INTERRUPTED = 130  # exit status of shells after Ctrl-C
 class Code(NamedTuple):
     size: int
     packed: bytes
-    seconds: float  # CPU time; 0 if it was cached
+    seconds: float  # CPU time. 0 if it was cached
 
 
 class Built(NamedTuple):

@@ -12,7 +12,7 @@ captures launches as one CUDA graph and `replay` runs it.
 
 Rules, checked when a function is decorated, or at first use in this package (kernel_cache.py):
 
-- `and`, `or` and `x if c else y` short-circuit; they reject atomics and calls of functions that take arrays.
+- `and`, `or` and `x if c else y` short-circuit. They reject atomics and calls of functions that take arrays.
 - `//` rounds down; `%` is for integers and takes the sign of its left side, as in C: -7 // 2 == -4, -7 % 4 == -3.
 - Integers wrap around. Undefined: division by zero, a shift by the width or more, an overflowing cast of a float to an
 integer, an index out of range.
@@ -75,7 +75,7 @@ def vector(length: int, dtype: Any = float32) -> Any:
 
 
 class Builtin:
-    """A built-in of both compilers, or of Warp for CUDA only; not callable from Python."""
+    """A built-in of both compilers, or of Warp for CUDA only. Not callable from Python."""
 
     def __init__(self, name: str, *, for_cuda: bool = False) -> None:
         self.name, self.for_cuda = name, for_cuda
@@ -139,7 +139,7 @@ class _DeviceCode:
         _ = self.source
 
     def on_cuda(self, function: Callable) -> Self:
-        """Register the CUDA variant: a function with the same parameters in the same file; raises TypeError if they
+        """Register the CUDA variant: a function with the same parameters in the same file. Raises TypeError if they
         differ. It may use lane(), ballot(flag), shuffle(x, lane), shuffle_xor(x, mask), sync_lanes() and the 128-bit
         loads load_eight(points, first) (eight vec3; `first` a multiple of eight in an array that starts an allocation),
         load_six(numbers, first) and load_nine (every eighth float32).
@@ -198,7 +198,7 @@ class Func(_DeviceCode):
 
     @once
     def warp(self) -> Any:
-        """The function that Warp compiles; None if it depends on callbacks."""
+        """The function that Warp compiles. None if it depends on callbacks."""
         if self.source.is_template:
             return None
         return warp_compiler.make_func(self.function, _is_builtin, for_cuda=self.for_cuda)
@@ -280,7 +280,7 @@ class _Launched(_DeviceCode):
 
     @once
     def prepared(self) -> dict[str, Any]:
-        """Prepared GPU launches by device name; None if Warp must launch."""
+        """Prepared GPU launches by device name. None if Warp must launch."""
         return {}
 
     @once
@@ -316,7 +316,7 @@ class _Launched(_DeviceCode):
 
 
 class Kernel(_Launched):
-    """A function of one thread; launch it with `launch(kernel, thread_count, [arguments])`.
+    """A function of one thread. Launch it with `launch(kernel, thread_count, [arguments])`.
     `@kernel(most_registers=128)` limits registers on CUDA: above 128 an SM runs half as many threads.
     `@kernel(for_cpu=True)` is not compiled for GPUs.
     """

@@ -37,7 +37,7 @@ _compiler: contextvars.ContextVar[str | None] = contextvars.ContextVar("pointloo
 
 @contextlib.contextmanager
 def cpu_compiler(name: str) -> Iterator[None]:
-    """Compile CPU launches with "warp" or "taichi" inside the block; for tests and for `doctor`."""
+    """Compile CPU launches with "warp" or "taichi" inside the block. For tests and for `doctor`."""
     token = _compiler.set(name)
     try:
         yield
@@ -63,7 +63,7 @@ class Turn:
         self.program: Any = None  # for Taichi launches
 
     def repeat(self) -> bool:
-        """Repeat the launches; False, without effect, if Taichi was restarted."""
+        """Repeat the launches. False, without effect, if Taichi was restarted."""
         if self.program is not None and self.program is not taichi_compiler.start().program:
             return False
         for again in self.launches:
@@ -71,14 +71,14 @@ class Turn:
         return True
 
 
-_turn: Turn | None = None  # the launches being recorded; requires the lock
+_turn: Turn | None = None  # the launches being recorded. Requires the lock
 _launched: set[tuple[int, str]] = set()  # kernels launched on a GPU, by device
 _by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
 def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[bool]:
-    """Announce the first launch of a kernel in this process; True if it was the first."""
+    """Announce the first launch of a kernel in this process. True if it was the first."""
     if (id(kernel), place) in _launched:
         return contextlib.nullcontext(False)
     _launched.add((id(kernel), place))
@@ -93,7 +93,7 @@ def _run_on_cuda(kernel: Any, thread_count: int, values: Sequence[Any], device: 
 
 
 def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence[Any], device: Device) -> bool:
-    """Use a prepared GPU launch; False, without effect, if there is none or the arguments need conversion."""
+    """Use a prepared GPU launch. False, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedKernel | None = kernel.prepared.get(device.alias)
     if prepared is None or not 0 < thread_count <= MAX_THREADS or not launches_plainly():
         return False
@@ -165,8 +165,8 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
     Args:
     kernel: The kernel.
     thread_count: Threads, below 2^31.
-    arguments: One per parameter: contiguous Warp arrays on one device; vectors and matrices as Warp or NumPy values;
-    integers; for a structure an object with its fields as attributes.
+    arguments: One per parameter: contiguous Warp arrays on one device; vectors and matrices as Warp or NumPy values.
+    Integers. For a structure an object with its fields as attributes.
 
     Raises:
     ValueError: Different devices, a non-contiguous array, a wrong count or a number out of range.
@@ -224,7 +224,7 @@ def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1
 
 
 def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], device: Device) -> Array1[Any] | None:
-    """The sum by a prepared GPU launch; None, without effect, if there is none or the arguments need conversion."""
+    """The sum by a prepared GPU launch. None, without effect, if there is none or the arguments need conversion."""
     prepared: PreparedSum | None = reduction.prepared.get(device.alias)
     if prepared is None or not 0 < count <= MAX_THREADS or not launches_plainly():
         return None
@@ -279,7 +279,7 @@ def loop_while(condition: Integers, body: Callable[[], None]) -> None:
 
 
 class DeviceLoop:
-    """A reusable `loop_while`, prepared once; each run must have the same launches, arrays and numbers."""
+    """A reusable `loop_while`, prepared once. Each run must have the same launches, arrays and numbers."""
 
     def __init__(self, condition: Integers, body: Callable[[], None]) -> None:
         self._condition, self._body = condition, body
@@ -302,7 +302,7 @@ class DeviceLoop:
 
 
 def _keep(body: Callable[[], None]) -> Turn:
-    """Run and record a body of CPU launches; requires the lock."""
+    """Run and record a body of CPU launches. Requires the lock."""
     global _turn
     outer, _turn = _turn, Turn()
     try:

@@ -17,13 +17,13 @@ Array = NDArray[np.float64]
 EPSILON = float(np.finfo(np.float64).eps)
 SHORT = 8  # products of a sum that are added one by one
 NEGLIGIBLE = 1e-30  # off-diagonal entry, relative to the largest entry
-MAX_STEPS = 60  # per eigenvalue; two or three are usual
+MAX_STEPS = 60  # per eigenvalue. Two or three are usual
 SEPARATED = 1e-6  # relative difference above which eigenvalues have individual eigenvectors
 
 
 @np.errstate(all="ignore")  # as in BLAS and LAPACK
 def matmul(a: Any, b: Any, *others: Any) -> NDArray[Any]:
-    """The product `a @ b @ ...` from left to right, with broadcasting; up to `SHORT` products in ascending order."""
+    """The product `a @ b @ ...` from left to right, with broadcasting. Up to `SHORT` products in ascending order."""
     a, b = np.asarray(a), np.asarray(b)
     left = a if a.ndim > 1 else a[None]
     right = b if b.ndim > 1 else b[:, None]
@@ -50,7 +50,7 @@ def norm(values: Any) -> float:
 
 
 def elementwise(function: Callable[..., float], *arrays: Any) -> Array:
-    """Apply a function of `math` to each element; NumPy's versions depend on the processor's vector units."""
+    """Apply a function of `math` to each element. NumPy's versions depend on the processor's vector units."""
     return np.asarray(np.frompyfunc(function, len(arrays), 1)(*arrays), np.float64)
 
 
@@ -109,7 +109,7 @@ def inv(A: Any) -> Array:
 
 def eigh(A: Any) -> tuple[Array, Array]:
     """Eigenvalues in ascending order and eigenvectors as columns of symmetric matrices, shape (..., n, n). Householder
-    reflections and implicit QL (Golub and Van Loan, Matrix Computations, 2013, section 8.3). Signs are LAPACK's; for a
+    reflections and implicit QL (Golub and Van Loan, Matrix Computations, 2013, section 8.3). Signs are LAPACK's. For a
     repeated eigenvalue the largest entry is positive.
     """
     A = np.asarray(A, np.float64)
@@ -134,7 +134,7 @@ def eigvalsh(A: Any) -> Array:
 
 
 def pinvh(A: Array, rcond: float) -> Array:
-    """Pseudoinverse of a symmetric matrix; eigenvalues up to `rcond` times the largest magnitude count as zero."""
+    """Pseudoinverse of a symmetric matrix. Eigenvalues up to `rcond` times the largest magnitude count as zero."""
     values, vectors = eigh(A)
     sizes = np.abs(values)
     kept = sizes > rcond * sizes.max(initial=0.0)

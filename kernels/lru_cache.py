@@ -33,14 +33,14 @@ class LruCache(Generic[Value]):
         return sum(size for _, size in self._entries.values())
 
     def find(self, key: Hashable) -> Value | None:
-        """The value of a key, marked as used; None if there is none."""
+        """The value of a key, marked as used. None if there is none."""
         if key not in self._entries:
             return None
         self._entries.move_to_end(key)
         return self._entries[key][0]
 
     def get(self, key: Hashable, size: int, make: Callable[[], Value], *, beside: Hashable = None) -> Value:
-        """Value of a key; if absent, evict others (except `beside`), make (may raise) and insert it."""
+        """Value of a key. If absent, evict others (except `beside`), make (may raise) and insert it."""
         self.find(beside)
         if key not in self._entries:
             self._make_room(size, beside)
@@ -54,7 +54,7 @@ class LruCache(Generic[Value]):
         self._entries[key] = value, size
 
     def pop(self, key: Hashable) -> Value | None:
-        """Remove and return the value of a key; None if there is none."""
+        """Remove and return the value of a key. None if there is none."""
         return self._entries.pop(key, (None, 0))[0]
 
     def clear(self) -> None:

@@ -39,7 +39,7 @@ on_give_back: list[Callable[[], None]] = []  # callbacks that release arrays kep
 
 
 def give_back(device: Device) -> int:
-    """Release unused pool memory of a GPU to the system (sync) and return the bytes; 0 on GPUs without arrays."""
+    """Release unused pool memory of a GPU to the system (sync) and return the bytes. 0 on GPUs without arrays."""
     for let_go in on_give_back:
         let_go()
     return pools.trim(device) if device.is_cuda and device.alias in _pools else 0
@@ -76,7 +76,7 @@ class _Allocation:
 
 
 def free_bytes(device: Device) -> int | None:
-    """Free bytes on a device, including the pool; None if unknown."""
+    """Free bytes on a device, including the pool. None if unknown."""
     if device.is_cuda:
         return int(device.free_memory) + pools.kept_bytes(device)
     sizes = []
@@ -102,7 +102,7 @@ def check_room(device: Device, size: int, what: str) -> None:
 
 
 def _new_on_gpu(shape: int | tuple[int, ...], dtype: Any, device: Any) -> Any:
-    """Uninitialized array on a GPU; None if Warp must allocate it."""
+    """Uninitialized array on a GPU. None if Warp must allocate it."""
     if getattr(device, "ordinal", -1) < 0 or why_no_cuda_here():
         return None
     _keep_pool(device)
@@ -175,7 +175,7 @@ def fill(values: wp.array, value: Any) -> None:
 def upload(
     values: np.ndarray, dtype: type[Element], device: Device | str, *, copied: bool = True
 ) -> DeviceArray[Element, Any]:
-    """Copy a NumPy array to a device as `dtype` (vectors take the last axis); a CPU view if `copied` is False."""
+    """Copy a NumPy array to a device as `dtype` (vectors take the last axis). A CPU view if `copied` is False."""
     scalar = wp.dtype_to_numpy(getattr(dtype, "_wp_scalar_type_", dtype))
     values = np.ascontiguousarray(values, dtype=scalar)
     if values.size == 0:

@@ -55,7 +55,7 @@ class Bounds(Selection, Movable):
         return mean + self._origin if count else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """Smallest axis-aligned box of the finite points; at zero if there are none."""
+        """Smallest axis-aligned box of the finite points. At zero if there are none."""
         return AxisAlignedBoundingBox(*self._device_bounds())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
@@ -83,7 +83,7 @@ class Bounds(Selection, Movable):
 
         Contains every finite point, with a margin of a few float64 roundings. Degenerate clouds give zero extents.
         Tests all frames in which two adjacent faces each contain a hull edge, so time grows with the square of the
-        hull's edges. Bitwise reproducible. O'Rourke, "Finding minimal enclosing boxes", IJCIS 1985; Jylänki, "An exact
+        hull's edges. Bitwise reproducible. O'Rourke, "Finding minimal enclosing boxes", IJCIS 1985. Jylänki, "An exact
         algorithm for finding minimum oriented bounding boxes", 2015.
 
         Args:
@@ -110,7 +110,7 @@ class Bounds(Selection, Movable):
 
     @returns_new
     def transform(self, transformation: ArrayLike) -> Self:
-        """Apply a 4x4 affine map in float64; normals are rotated and keep their lengths.
+        """Apply a 4x4 affine map in float64. Normals are rotated and keep their lengths.
 
         Covariances C become A C A^T with the 3x3 part A. If lengths change by more than 1%, the unit becomes unknown.
 
@@ -189,7 +189,7 @@ class Bounds(Selection, Movable):
         Args:
             camera_location: World coordinates [m], shape (3,).
             radius: Sphere radius [m], at least the distance of the farthest point. Larger values accept more visible
-                and more hidden points; start with 1,000 times the cloud's size.
+                and more hidden points. Start with 1,000 times the cloud's size.
 
         Returns:
             (surface of the visible points, their ascending indices, int64 (m,)).
@@ -250,7 +250,7 @@ class Bounds(Selection, Movable):
         """Distance of each point to its nearest other point.
 
         Returns:
-            Distances [m], float64 (n,): 0 for coincident points or without another point, as in Open3D; NaN for points
+            Distances [m], float64 (n,): 0 for coincident points or without another point, as in Open3D. NaN for points
             that are not finite. O(n) memory, bitwise reproducible.
 
         Raises:
@@ -260,12 +260,12 @@ class Bounds(Selection, Movable):
         return self._handed_out(nearest_distances(self.search_tree(), points, others=True, missing=0.0))
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Mean [m], (3,), and centered covariance [m^2], (3, 3), of the finite points, divided by n; NaN if none."""
+        """Mean [m], (3,), and centered covariance [m^2], (3, 3), of the finite points, divided by n. NaN if none."""
         _, mean, covariance = mean_and_covariance(self._arrays["points"])
         return mean + self._origin, covariance
 
     def compute_mahalanobis_distance(self) -> NDArray[np.float64]:
-        """Mahalanobis distance of each point from the mean, float64 (n,); NaN for points that are not finite.
+        """Mahalanobis distance of each point from the mean, float64 (n,). NaN for points that are not finite.
 
         Directions without extent are ignored (Open3D returns NaN for flat clouds).
         """

@@ -28,7 +28,7 @@ CORNERS = np.array(  # Open3D's order, in halves of the extent
 class AxisAlignedBoundingBox(BoundingBox):
     """All points with min_bound <= p <= max_bound on each axis.
 
-    Boxes are equal if their bounds are; the color is ignored. Methods return new boxes.
+    Boxes are equal if their bounds are. The color is ignored. Methods return new boxes.
 
     Args:
         min_bound: Lowest corner [m], shape (3,); -inf leaves a side open.
@@ -56,7 +56,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points(cls, points: ArrayLike) -> AxisAlignedBoundingBox:
-        """Box of the finite points of an array (n, 3); at zero if there are none."""
+        """Box of the finite points of an array (n, 3). At zero if there are none."""
         return cls(*finite_box(check_rows("points", points, 3, dtype=np.float64)))
 
     @property
@@ -88,7 +88,7 @@ class AxisAlignedBoundingBox(BoundingBox):
     __hash__ = None  # type: ignore[assignment]  # boxes compare by value
 
     def __add__(self, other: AxisAlignedBoundingBox) -> AxisAlignedBoundingBox:
-        """Smallest box around both, in this one's color; a box without volume adds nothing, as in Open3D."""
+        """Smallest box around both, in this one's color. A box without volume adds nothing, as in Open3D."""
         if not isinstance(other, AxisAlignedBoundingBox):
             return NotImplemented
         low, high = self._min_bound, self._max_bound
@@ -153,7 +153,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> AxisAlignedBoundingBox:
-        """Translate by a vector [m]; with `relative=False`, move the center there."""
+        """Translate by a vector [m]. With `relative=False`, move the center there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         if relative:
             return self._like(self._min_bound + step, self._max_bound + step)
@@ -170,7 +170,7 @@ class AxisAlignedBoundingBox(BoundingBox):
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
-        """Rotate about a point, default the center; returns an oriented box."""
+        """Rotate about a point, default the center. Returns an oriented box."""
         return OrientedBoundingBox.create_from_axis_aligned_bounding_box(self).rotate(R, center)
 
     def _like(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> AxisAlignedBoundingBox:
@@ -189,11 +189,11 @@ class AxisAlignedBoundingBox(BoundingBox):
 class OrientedBoundingBox(BoundingBox):
     """An oriented box, faces included.
 
-    Boxes are equal if center, axes and extent are; the color is ignored. Methods return new boxes.
+    Boxes are equal if center, axes and extent are. The color is ignored. Methods return new boxes.
 
     Args:
         center: Center [m], shape (3,).
-        R: Rotation, shape (3, 3); its columns are the box's axes.
+        R: Rotation, shape (3, 3). Its columns are the box's axes.
         extent: Lengths along the axes [m], shape (3,).
 
     Raises:
@@ -240,7 +240,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @classmethod
     def create_from_points_minimal(cls, points: ArrayLike, robust: bool = False) -> OrientedBoundingBox:
-        """As `PointCloud.get_minimal_oriented_bounding_box`, for an array (n, 3); on the CPU."""
+        """As `PointCloud.get_minimal_oriented_bounding_box`, for an array (n, 3). On the CPU."""
         positions, origin = _centered(points)
         extremes = find_extremes(positions, robust)
         return cls(*fit_smallest_box(positions, origin, extremes, "cpu"))
@@ -252,7 +252,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @property
     def R(self) -> NDArray[np.float64]:
-        """Rotation, shape (3, 3); its columns are the axes."""
+        """Rotation, shape (3, 3). Its columns are the axes."""
         return read_only(self._R.copy())
 
     @property
@@ -322,7 +322,7 @@ class OrientedBoundingBox(BoundingBox):
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> OrientedBoundingBox:
-        """Translate by a vector [m]; with `relative=False`, move the center there."""
+        """Translate by a vector [m]. With `relative=False`, move the center there."""
         step = check_finite("translation", check_shape("translation", translation, (3,)))
         return self._like(self._center + step if relative else step, self._R, self._extent)
 

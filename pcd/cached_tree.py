@@ -56,7 +56,7 @@ class KeptTree:
 
 def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
     """Raise ValueError if squared distances exceed float32: an extent below 1e-13 m, or mostly above 1e19 m. Single
-    distant points are allowed; they have no neighbors. `points` is read only if the box is too large."""
+    distant points are allowed. They have no neighbors. `points` is read only if the box is too large."""
     extent = float((np.asarray(high, np.float64) - low).max(initial=0.0))
     if 0 < extent < SMALLEST_EXTENT:
         raise ValueError(

@@ -28,10 +28,10 @@ class M3C2Result:
     """M3C2 distances at n core points.
 
     Attributes:
-        distances: From the first to the second epoch along the direction [m], float64 (n,); NaN if undefined.
-        level_of_detection: Significant change at 95% confidence [m], float64 (n,); NaN with fewer than two points.
-        directions: Unit directions, float32 (n, 3); NaN if undefined.
-        scales: Radius of each normal [m], float64 (n,); NaN if undefined or given.
+        distances: From the first to the second epoch along the direction [m], float64 (n,). NaN if undefined.
+        level_of_detection: Significant change at 95% confidence [m], float64 (n,). NaN with fewer than two points.
+        directions: Unit directions, float32 (n, 3). NaN if undefined.
+        scales: Radius of each normal [m], float64 (n,). NaN if undefined or given.
         spreads: Standard deviations along the direction in both epochs [m], float64 (n, 2).
         counts: Points in the cylinders of both epochs, int32 (n, 2).
     """
@@ -81,7 +81,7 @@ def m3c2(
         max_distance: Half length of the cylinders [m], more than the largest change.
         core_points: Points to measure at, on the same device. If None: the first epoch. Thin with `voxel_down_sample`.
         registration_error: Standard deviation of the registration [m].
-        orientation: Direction of the normals' side, shape (3,); distances are positive there.
+        orientation: Direction of the normals' side, shape (3,). Distances are positive there.
         directions: Unit directions instead of normals, shape (n, 3) or (3,).
 
     Raises:
@@ -143,7 +143,7 @@ def _tree_about(cloud: PointCloud, other: PointCloud) -> Any:
 
 
 def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
-    """Ascending normal radii, empty if directions are given; ValueError if neither is valid."""
+    """Ascending normal radii, empty if directions are given. ValueError if neither is valid."""
     if directions is not None:
         return np.empty(0)
     if radii is None:

@@ -1,4 +1,4 @@
-"""PointCloud: points with named attributes on one device; operations are inherited from one module per topic."""
+"""PointCloud: points with named attributes on one device. Operations are inherited from one module per topic."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ class Conversion(Selection):
         """Create a cloud from a depth image, row by row.
 
         Args:
-            depth: Shape (h, w); integers of 16 bits and more, or floats.
+            depth: Shape (h, w). Integers of 16 bits and more, or floats.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape (4, 4). If None: identity.
             depth_scale: Depth units per meter. If None: 1000 for integers, 1 for floats.
@@ -96,7 +96,7 @@ class Conversion(Selection):
         stride: int = 1,
         with_normals: bool = False,
     ) -> Self:
-        """Create a colored cloud from an RGB-D image, gray if it has intensity only; see `create_from_depth_image`."""
+        """Create a colored cloud from an RGB-D image, gray if it has intensity only. See `create_from_depth_image`."""
         if not isinstance(image, RGBDImage):
             raise TypeError(f"image: expected an RGBDImage, got {type(image).__name__}")
         camera = check_intrinsic(intrinsic, image.width, image.height)
@@ -123,11 +123,11 @@ class Conversion(Selection):
             width, height: Size of the image [px].
             intrinsic: The camera, of that size.
             extrinsic: T_camera_world, shape (4, 4). If None: identity.
-            depth_scale: Units per meter of the result; 1000 for millimeters (Open3D's default).
+            depth_scale: Units per meter of the result. 1000 for millimeters (Open3D's default).
             depth_max: Maximum depth [m].
 
         Returns:
-            Depth times `depth_scale`, float32 (height, width); 0 without a point. Bitwise reproducible; 8 B per pixel.
+            Depth times `depth_scale`, float32 (height, width). 0 without a point. Bitwise reproducible. 8 B per pixel.
 
         Raises:
             ValueError: If sizes disagree, a number is out of range, or the extrinsic is not rigid.
@@ -214,8 +214,8 @@ class Conversion(Selection):
     ) -> Self:
         """Create a cloud from arrays of another library without a copy: torch, cupy, jax, NumPy, Warp.
 
-        Arrays must be contiguous and support DLPack or `__cuda_array_interface__`. In-place changes affect the cloud;
-        make them only while no operation runs. Later operations detect changed points; an existing
+        Arrays must be contiguous and support DLPack or `__cuda_array_interface__`. In-place changes affect the cloud.
+        Make them only while no operation runs. Later operations detect changed points. An existing
         NearestNeighborSearch does not.
 
         Args:
@@ -259,8 +259,8 @@ class Conversion(Selection):
     def from_open3d(cls, cloud: Any, *, device: Any = None) -> Self:
         """Copy an Open3D cloud, legacy (`open3d.geometry`) or tensor (`open3d.t.geometry`), with all attributes.
 
-        Float64 positions keep their precision through the origin. Covariances become `covariances` of shape (n, 9);
-        other tensors are flattened to two axes. GPU tensors pass through the host; `from_dlpack` shares them.
+        Float64 positions keep their precision through the origin. Covariances become `covariances` of shape (n, 9).
+        Other tensors are flattened to two axes. GPU tensors pass through the host; `from_dlpack` shares them.
 
         Args:
             cloud: The Open3D cloud.

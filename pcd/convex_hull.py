@@ -32,7 +32,7 @@ class ConvexHull(ToldNames):
 
     Attributes:
         vertices: World coordinates [m], shape (m, 3).
-        triangles: int32 (t, 3); a flat hull has each triangle twice, once per side.
+        triangles: int32 (t, 3). A flat hull has each triangle twice, once per side.
         volume, area: [m^3], 0 for a flat hull; [m^2], both sides for a flat hull.
     """
 
@@ -98,7 +98,7 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
 
 
 def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
-    """Qhull's result; None if the input is flat, too small or too imprecise."""
+    """Qhull's result. None if the input is flat, too small or too imprecise."""
     from scipy.spatial import ConvexHull, QhullError  # slow import
 
     try:
@@ -108,7 +108,7 @@ def _run_qhull(positions: NDArray[np.float64], options: str) -> Qhull | None:
 
 
 def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Extremes | None:
-    """Hull in a plane, on a line or at a point; None for a body."""
+    """Hull in a plane, on a line or at a point. None for a body."""
     none = np.zeros((0, 3), np.int32)
     first = positions[0]
     arms = positions - first
@@ -145,7 +145,7 @@ def orient(
 
 
 def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDArray[np.int64], NDArray[np.float64]]:
-    """Hull of vec3 points: extremes, indices and positions of the candidate points; ValueError if none is finite."""
+    """Hull of vec3 points: extremes, indices and positions of the candidate points. ValueError if none is finite."""
     low, high, finite = bound_points(points)
     if not finite:
         raise ValueError("points: expected at least one finite point, got none")

@@ -27,7 +27,7 @@ _KEY_BITS = 3 * DEPTH
 class NodeTable:
     """Nodes sorted by level, then Morton order. `levels` uint8 (k,): a node of level L has 128 voxels of side / 2^L /
     128 per axis. `firsts`, `counts` int64 (k,): range in `order`. `depths` uint8 (k,), `cells` int64 (k, 3): octree
-    cell of the points. `names` int64 (k,): cell of the level as a one followed by three bits per halving; the parent is
+    cell of the points. `names` int64 (k,): cell of the level as a one followed by three bits per halving. The parent is
     `name >> 3`. `order` int32 (n,): points."""
 
     levels: NDArray[np.uint8]
@@ -78,8 +78,8 @@ def make_nodes(
     least: int = LEAST,
     depth: int = 0,
 ) -> NodeTable:
-    """Build nodes from ascending Morton keys; 8 B per point. Nodes of more than `most` points are split; up to `least`
-    deeper points are merged into their parent. `depth` is the number of halvings to the common cell; points of coarser
+    """Build nodes from ascending Morton keys. 8 B per point. Nodes of more than `most` points are split. Up to `least`
+    deeper points are merged into their parent. `depth` is the number of halvings to the common cell. Points of coarser
     levels are omitted."""
     rows = _Rows(levels)
     nodes: list[_Node] = []

@@ -39,7 +39,7 @@ def compute_fpfh_feature(
         indices: Points to compute features for, shape (m,). If None: all.
 
     Returns:
-        float32 (n, 33) or (m, 33) (Open3D: (33, n)). Each block of 11 sums to 200; zeros without neighbors; NaN if the
+        float32 (n, 33) or (m, 33) (Open3D: (33, n)). Each block of 11 sums to 200; zeros without neighbors. NaN if the
         position or normal is not finite. Such points are ignored as neighbors.
 
     Raises:
@@ -74,22 +74,22 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
     With eigenvalues l1 >= l2 >= l3 and e = l / (l1 + l2 + l3), the attributes are
 
     - `eigenvalues`: l1, l2, l3 [m^2], shape (n, 3), of the covariance divided by the number of neighbors;
-    - `linearity`: (l1 - l2) / l1; `planarity`: (l2 - l3) / l1; `sphericity` (scattering): l3 / l1; their sum is 1;
+    - `linearity`: (l1 - l2) / l1; `planarity`: (l2 - l3) / l1; `sphericity` (scattering): l3 / l1. Their sum is 1;
     - `omnivariance`: (e1 e2 e3)^(1/3); `anisotropy`: (l1 - l3) / l1; `eigenentropy`: -sum of e ln e;
     - `curvature` (surface variation): e3, 0 on a plane and 1/3 in a ball;
     - `verticality`: `1 - |nz|` of the normal, 0 on the ground and 1 on a wall;
     - `density` [1 / m^3]: neighbors per volume of the search ball, or of the ball up to the last of `max_nn` neighbors.
 
     O(n) memory, bitwise reproducible. Weinmann et al., "Semantic point cloud interpretation based on optimal
-    neighborhoods", ISPRS 2015, section 3.2; Pauly, Gross and Kobbelt 2002.
+    neighborhoods", ISPRS 2015, section 3.2. Pauly, Gross and Kobbelt 2002.
 
     Args:
-        cloud: Any cloud; normals are not needed.
+        cloud: Any cloud. Normals are not needed.
         radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
         max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
     Returns:
-        The cloud with these attributes, float32; NaN with fewer than 3 distinct neighbors and for non-finite points.
+        The cloud with these attributes, float32. NaN with fewer than 3 distinct neighbors and for non-finite points.
 
     Raises:
         ValueError: If both limits are None, or a limit is out of range.
@@ -114,12 +114,12 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
     O(n) memory, bitwise reproducible. Pauly, Gross and Kobbelt, VIS 2002, section 2.2.
 
     Args:
-        cloud: Any cloud; normals are not needed.
+        cloud: Any cloud. Normals are not needed.
         radius: Exclusive search radius [m]. If None: the `max_nn` nearest neighbors.
         max_nn: Maximum neighbors, including the point itself. If None: all within the radius.
 
     Returns:
-        The cloud with `curvature`, float32: the smallest eigenvalue over their sum; NaN as `compute_eigen_features`.
+        The cloud with `curvature`, float32: the smallest eigenvalue over their sum. NaN as `compute_eigen_features`.
 
     Raises:
         ValueError: If both limits are None, or a limit is out of range.

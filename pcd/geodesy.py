@@ -1,6 +1,6 @@
 """Geodetic, geocentric, local (east, north, up) and UTM coordinates in float64 on the host, WGS 84.
 
-No datum shift (ETRS89, NAD83 and GDA2020 differ by up to 2 m); heights are passed through. Source: Bowring 1985;
+No datum shift (ETRS89, NAD83 and GDA2020 differ by up to 2 m). Heights are passed through. Source: Bowring 1985.
 Karney, "Transverse Mercator with an accuracy of a few nanometers", 2011, equations 7 to 21 and 35.
 """
 

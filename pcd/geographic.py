@@ -1,6 +1,6 @@
 """Project longitude and latitude to UTM in float64.
 
-Radii and voxels need equal units along all axes. Accurate to a micrometer within 3,900 km of the central meridian; no
+Radii and voxels need equal units along all axes. Accurate to a micrometer within 3,900 km of the central meridian. No
 datum shift (WGS 84, ETRS89 and NAD83 share the ellipsoid to 0.1 mm). Source: Karney, "Transverse Mercator with an
 accuracy of a few nanometers", 2011, equations 7 to 12 and 35.
 """
@@ -58,7 +58,7 @@ def utm_epsg(cloud: PointCloud) -> int:
 
 
 def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
-    """Project a cloud in degrees to UTM meters; heights and attributes stay.
+    """Project a cloud in degrees to UTM meters. Heights and attributes stay.
 
     Args:
         cloud: x is the longitude, y the latitude [degrees]; z is kept.

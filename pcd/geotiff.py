@@ -38,8 +38,8 @@ def geotiff(
     for_maps: bool = False,
     is_picture: bool = False,
 ) -> Iterator[Any]:
-    """GeoTIFF opened for writing blocks, renamed when complete; FileError as `Raster.write`. Two float32 bands (values,
-    1 where filled), or RGBA uint8 if `is_picture`. `told` has `kind`, `crs` and `nodata`; with `for_maps` it is
+    """GeoTIFF opened for writing blocks, renamed when complete. FileError as `Raster.write`. Two float32 bands (values,
+    1 where filled), or RGBA uint8 if `is_picture`. `told` has `kind`, `crs` and `nodata`. With `for_maps` it is
     rewritten as a Cloud Optimized GeoTIFF."""
     path, rasterio = check_geotiff(path, overwrite=overwrite)
     part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
@@ -75,7 +75,7 @@ def geotiff(
 
 
 def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
-    """Validate a path; returns it and rasterio, FileError if not writable or rasterio is missing."""
+    """Validate a path. Returns it and rasterio, FileError if not writable or rasterio is missing."""
     place = check_writable(path, overwrite=overwrite)
     if place.suffix.lower() not in ENDINGS:
         raise FileError(place, "is no name of a GeoTIFF", remedy="End it in .tif")
@@ -83,7 +83,7 @@ def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
 
 
 def _check_blocks(rasterio: Any, part: Path) -> None:
-    """Read every block back, since GDAL does not report a full disk on close; RasterioError if one is damaged."""
+    """Read every block back, since GDAL does not report a full disk on close. RasterioError if one is damaged."""
     with rasterio.open(part) as file:
         levels = len(file.overviews(1))
     for level in (None, *range(levels)):

@@ -41,21 +41,21 @@ def classify_ground(
 
     The lowest points on a grid are opened with growing windows; drops beyond the terrain's slope are objects. Points
     near the interpolated bare earth are ground. The defaults are the paper's; docs/ground.md has their errors on real
-    tiles. 28 B per cell; bitwise reproducible. Pingel, Clarke and McBride, "An improved simple morphological filter for
+    tiles. 28 B per cell. Bitwise reproducible. Pingel, Clarke and McBride, "An improved simple morphological filter for
     the terrain classification of airborne LIDAR data", ISPRS 2013, with octagons instead of disks.
 
     Args:
         cloud: The scan.
         cell_size: Edge of the grid's cells [m], about the point spacing.
         slope: Maximum slope of the terrain, as rise over run.
-        max_window: Radius of the largest window [m], more than half the width of the largest building; up to 512 cells.
+        max_window: Radius of the largest window [m], more than half the width of the largest building. Up to 512 cells.
         elevation_threshold: Maximum distance of ground points from the bare earth [m].
         scaling: Additional distance per unit of slope [m].
         corner: Fixed corner of the grid, x and y. Results then depend only on points within `ground_reach`, so parts of
-            a survey give the result of the complete one; see docs/terrain.md. If None: the cloud's corner.
+            a survey give the result of the complete one. See docs/terrain.md. If None: the cloud's corner.
 
     Returns:
-        Booleans of shape (n,), for `select_by_mask`; False for points that are not finite.
+        Booleans of shape (n,), for `select_by_mask`. False for points that are not finite.
 
     Raises:
         TypeError: If `cloud` is not a PointCloud.

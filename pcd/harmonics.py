@@ -18,7 +18,7 @@ FIRST = 0.5 / math.sqrt(math.pi)  # harmonic of degree 0
 
 
 def degree_of(count: int) -> int | None:
-    """Degree with this number of coefficients per color, including the first; None if there is none."""
+    """Degree with this number of coefficients per color, including the first. None if there is none."""
     degree = math.isqrt(count) - 1
     return degree if 0 <= degree <= MAX_DEGREE and (degree + 1) ** 2 == count else None
 

@@ -58,7 +58,7 @@ def compute_iss_keypoints(
     1e-12 of the squared radius (Open3D: 1e-12 m^2). Zhong, "Intrinsic shape signatures", ICCV Workshops 2009.
 
     Args:
-        cloud: Any cloud; normals are not needed.
+        cloud: Any cloud. Normals are not needed.
         salient_radius: Exclusive radius of the covariance [m].
         non_max_radius: Radius of non-maximum suppression [m]. If either is 0: 6 and 4 times the mean spacing.
         gamma_21, gamma_32: Upper limits of l2 / l1 and l3 / l2 of salient points.
@@ -66,7 +66,7 @@ def compute_iss_keypoints(
         return_indices: Also return the indices.
 
     Returns:
-        Cloud of the keypoints in order, ties included; with `return_indices` also their indices, int32 (m,).
+        Cloud of the keypoints in order, ties included. With `return_indices` also their indices, int32 (m,).
 
     Raises:
         ValueError: If an argument is out of range.

@@ -25,7 +25,7 @@ def check_order(count_name: str, count: Any, length_name: str, length: Any) -> N
 
 
 def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:
-    """Warn if a radius finds no neighbors; points are counted only if it is short for their extent."""
+    """Warn if a radius finds no neighbors. Points are counted only if it is short for their extent."""
     if radius is None or tree.count <= FEW:
         return
     extent = float(np.max(np.asarray(tree.high, np.float64) - tree.low))

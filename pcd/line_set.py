@@ -168,22 +168,22 @@ class LineSet(Movable):
 
     @property
     def has_points(self) -> YesOrNo:
-        """True if there are points; also callable."""
+        """True if there are points. Also callable."""
         return YesOrNo(len(self.points))
 
     @property
     def has_lines(self) -> YesOrNo:
-        """True if there are lines; also callable."""
+        """True if there are lines. Also callable."""
         return YesOrNo(len(self.lines))
 
     @property
     def has_colors(self) -> YesOrNo:
-        """True if each line has a color; also callable."""
+        """True if each line has a color. Also callable."""
         return YesOrNo(self.colors is not None)
 
     @property
     def is_empty(self) -> YesOrNo:
-        """True if there are no points; also callable."""
+        """True if there are no points. Also callable."""
         return YesOrNo(len(self.points) == 0)
 
     @returns_new
@@ -192,7 +192,7 @@ class LineSet(Movable):
         return LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
 
     def __add__(self, other: LineSet) -> LineSet:
-        """Concatenate; colors stay if both sets have some.
+        """Concatenate. Colors stay if both sets have some.
 
         Example:
             >>> import pointloom as loom
@@ -228,7 +228,7 @@ class LineSet(Movable):
         return self.get_axis_aligned_bounding_box().max_bound
 
     def get_center(self) -> Rows:
-        """Mean of the points [m]; zero if there are none."""
+        """Mean of the points [m]. Zero if there are none."""
         return self.points.mean(axis=0) if len(self.points) else np.zeros(3)
 
     @returns_new

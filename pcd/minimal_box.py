@@ -57,7 +57,7 @@ def _edges_of(
 
 
 def _smallest_rectangle(arms: NDArray[np.float64], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Frame of the minimal-area rectangle of a flat hull; one side contains an edge."""
+    """Frame of the minimal-area rectangle of a flat hull. One side contains an edge."""
     a, b, c = (arms[triangles[:, k]] for k in range(3))
     normals = np.cross(b - a, c - a)
     normal = normals[np.einsum("ij,ij->i", normals, normals).argmax()]
@@ -82,7 +82,7 @@ def _frame_along(direction: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDArray[np.float64]) -> Box:
     """Box with axes R around positions, enlarged by a few roundings unless flat along a coordinate. The frame may come
-    from a hull without points lost in float32 rounding; the box contains them."""
+    from a hull without points lost in float32 rounding. The box contains them."""
     middle = (positions.min(axis=0) + positions.max(axis=0)) / 2
     turned = matmul(positions - middle, R)
     low, high = turned.min(axis=0), turned.max(axis=0)

@@ -29,7 +29,7 @@ class Movable(ToldNames):
 
     @returns_new
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """Translate by a vector [m]; with `relative=False`, move the center (`get_center`) there.
+        """Translate by a vector [m]. With `relative=False`, move the center (`get_center`) there.
 
         Raises:
             ValueError: If there are not three finite numbers.
@@ -62,7 +62,7 @@ class Movable(ToldNames):
 
     @returns_new
     def scale(self, scale: float, center: ArrayLike | None = None) -> Self:
-        """Scale about a point [m], default the center (`get_center`); the unit becomes unknown (see `to_unit`).
+        """Scale about a point [m], default the center (`get_center`). The unit becomes unknown (see `to_unit`).
 
         Raises:
             ValueError: If the factor is not positive, or the center is not three finite numbers.

@@ -50,7 +50,7 @@ class Normals(Selection):
 
         Returns:
             The cloud with unit normals (n, 3); (0, 0, 1) with fewer than 3 neighbors, NaN for points that are not
-            finite. Existing normals determine the sign; otherwise it is Open3D's, which is not consistent. Orient with
+            finite. Existing normals determine the sign. Otherwise it is Open3D's, which is not consistent. Orient with
             `orient_normals_towards_camera_location` (a scan), `orient_normals_to_align_with_direction` (terrain) or
             `orient_normals_consistent_tangent_plane`.
 
@@ -71,7 +71,7 @@ class Normals(Selection):
 
     @property
     def covariances(self) -> NDArray[np.float32]:
-        """Covariances [m^2], float32 (n, 3, 3); stored as device array "covariances" of shape (n, 9). Assignable.
+        """Covariances [m^2], float32 (n, 3, 3). Stored as device array "covariances" of shape (n, 9). Assignable.
 
         Eigenvalues below 1e-7 of the largest are lost in rounding.
 
@@ -116,7 +116,7 @@ class Normals(Selection):
 
     @returns_new
     def normalize_normals(self) -> Self:
-        """Scale normals to unit length; zero normals stay zero, those with NaN become NaN.
+        """Scale normals to unit length. Zero normals stay zero, those with NaN become NaN.
 
         Raises:
             ValueError: If the cloud has no normals.
@@ -136,7 +136,7 @@ class Normals(Selection):
 
     @returns_new
     def orient_normals_to_align_with_direction(self, orientation_reference: ArrayLike = (0.0, 0.0, 1.0)) -> Self:
-        """Flip normals to the side of a direction; zero normals become the direction.
+        """Flip normals to the side of a direction. Zero normals become the direction.
 
         Raises:
             ValueError: If the cloud has no normals, or the direction is not finite or has another shape.
@@ -163,11 +163,11 @@ class Normals(Selection):
 
         Signs propagate from the lowest point, which faces down, along the minimum spanning tree of the
         k-nearest-neighbor graph with edge weights `1 - |n . n'|`. Disconnected parts are joined by their shortest
-        bridges. About 4 k + 80 B per point. Bitwise reproducible. Hoppe et al. 1992, section 3.3; Piazza, Valentini and
+        bridges. About 4 k + 80 B per point. Bitwise reproducible. Hoppe et al. 1992, section 3.3. Piazza, Valentini and
         Varetti, "Mesh reconstruction from point cloud", 2023. Open3D's graph lacks edges of its Delaunay step.
 
         Args:
-            k: Neighbors of a point, including itself; 10 to 30 suit most scans.
+            k: Neighbors of a point, including itself. 10 to 30 suit most scans.
             lambda_penalty: If positive, ignore neighbors whose distance from the tangent plane is an outlier: above the
                 upper quartile by 1.5 interquartile ranges. Only its sign matters.
             cos_alpha_tol: If below 1, ignore neighbors whose direction has a larger cosine (thin walls).
@@ -300,14 +300,14 @@ class Normals(Selection):
     ) -> Self:
         """Move each point repeatedly by `lambda_` toward the mean of its `knn` nearest neighbors.
 
-        Shrinks curved and open surfaces; see `smooth_taubin`. Taubin, "A signal processing approach to fair surface
+        Shrinks curved and open surfaces. See `smooth_taubin`. Taubin, "A signal processing approach to fair surface
         design", SIGGRAPH 1995, equation 2, with equal weights.
 
         Args:
             iterations: Number of passes.
             lambda_: Fraction of the displacement applied per pass.
             knn: Neighbors, without the point itself.
-            use_fixed_neighborhoods: Keep the neighbors of the first pass: faster, avoids clustering; 4 B per neighbor.
+            use_fixed_neighborhoods: Keep the neighbors of the first pass: faster, avoids clustering. 4 B per neighbor.
 
         Returns:
             The cloud with moved points and unchanged normals. Points that are not finite stay. Bitwise reproducible.

@@ -62,12 +62,12 @@ class Attributes(MutableMapping[str, NDArray[Any]]):
 
 
 class PointArrays(InUnit, KnownNames):
-    """Points and attributes of a cloud, validated on assignment; base of PointCloud.
+    """Points and attributes of a cloud, validated on assignment. Base of PointCloud.
 
     Arrays that are read are read-only copies: modify a `.copy()` and assign it.
 
     Attributes:
-        grid: Rows and columns if the points are image pixels, row by row; else None.
+        grid: Rows and columns if the points are image pixels, row by row. Else None.
     """
 
     _arrays: dict[str, wp.array]
@@ -82,27 +82,27 @@ class PointArrays(InUnit, KnownNames):
 
     @property
     def has_points(self) -> YesOrNo:
-        """True if there are points; also callable."""
+        """True if there are points. Also callable."""
         return YesOrNo(len(self))
 
     @property
     def has_normals(self) -> YesOrNo:
-        """True if there are normals; also callable."""
+        """True if there are normals. Also callable."""
         return YesOrNo("normals" in self._arrays)
 
     @property
     def has_colors(self) -> YesOrNo:
-        """True if there are colors; also callable."""
+        """True if there are colors. Also callable."""
         return YesOrNo("colors" in self._arrays)
 
     @property
     def has_covariances(self) -> YesOrNo:
-        """True if there are covariances; also callable."""
+        """True if there are covariances. Also callable."""
         return YesOrNo("covariances" in self._arrays)
 
     @property
     def is_empty(self) -> YesOrNo:
-        """True if there are no points; also callable."""
+        """True if there are no points. Also callable."""
         return YesOrNo(len(self) == 0)
 
     def __repr__(self) -> str:
@@ -183,7 +183,7 @@ class PointArrays(InUnit, KnownNames):
         """Points for `np.asarray(cloud)`, float64 (n, 3) [m]: a read-only copy, or writable with `copy=True`.
 
         Raises:
-            ValueError: If `copy=False`; positions are stored as float32 about an origin.
+            ValueError: If `copy=False`. Positions are stored as float32 about an origin.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -210,14 +210,14 @@ class PointArrays(InUnit, KnownNames):
     def array(self, name: str) -> wp.array:
         """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
 
-        Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array; the next
+        Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
         operation detects changed points and rebuilds the search tree.
         """
         return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
-        """Copy the cloud to another device; returns the cloud itself if it is already there.
+        """Copy the cloud to another device. Returns the cloud itself if it is already there.
 
         Args:
             device: "cpu", "cuda:0" or "auto".
@@ -315,7 +315,7 @@ class PointArrays(InUnit, KnownNames):
         return cloud
 
     def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
-        """Cloud with other device arrays about the same origin; keeps the search tree if the points are the same."""
+        """Cloud with other device arrays about the same origin. Keeps the search tree if the points are the same."""
         cloud = self._from_device_arrays(arrays, self._origin, self._library)
         cloud.grid, cloud._unit = grid, self._unit
         if arrays["points"] is self._arrays["points"]:
@@ -327,7 +327,7 @@ class PointArrays(InUnit, KnownNames):
         return self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
 
     def _required_array(self, name: str, remedy: str) -> wp.array:
-        """As `_device_array`; the ValueError ends with `remedy`."""
+        """As `_device_array`. The ValueError ends with `remedy`."""
         if name not in self._arrays:
             raise ValueError(escaped(f"the cloud has no {name}: {remedy}"))
         return self._arrays[name]
@@ -351,7 +351,7 @@ class PointArrays(InUnit, KnownNames):
         return upload(split_origin(self.points, origin)[0], vec3, self.device)
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the cloud's array library; NumPy arrays own their memory."""
+        """Convert a result to the cloud's array library. NumPy arrays own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
 

@@ -18,7 +18,7 @@ _MAX_NEIGHBORS = 1000
 
 
 def probe_points(cloud: Any) -> NDArray[np.float64]:
-    """Sample of the finite points, (m, 3); empty if there are none."""
+    """Sample of the finite points, (m, 3). Empty if there are none."""
     points = cloud.points
     points = points[np.isfinite(points).all(axis=1)]
     return points[:: max(1, len(points) // _PROBES)]

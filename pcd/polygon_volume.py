@@ -40,13 +40,13 @@ _KEYS = frozenset(
 
 @dataclass(frozen=True, init=False, eq=False)
 class SelectionPolygonVolume:
-    """A polygon swept along a coordinate axis; selects the same points as Open3D.
+    """A polygon swept along a coordinate axis. Selects the same points as Open3D.
 
-    Even-odd rule in float64 world coordinates. Both ends of the axis are inclusive; points on a lower or left edge are
+    Even-odd rule in float64 world coordinates. Both ends of the axis are inclusive. Points on a lower or left edge are
     outside, on an upper or right edge inside. Points that are not finite are outside.
 
     Args:
-        bounding_polygon: Corners [m], shape (m, 3), at least three; the coordinate along the axis is ignored.
+        bounding_polygon: Corners [m], shape (m, 3), at least three. The coordinate along the axis is ignored.
         orthogonal_axis: "X", "Y" or "Z".
         axis_min, axis_max: Range along the axis [m].
 
@@ -142,7 +142,7 @@ class SelectionPolygonVolume:
             file.write(json.dumps(content, indent=4).encode() + b"\n")
 
     def crop_point_cloud(self, cloud: Cloud, invert: bool = False) -> Cloud:
-        """Points of a cloud inside the volume, or with `invert` all others; as `cloud.crop(volume)`."""
+        """Points of a cloud inside the volume, or with `invert` all others. As `cloud.crop(volume)`."""
         check_cloud("cloud", cloud)
         return cloud.crop(self, invert)
 
@@ -173,7 +173,7 @@ def _wide(points: ArrayLike) -> wp.array:
 
 
 def mask_volume(volume: SelectionPolygonVolume, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
-    """uint8 (n,) on the device of the points (vec3 about an origin, or vec3d); 1 inside the volume."""
+    """uint8 (n,) on the device of the points (vec3 about an origin, or vec3d). 1 inside the volume."""
     axes = AXES[volume.orthogonal_axis]
     corners = upload(volume.bounding_polygon[:, axes[:2]], vec2d, points.device)
     return mask_polygon(points, origin, corners, axes, volume.axis_min, volume.axis_max)

@@ -95,7 +95,7 @@ def _rings(reach: float, side: float, held: Any, asked: Any) -> int:
 
 
 def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
-    """Points of some classes (None: all but noise); only first returns, except for the ground."""
+    """Points of some classes (None: all but noise). Only first returns, except for the ground."""
     rows = _rows(cloud, classes, is_first=not is_ground, is_needed=is_ground or classes is not None)
     points = cloud._device_array("points")
     if rows is None:
@@ -199,7 +199,7 @@ def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base
 
 
 def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:
-    """Heights of points above ground; NaN far from ground points."""
+    """Heights of points above ground. NaN far from ground points."""
     low, high, finite = bound_points(ground)
     if not finite:
         return full(points.size, NAN, float64, points.device)

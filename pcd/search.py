@@ -27,7 +27,7 @@ FEW = 1024  # allowed neighbors beyond the number of points
 
 
 class Neighbors(NamedTuple):
-    """Neighbors of m queries by distance, ties by index; a single query of shape (3,) has no first axis.
+    """Neighbors of m queries by distance, ties by index. A single query of shape (3,) has no first axis.
 
     Attributes:
         indices: int32 (m, k), -1 if there are fewer; flat (total,) from `radius_search`.
@@ -97,7 +97,7 @@ class NearestNeighborSearch(ToldNames):
 
         Args:
             queries: A cloud on the same device, or an array of shape (m, 3) or (3,). Points find themselves first.
-            k: Number of neighbors, up to the number of points plus 1024; missing ones are -1.
+            k: Number of neighbors, up to the number of points plus 1024. Missing ones are -1.
 
         Raises:
             ValueError, DeviceError: If `k` is out of range or the shape is wrong, or if the cloud is on another device.
@@ -114,7 +114,7 @@ class NearestNeighborSearch(ToldNames):
         return self._nearest(queries, self._check_neighbors("max_nn", max_nn), check_positive("radius", radius))
 
     def radius_search(self, queries: PointCloud | ArrayLike, radius: float) -> Neighbors:
-        """Find all points closer than `radius` [m]; the rows of query i start at sum(counts[:i]).
+        """Find all points closer than `radius` [m]. The rows of query i start at sum(counts[:i]).
 
         Raises:
             ValueError: If the radius is not positive, the shape is wrong, or there are 2^31 neighbors or more.
@@ -136,7 +136,7 @@ class NearestNeighborSearch(ToldNames):
         return Neighbors(*map(_only, found)) if asked.is_single else found
 
     def _answers(self, asked: _Queries, search: Callable[[Any], tuple[Any, ...]]) -> tuple[Any, ...]:
-        """Search results in the form of the queries; split for NumPy if a GPU runs out of memory."""
+        """Search results in the form of the queries. Split for NumPy if a GPU runs out of memory."""
 
         def part(begin: int, end: int) -> tuple[Any, ...]:
             points = asked.points if end - begin == asked.points.size else asked.points[begin:end]

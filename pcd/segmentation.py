@@ -56,7 +56,7 @@ class Segmentation(Selection):
 
         A core point has at least `min_points` points within `eps`, itself included. Clusters are numbered by their
         first core. A border point takes the lowest label of its cores. 14 B per point (22 on CUDA) beside the search
-        tree. Bitwise reproducible. Ester et al., "A density-based algorithm for discovering clusters", KDD 1996;
+        tree. Bitwise reproducible. Ester et al., "A density-based algorithm for discovering clusters", KDD 1996.
         Prokopenko et al., "Fast tree-based algorithms for DBSCAN on GPUs", ICPP 2023.
 
         Args:
@@ -141,20 +141,20 @@ class Segmentation(Selection):
         radius: float | None = None,
         max_nn: int = 30,
     ) -> list[OrientedBoundingBox]:
-        """Find planar patches by robust statistics; the cloud needs normals.
+        """Find planar patches by robust statistics. The cloud needs normals.
 
-        Unlike Open3D: normals need no consistent side; planes use medians along the normal; patches merge only into
-        patches that they fit, so edges and steps do not join planes; exact planes are found; boxes have minimal area to
-        0.1 degrees. 4 B per neighbor and about 120 B per point; bitwise reproducible. Araujo and Oliveira, "A robust
+        Unlike Open3D: normals need no consistent side. Planes use medians along the normal; patches merge only into
+        patches that they fit, so edges and steps do not join planes. Exact planes are found. Boxes have minimal area to
+        0.1 degrees. 4 B per neighbor and about 120 B per point. Bitwise reproducible. Araujo and Oliveira, "A robust
         statistics approach for plane detection in unorganized point clouds", Pattern Recognition 2020.
 
         Args:
             normal_variance_threshold_deg: Maximum spread of normals about a plane's [degrees]; smaller finds fewer.
             coplanarity_deg: Minimum angle [degrees] of the normal and the section's diagonal; larger finds fewer.
             outlier_ratio: Maximum fraction of outliers in a seed.
-            min_plane_edge_length: Minimum longest edge of a patch [m]; 0 for 1% of the cloud's longest edge.
-            min_num_points: Minimum points of a seed; 0 for a thousandth of the points, at least 10.
-            radius: Exclusive neighbor distance [m]; None for no limit.
+            min_plane_edge_length: Minimum longest edge of a patch [m]. 0 for 1% of the cloud's longest edge.
+            min_num_points: Minimum points of a seed. 0 for a thousandth of the points, at least 10.
+            radius: Exclusive neighbor distance [m]. None for no limit.
             max_nn: Neighbors per point when growing, including the point itself.
 
         Returns:
@@ -226,9 +226,9 @@ class Segmentation(Selection):
 
         Args:
             distance_threshold: Exclusive inlier distance [m].
-            ransac_n: Points per sample; more than 3 use a least-squares plane.
+            ransac_n: Points per sample. More than 3 use a least-squares plane.
             num_iterations: Maximum number of samples.
-            probability: Confidence of an outlier-free sample that ends the search; 1 draws all.
+            probability: Confidence of an outlier-free sample that ends the search. 1 draws all.
             seed: Random seed.
 
         Returns:
@@ -284,8 +284,8 @@ class Segmentation(Selection):
 
         Args:
             distance_threshold, ransac_n, num_iterations, probability, seed: As of `segment_plane`, for each plane.
-            min_points: Minimum inliers of a plane; fewer end the search.
-            max_planes: Maximum number of planes; None for no limit.
+            min_points: Minimum inliers of a plane. Fewer end the search.
+            max_planes: Maximum number of planes. None for no limit.
 
         Returns:
             (labels, plane_models): int32 (n,), the plane of each point in order of detection, -1 for none; and float64
@@ -346,17 +346,17 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the sphere with the most inliers (RANSAC with normals); the cloud needs normals.
+        """Find the sphere with the most inliers (RANSAC with normals). The cloud needs normals.
 
-        Samples are local along a space-filling curve, scored on 2,000 points, then on all; the best six are refined. 24
+        Samples are local along a space-filling curve, scored on 2,000 points, then on all. The best six are refined. 24
         B per point. Bitwise reproducible. Schnabel, Wahl and Klein, "Efficient RANSAC for point-cloud shape detection",
-        CGF 2007; Lukacs, Martin and Marshall, "Faithful least-squares fitting", ECCV 1998.
+        CGF 2007. Lukacs, Martin and Marshall, "Faithful least-squares fitting", ECCV 1998.
 
         Args:
             distance_threshold: Exclusive inlier distance from the surface [m].
             normal_threshold_deg: Maximum unsigned angle [degrees] between point and surface normals; 90: ignored.
             num_iterations: Maximum number of samples.
-            probability: Confidence of an outlier-free sample that ends the search; 1 draws all.
+            probability: Confidence of an outlier-free sample that ends the search. 1 draws all.
             min_radius: Minimum radius of a sample's shape [m].
             max_radius: Maximum radius of a sample's shape [m]. If None: the diagonal of the cloud.
             seed: Random seed.
@@ -393,7 +393,7 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cylinder with the most inliers (RANSAC with normals); the cloud needs normals.
+        """Find the cylinder with the most inliers (RANSAC with normals). The cloud needs normals.
 
         Arguments, result and errors as `segment_sphere`. The cylinder is unbounded; `shape.extent` limits its points.
 
@@ -418,9 +418,9 @@ class Segmentation(Selection):
         *,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the cone with the most inliers (RANSAC with normals); the cloud needs normals.
+        """Find the cone with the most inliers (RANSAC with normals). The cloud needs normals.
 
-        Arguments, result and errors as `segment_sphere`. Half angles are 2 to 86 degrees; one nappe is found.
+        Arguments, result and errors as `segment_sphere`. Half angles are 2 to 86 degrees. One nappe is found.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -445,7 +445,7 @@ class Segmentation(Selection):
         max_radius: float | None = None,
         seed: int = 0,
     ) -> tuple[Shape, NDArray[np.int32]]:
-        """Find the torus with the most inliers (RANSAC with normals); the cloud needs normals.
+        """Find the torus with the most inliers (RANSAC with normals). The cloud needs normals.
 
         Arguments, result and errors as `segment_sphere`. `min_radius` limits the tube, `max_radius` the ring.
 
@@ -492,16 +492,16 @@ class Segmentation(Selection):
         *,
         max_nn: int = 30,
     ) -> NDArray[np.int32]:
-        """Find smooth regions by normals and curvature, as PCL's RegionGrowing; the cloud needs normals.
+        """Find smooth regions by normals and curvature, as PCL's RegionGrowing. The cloud needs normals.
 
         A region grows from low-curvature points to neighbors with similar normals. Independent of seed order, unlike
         PCL: a high-curvature point joins the region whose nearest point has the most similar normal, low-curvature
         points join if either is among the other's neighbors, and high-curvature seeds form no region. 4 B per neighbor
-        and 40 B per point; bitwise reproducible. Rabbani, van den Heuvel and Vosselman, "Segmentation of point clouds
+        and 40 B per point. Bitwise reproducible. Rabbani, van den Heuvel and Vosselman, "Segmentation of point clouds
         using smoothness constraint", ISPRS 2006.
 
         Args:
-            smoothness_threshold_deg: Maximum unsigned angle [degrees] between neighboring normals; PCL's default is 30.
+            smoothness_threshold_deg: Maximum unsigned angle [degrees] between neighboring normals. PCL's default is 30.
             curvature_threshold: Surface variation (0..1/3, as `estimate_curvature`) below which a region grows on.
             min_cluster_size, max_cluster_size: Allowed number of points; None: no maximum. Other regions are dropped.
             max_nn: Neighbors per point, including itself; curvature uses the same neighbors.
@@ -543,7 +543,7 @@ class Segmentation(Selection):
 
 
 def _check_angle(name: str, degrees: Any) -> float:
-    """Validate an angle of 0..90 degrees; returns radians."""
+    """Validate an angle of 0..90 degrees. Returns radians."""
     angle = check_positive(name, degrees, allow_zero=True)
     if angle > 90:
         raise ValueError(f"{name}: expected degrees in 0..90, got {degrees!r}")
@@ -566,7 +566,7 @@ def _check_search(
 
 
 def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
-    """Validate the limits of a shape search; a maximum radius of 0 means none."""
+    """Validate the limits of a shape search. A maximum radius of 0 means none."""
     reach = check_positive("distance_threshold", distance)
     angle = check_positive("normal_threshold_deg", degrees)
     if angle > 90:

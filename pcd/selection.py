@@ -83,8 +83,8 @@ class Selection(PointArrays):
     def concatenate(cls, clouds: Iterable[PointArrays]) -> Self:
         """Concatenate clouds.
 
-        Keeps the attributes that all non-empty clouds have, as Open3D's `+`. The origin is that of the largest cloud;
-        others are converted in float64. The unit is that of the clouds with a known unit; if these differ, a
+        Keeps the attributes that all non-empty clouds have, as Open3D's `+`. The origin is that of the largest cloud.
+        Others are converted in float64. The unit is that of the clouds with a known unit. If these differ, a
         UnitWarning is issued and the unit is unknown. O(total) time and memory.
 
         Args:
@@ -247,7 +247,7 @@ class Selection(PointArrays):
     def remove_duplicated_points(self) -> Self:
         """Keep the first point at each position, in order.
 
-        Compares float32 coordinates; zero equals minus zero. Points with NaN are kept. O(n log n) time, 40 B per point.
+        Compares float32 coordinates. Zero equals minus zero. Points with NaN are kept. O(n log n) time, 40 B per point.
 
         Example:
             >>> import pointloom as loom
@@ -286,7 +286,7 @@ class Selection(PointArrays):
             print_progress: Report start and duration on stderr.
 
         Returns:
-            (remaining cloud, ascending indices int32 (m,)). Non-finite points are removed; coincident points stay.
+            (remaining cloud, ascending indices int32 (m,)). Non-finite points are removed. Coincident points stay.
 
         Raises:
             ValueError: If a count or ratio is not positive.
@@ -348,9 +348,9 @@ class Selection(PointArrays):
     def voxel_down_sample(self, voxel_size: float, reduction: str = "mean") -> Self:
         """Reduce each occupied voxel to one point: the mean of its points and attributes, or one of its points.
 
-        The grid starts half a voxel below the lowest corner. Means are float64 sums in point order; normals are not
-        renormalized; integer attributes take the value of the first point. Points that are not finite are dropped;
-        non-finite attribute values are ignored in means.
+        The grid starts half a voxel below the lowest corner. Means are float64 sums in point order. Normals are not
+        renormalized. Integer attributes take the value of the first point. Points that are not finite are dropped.
+        Non-finite attribute values are ignored in means.
 
         Args:
             voxel_size: Edge of a voxel [m].
@@ -433,7 +433,7 @@ class Selection(PointArrays):
             corner: Corner of a cell [m], shape (3,).
 
         Returns:
-            One point per cell, ties to the first; non-finite points are dropped. O(n) memory, bitwise reproducible.
+            One point per cell, ties to the first. Non-finite points are dropped. O(n) memory, bitwise reproducible.
 
         Raises:
             ValueError: If the spacing is not positive, the corner is not finite, or there are too many cells.
@@ -550,7 +550,7 @@ class Selection(PointArrays):
     def _voxels(
         self, size: float, min_bound: NDArray[np.float64] | None, names: tuple[str, str] = ("voxel_size", "min_bound")
     ) -> tuple[Any, NDArray[np.float64]]:
-        """Group the finite points by voxel; also returns the grid's corner relative to the origin."""
+        """Group the finite points by voxel. Also returns the grid's corner relative to the origin."""
         points = self._arrays["points"]
         low, high, finite = bound_points(points)
         low, high = (low.astype(np.float64), high.astype(np.float64)) if finite else (np.zeros(3), np.zeros(3))

@@ -38,15 +38,15 @@ class Shape:
         kind: "plane", "sphere", "cylinder", "cone" or "torus".
         center: World coordinates [m], float64 (3,): center of the points (plane), of the shape, or of the part of a
             cylinder's axis with points; apex of a cone.
-        axis: Unit direction, float64 (3,): normal of a plane, axis of others; a cone's from its apex.
-        radius, minor_radius: Of a sphere, cylinder or torus ring, and of a torus tube [m]; else NaN.
-        half_angle: Between a cone's axis and surface [rad]; else NaN.
+        axis: Unit direction, float64 (3,): normal of a plane, axis of others. A cone's from its apex.
+        radius, minor_radius: Of a sphere, cylinder or torus ring, and of a torus tube [m]. Else NaN.
+        half_angle: Between a cone's axis and surface [rad]. Else NaN.
         extent: (low, high) of the points in `frame` about `center`, float64 (2, 3).
         support, rms: Number of points, and root mean squared distance [m].
         coverage: Fraction of the surface near points, 0..1: of sectors (cylinder, cone) or cells (sphere, torus).
         covariance: Of `unknowns`, [m] and [rad]; infinite if undetermined.
         frame: Rows u, v, axis, the directions of `unknowns`, float64 (3, 3).
-        reasons: Failed checks; empty if none failed.
+        reasons: Failed checks. Empty if none failed.
     """
 
     kind: str
@@ -120,7 +120,7 @@ class Shape:
         return ShapeSurface(self.center + matmul(rows.reshape(-1, 3), self.frame), _strips(len(profile), steps + 1))
 
     def to_dict(self) -> dict[str, Any]:
-        """All fields in JSON's types; numbers that are not finite are None."""
+        """All fields in JSON's types. Numbers that are not finite are None."""
         numbers = {name: getattr(self, name) for name in ("radius", "minor_radius", "half_angle", "rms", "coverage")}
         told = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}
         sigma = {name: value if np.isfinite(value) else None for name, value in self.sigma.items()}
@@ -148,7 +148,7 @@ class Shape:
 
 
 def _strips(rings: int, steps: int) -> NDArray[np.int32]:
-    """Triangles between rings of vertices; degenerate ones at poles are not removed."""
+    """Triangles between rings of vertices. Degenerate ones at poles are not removed."""
     at = (np.arange(rings - 1)[:, None] * steps + np.arange(steps - 1)).ravel()
     right, above = at + 1, at + steps
     return np.concatenate([np.stack([at, right, above], 1), np.stack([right, above + 1, above], 1)]).astype(np.int32)

@@ -42,7 +42,7 @@ class BoxShape:
         faces: Shape indices of the low and high face of each axis, -1 if not detected, (3, 2).
         support, rms: Points on the faces, and root mean squared distance from their planes [m].
         tilt: Maximum angle between a face's normal and its axis [rad].
-        reasons: Failed checks; empty if none failed.
+        reasons: Failed checks. Empty if none failed.
     """
 
     center: NDArray[np.float64]
@@ -92,7 +92,7 @@ def find_boxes(
 
     Faces are neighbors if perpendicular, in contact, and each on one side of the other. A box starts at the largest
     plane and has at most two faces per axis. Ends without a face are where 98% of the points reach, extrapolated for
-    even spread. Bitwise reproducible; 8 B per pair of planes.
+    even spread. Bitwise reproducible. 8 B per pair of planes.
 
     Args:
         cloud: The cloud of the shapes.
@@ -102,7 +102,7 @@ def find_boxes(
         angle_threshold_deg: Maximum deviation from a right angle [degrees].
 
     Returns:
-        The boxes, most points first; a shape belongs to at most one. `box.reasons` names lengths that are only the
+        The boxes, most points first. A shape belongs to at most one. `box.reasons` names lengths that are only the
         extent of points, because no face limits them.
 
     Raises:
@@ -164,7 +164,7 @@ class _Sides:
 
 
 def _group_of(first: int, free: list[int], planes: dict[int, Shape], sides: _Sides, off: float) -> dict[int, int]:
-    """Axis, 0 to 2, of each plane of the box with the plane `first`; only that plane if there is no box."""
+    """Axis, 0 to 2, of each plane of the box with the plane `first`. Only that plane if there is no box."""
     group, axes, grown = {first: 0}, [planes[first].axis], True
     while grown:
         grown = False
@@ -210,7 +210,7 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
 
 
 def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
-    """Box of a group of faces; open ends come from the extent of the points."""
+    """Box of a group of faces. Open ends come from the extent of the points."""
     axes, points = _axes_of(planes, group), cloud._device_array("points")
     labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
     place = planes[next(iter(group))].center

@@ -24,7 +24,7 @@ CERTAIN = 3.0  # standard deviations between a cone's half angle and a cylinder
 BESIDE = 1.0  # points on a surface per point beside it, up to three times as far: 0.5 by chance
 RUNS_ON = 0.15  # fraction of nearby points with equal normal: contact strips 0.2 to 0.7, half-distance noise 0.05
 WIDER = 1.6  # times the normal limit: surfaces that branch off turn away
-BETTER = 0.85  # deviation ratio of a better kind; by chance 0.95 and more
+BETTER = 0.85  # deviation ratio of a better kind. By chance 0.95 and more
 AS_WELL = 1.1  # deviation ratio up to which a simpler kind is preferred
 RULED_OUT = {  # kinds simpler than another, or as simple and not a special case
     SPHERE: (PLANE,),
@@ -56,7 +56,7 @@ def shape_of(
 
 
 def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
-    """Shape fitted to all points, with failed checks; three syncs."""
+    """Shape fitted to all points, with failed checks. Three syncs."""
     extremes, _, cells = search.spread_unread(found)
     return _looked_over(search, found, limits, origin, search, (extremes, cells))
 
@@ -90,7 +90,7 @@ def _undetermined(shape: Shape, fit: ShapeFit) -> str:
 def _shape_in_world(
     search: ShapeSearch, found: Found, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
 ) -> Shape:
-    """Shape in world coordinates without checks; bounds of its points are in its own frame."""
+    """Shape in world coordinates without checks. Bounds of its points are in its own frame."""
     kind, fit = found.kind, found.fit
     place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:

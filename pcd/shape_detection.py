@@ -93,7 +93,7 @@ def detect_shapes(
         probability: Required probability that no shape of `min_support` points, or larger than the next, is missed.
         min_radius: Minimum radius of spheres, cylinders and torus tubes [m].
         max_radius: Maximum radius [m]. If None: the diagonal of the cloud.
-        max_shapes: Maximum number of shapes; None for no limit.
+        max_shapes: Maximum number of shapes. None for no limit.
         seed: Random seed.
         progress: Called with ("shapes", assigned points, points).
 
@@ -164,7 +164,7 @@ class _Rounds:
         self._shapes, self._of, self._counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), np.zeros(0, np.int64)
 
     def next_shape(self) -> Found | None:
-        """Next shape; None if no shape with enough points remains, at the required probability."""
+        """Next shape. None if no shape with enough points remains, at the required probability."""
         while self.search.rows.size >= self._fewest:
             while len(self._counts) and (self._is_safe(self._counts[0], self._of[0]) or not self._open()):
                 found = self._best()
@@ -232,7 +232,7 @@ class _Rounds:
         return max(tried, key=lambda found: found.rows.size * WORTH[found.kind], default=None)
 
     def _settled(self, refined: Found) -> Found | None:
-        """Candidate fitted to its largest component; None if it is too small or of another kind."""
+        """Candidate fitted to its largest component. None if it is too small or of another kind."""
         search, kind = self.search, refined.kind
         found = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._reach))
         if found is not None and kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
@@ -243,7 +243,7 @@ class _Rounds:
         return found
 
     def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> Found | None:
-        """Shape fitted to points, with the largest component of its inliers; None if too small."""
+        """Shape fitted to points, with the largest component of its inliers. None if too small."""
         if rows.size < self._fewest:
             return None
         fit = self.search.fitter.fit(kind, shape, rows)

@@ -37,10 +37,10 @@ def fit_shape(
     ECCV 1998). Bitwise reproducible. 60 B per point. Points that are not finite are ignored.
 
     Args:
-        cloud: The points; normals, if any, only help the initialization.
+        cloud: The points. Normals, if any, only help the initialization.
         kind: "plane", "sphere", "cylinder", "cone" or "torus".
         start: Initial shape of this kind. If None: searched.
-        weights: (n,), >= 0, proportional to the inverse variance of distances; 0 ignores a point. If None: equal.
+        weights: (n,), >= 0, proportional to the inverse variance of distances. 0 ignores a point. If None: equal.
         seed: Random seed of the initialization.
 
     Returns:

@@ -29,9 +29,9 @@ class SplatPicture:
     Attributes:
         color: float32 (h, w, 3), not negative, over the background.
         opacity: float32 (h, w), accumulated opacity, 0 to 1.
-        depth: float32 (h, w), weighted mean depth [m]; 0 if empty.
-        median_depth: float32 (h, w), depth where half of the light is absorbed [m]; 0 if less is.
-        normals: float32 (h, w, 3), mean shortest axis in the camera frame, unit, toward the camera; 0 if empty.
+        depth: float32 (h, w), weighted mean depth [m]. 0 if empty.
+        median_depth: float32 (h, w), depth where half of the light is absorbed [m]. 0 if less is.
+        normals: float32 (h, w, 3), mean shortest axis in the camera frame, unit, toward the camera. 0 if empty.
     """
 
     color: NDArray[np.float32]

@@ -49,7 +49,7 @@ class GaussianSplats(Movable, Pictured):
         scales: Standard deviations along the axes [m], positive, shape (n, 3).
         rotations: Quaternions (w, x, y, z) from axes to world, nonzero, shape (n, 4).
         opacities: 0 to 1, shape (n,).
-        harmonics: Color coefficients, shape (n, K, 3) with K = 1, 4, 9, 16 or 25, or (n, 3) for degree 0; the color is
+        harmonics: Color coefficients, shape (n, K, 3) with K = 1, 4, 9, 16 or 25, or (n, 3) for degree 0. The color is
             0.5 plus their sum over the basis (pcd/harmonics.py).
         device: "cpu" (default), "cuda:0" or "auto".
 
@@ -215,7 +215,7 @@ class GaussianSplats(Movable, Pictured):
         Args:
             min_opacity: Minimum opacity, 0 to 1.
             min_scale: Minimum standard deviation of the longest axis [m].
-            max_scale: Its maximum [m]; None for no limit. Floating fog is mostly a few huge splats.
+            max_scale: Its maximum [m]. None for no limit. Floating fog is mostly a few huge splats.
 
         Returns:
             The others, in order. Splats that are not finite or have a zero quaternion are always removed.
@@ -249,7 +249,7 @@ class GaussianSplats(Movable, Pictured):
 
     @classmethod
     def concatenate(cls, splats: Iterable[GaussianSplats]) -> Self:
-        """Concatenate sets; lower degrees are padded with zeros.
+        """Concatenate sets. Lower degrees are padded with zeros.
 
         Raises:
             ValueError: If there is no set.

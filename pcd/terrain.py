@@ -49,12 +49,12 @@ class Raster:
     """Values on a grid of square cells, created by `loom.rasterize`.
 
     Attributes:
-        values: float32 (rows, columns), northernmost row first; NaN if empty.
+        values: float32 (rows, columns), northernmost row first. NaN if empty.
         corner: Minimum x and y, float64 (2,).
         cell: Edge of a cell.
         filled: bool (rows, columns), cells filled by `fill_gaps`.
         kind: Kind of values, such as "dtm".
-        crs: Coordinate system as rasterio accepts it, such as "EPSG:26910"; None if unknown.
+        crs: Coordinate system as rasterio accepts it, such as "EPSG:26910". None if unknown.
         nodata: Value in files for NaN.
     """
 
@@ -118,7 +118,7 @@ class Raster:
         return dataclasses.replace(self, values=np.ascontiguousarray(made), filled=self.filled | gaps)
 
     def write(self, path: FilePath, *, overwrite: bool = True) -> Path:
-        """Write a compressed float32 GeoTIFF atomically; the second band is 1 in filled cells.
+        """Write a compressed float32 GeoTIFF atomically. The second band is 1 in filled cells.
 
         Args:
             path: The file, ending in .tif or .tiff.
@@ -165,7 +165,7 @@ def rasterize(
         kind: "dtm", ground height at cell centers; "dsm", highest first return; "chm", dsm minus dtm; "density", points
             per square unit; "intensity", mean of the finite values; "lowest", lowest point.
         method: Ground interpolation: "idw", inverse distance; "tin", Delaunay triangles by SciPy on the CPU.
-        reach: With "idw" the maximum distance of a cell center to ground points [m], default 20 cells; with "tin" the
+        reach: With "idw" the maximum distance of a cell center to ground points [m], default 20 cells. With "tin" the
             maximum edge of a triangle, default none. Cells beyond are empty.
         neighbors: With "idw" the minimum ground points in the smallest square of cells used.
         classes: LAS classes that count. If None: ground (2) for the ground, otherwise all but noise (7 and 18).
@@ -229,14 +229,14 @@ def height_above_ground(
 
     Args:
         cloud: A classified survey, z up.
-        reach: Maximum distance of ground points in plan [m]; the result depends on nothing beyond.
+        reach: Maximum distance of ground points in plan [m]. The result depends on nothing beyond.
         neighbors: Minimum ground points in the smallest square of cells used, at least 3 x 3.
         cell: Edge of those cells [m], about the ground point spacing.
         corner: A corner of the cells.
         classes: LAS classes of the ground.
 
     Returns:
-        float32 (n,); NaN without ground in reach and for points that are not finite. 28 B per point, 4 B per cell.
+        float32 (n,). NaN without ground in reach and for points that are not finite. 28 B per point, 4 B per cell.
 
     Raises:
         TypeError: If `cloud` is not a PointCloud.

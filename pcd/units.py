@@ -20,9 +20,9 @@ class InUnit:
 
     @property
     def unit(self) -> LengthUnit | None:
-        """Unit of the coordinates, such as "foot", from a file or assigned; None if unknown, treated as meters.
+        """Unit of the coordinates, such as "foot", from a file or assigned. None if unknown, treated as meters.
 
-        Lengths in arguments and results use it. Assignment changes no coordinate; see `to_unit`.
+        Lengths in arguments and results use it. Assignment changes no coordinate. See `to_unit`.
 
         Raises:
             TypeError, ValueError: If the assigned value is not a known unit name or a `LengthUnit`.
@@ -42,7 +42,7 @@ class InUnit:
 
     @returns_new
     def to_unit(self, unit: str | LengthUnit) -> Self:
-        """Convert coordinates, origin and covariances to another unit; other attributes stay.
+        """Convert coordinates, origin and covariances to another unit. Other attributes stay.
 
         The origin is scaled in float64, the rest in float32: exact to 6e-8 of the distance from it.
 
@@ -75,5 +75,5 @@ class InUnit:
 
 
 def unit_under(unit: LengthUnit | None, A: NDArray[Any]) -> LengthUnit | None:
-    """Unit after a map with the 3x3 part A; None if it changes lengths by more than rounding."""
+    """Unit after a map with the 3x3 part A. None if it changes lengths by more than rounding."""
     return unit if np.abs(matmul(A, A.T) - np.eye(3)).max() <= RIGID_TOLERANCE else None

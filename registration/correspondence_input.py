@@ -57,7 +57,7 @@ def match_clouds(
     mutual_filter: bool,
     mutual_consistency_ratio: float,
 ) -> wp.array:
-    """Feature correspondences, int32 device array [m, 2]; arguments as of `correspondences_from_features`."""
+    """Feature correspondences, int32 device array [m, 2]. Arguments as of `correspondences_from_features`."""
     widths = []
     for name, feature, cloud in (("source", source_feature, source), ("target", target_feature, target)):
         given = feature if hasattr(feature, "shape") else check_numeric(f"{name}_feature", feature)

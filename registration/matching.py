@@ -38,7 +38,7 @@ def correspondences_from_features(
 
     Returns:
         int32 [k, 2], (source index, target index), by source index, in the array library of the source features. Ties
-        go to the first target row; rows with NaN, infinity or values beyond 1e15 have no pair.
+        go to the first target row. Rows with NaN, infinity or values beyond 1e15 have no pair.
 
     Raises:
         ValueError: Wrong shapes, different feature lengths, or a ratio out of range.

@@ -25,7 +25,7 @@ class RegistrationResult:
     Attributes:
         transformation: T_target_source, float64 [4, 4], in world coordinates.
         fitness: Fraction of source points with a correspondence, 0..1.
-        inlier_rmse: Root mean square distance [m] of the correspondences; 0 without any.
+        inlier_rmse: Root mean square distance [m] of the correspondences. 0 without any.
         iterations: Number of steps.
         converged: True if the criteria were met.
         reason: Why it stopped: "converged", "max_iteration", "no correspondences", ...
@@ -68,7 +68,7 @@ class RegistrationResult:
 
     @property
     def score(self) -> float | None:
-        """Confidence of a global registration, 0..1; None for refinement methods.
+        """Confidence of a global registration, 0..1. None for refinement methods.
 
         Above 0.5 the clouds agree. RANSAC and fast global registration compute it on first access.
         """

@@ -82,7 +82,7 @@ def make_pose(R: Matrix, t: NDArray[np.float64]) -> Matrix:
 
 
 def invert_pose(T: Matrix) -> Matrix:
-    """Inverse of a pose; the transpose of a rounded rotation would be meters off far from zero."""
+    """Inverse of a pose. The transpose of a rounded rotation would be meters off far from zero."""
     R = T[:3, :3]
     rounded = np.abs(matmul(R.T, R) - np.eye(3)).max() > ROUNDED
     back = inv(R) if rounded else R.T

@@ -15,7 +15,7 @@ Matrix = NDArray[np.float64]
 # Squared components of plane normals (rotations: of their scaled levers). Bare corridors and tunnels have 0.0001 to
 # 0.03 along them (more with few points per plane); streets, halls and woods 0.02 to 0.3.
 SUSPECT_SHARE = 0.03
-STEP_VOXELS = 0.75  # voxels: test displacement both ways; rotations at the mean lever
+STEP_VOXELS = 0.75  # voxels: test displacement both ways. Rotations at the mean lever
 JUDGING_POINTS = 1024  # sampled points: detect a mean cost rise of 0.01
 # Minimum mean cost rise (0..1) per step, and in standard deviations. Undetermined: -0.012 to 0.011 and at most 2.4
 # (three synthetic corridors, a tunnel, a field); weakly determined (doors of 6 cm, far boxes): 0.03 and 5.

@@ -26,7 +26,7 @@ def choose_voxel_size(*clouds: PointCloud) -> float:
         *clouds: At least one, each with a finite point.
 
     Returns:
-        The edge; 1 if all points coincide.
+        The edge. 1 if all points coincide.
 
     Raises:
         TypeError, ValueError: Not a PointCloud, no cloud, or one without a finite point.

@@ -19,7 +19,7 @@ def arc_tangent(t: float64) -> float64:
 
 @func
 def angle_of(sine: float64, cosine: float64) -> float64:
-    """Angle [rad] in 0 .. pi from a sine >= 0 and a cosine of common scale; 0 for (0, 0)."""
+    """Angle [rad] in 0 .. pi from a sine >= 0 and a cosine of common scale. 0 for (0, 0)."""
     scale = sqrt(sine * sine + cosine * cosine)
     angle = float64(0.0)
     if scale > 0.0:
@@ -34,7 +34,7 @@ def angle_of(sine: float64, cosine: float64) -> float64:
 
 @func
 def arctangent(y: float64, x: float64) -> float64:
-    """Angle [rad] of the direction (x, y), -pi to pi; 0 for zero."""
+    """Angle [rad] of the direction (x, y), -pi to pi. 0 for zero."""
     size = y if y >= 0.0 else -y
     angle = angle_of(size, x)
     return angle if y >= 0.0 else -angle

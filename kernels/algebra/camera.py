@@ -1,4 +1,4 @@
-"""Pinhole camera: x right, y down, z forward; pixel centers at integer coordinates."""
+"""Pinhole camera: x right, y down, z forward. Pixel centers at integer coordinates."""
 
 from typing import Protocol, TypeAlias
 

@@ -148,7 +148,7 @@ def sorted_diagonal(a: mat33d) -> vec3d:
 
 @func
 def eigenvalues(covariance: mat33d) -> vec3d:
-    """Ascending eigenvalues, accurate to a few roundings of the largest; the cubic only selects the separated one."""
+    """Ascending eigenvalues, accurate to a few roundings of the largest. The cubic only selects the separated one."""
     values = vec3d(0.0, 0.0, 0.0)
     size = largest_entry(covariance)
     if size > 0.0:

@@ -1,4 +1,4 @@
-"""Matrix products without fused multiply-add; the kernel language rejects `@` of two matrices because Warp fuses."""
+"""Matrix products without fused multiply-add. The kernel language rejects `@` of two matrices because Warp fuses."""
 
 from ..lang import func, mat33d, mat44d
 

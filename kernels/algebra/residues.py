@@ -67,7 +67,7 @@ def large_prime(k: int) -> int:
 
 
 def primes_for(bound: int) -> int:
-    """Number of primes for signs of integers up to `bound`: one beyond those whose product exceeds it; none for 0."""
+    """Number of primes for signs of integers up to `bound`: one beyond those whose product exceeds it. None for 0."""
     count, product = 0, 1
     while product <= bound:
         product *= large_prime(count)
@@ -124,7 +124,7 @@ def determinant_residue(a: quadruple, b: quadruple, c: quadruple, d: quadruple, 
 
 @func
 def sign_of_residues(digits: array(dtype=int64), base: int, count: int, exact: Residues) -> int:
-    """Sign of the number with `count` residues in digits[base:], which become its digits; the last shows the sign."""
+    """Sign of the number with `count` residues in digits[base:], which become its digits. The last shows the sign."""
     sign = 0
     for k in range(base, base + count):
         if digits[k] != 0:

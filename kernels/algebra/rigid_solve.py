@@ -1,6 +1,6 @@
 """Small dense float64 solvers of rigid registration, one thread per system: LDL^T of six unknowns, cyclic Jacobi
 eigenvectors (Golub and Van Loan, section 8.5), and the best fit of pairs (Horn 1987). Unknowns are (rotation,
-translation); 6x6 upper triangles are row-major.
+translation). 6x6 upper triangles are row-major.
 """
 
 from ..lang import cos, float64, func, mat33d, mat44d, sin, sqrt, vec2d, vec3d, vec4d, vector
@@ -216,7 +216,7 @@ def factor_system(h: triangle) -> square:
 
 @func
 def solve_factored(a: square, b: vec6d) -> vec6d:
-    """Solve L D L^T x = b; unknowns without a pivot stay 0, all are NaN if a pivot is."""
+    """Solve L D L^T x = b. Unknowns without a pivot stay 0, all are NaN if a pivot is."""
     x = vec6d(0.0)
     for j in range(6):
         v = b[j]
@@ -243,7 +243,7 @@ def solve_factored(a: square, b: vec6d) -> vec6d:
 
 @func
 def solve_system(h: triangle, b: vec6d) -> vec6d:
-    """Solve H x = b for positive definite H (LDL^T); unknowns without a pivot stay 0."""
+    """Solve H x = b for positive definite H (LDL^T). Unknowns without a pivot stay 0."""
     return solve_factored(factor_system(h), b)
 
 
@@ -330,7 +330,7 @@ def sums_of_pair(p: vec3d, q: vec3d, w: float64) -> pair_sums:
 
 @func
 def fit_pose(sums: pair_sums, with_scaling: int) -> mat44d:
-    """Weighted least-squares motion from p to q (Horn 1987; scale: Umeyama 1991); free rotations are minimal."""
+    """Weighted least-squares motion from p to q (Horn 1987; scale: Umeyama 1991). Free rotations are minimal."""
     w = sums[0]
     pose = mat44d(
         1.0, 0.0, 0.0, 0.0,

@@ -11,7 +11,7 @@ LIKING = 1.0e-12  # small weight on no rotation, relative to the largest entry, 
 
 @func
 def best_rotation(S: mat33d) -> mat33d:
-    """Rotation R that maximizes the trace of R S, with S the sum of p q^T; the identity if S is zero or not finite."""
+    """Rotation R that maximizes the trace of R S, with S the sum of p q^T. The identity if S is zero or not finite."""
     one = float64(1.0)
     zero = float64(0.0)
     R = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)

@@ -32,7 +32,7 @@ ORDER = 6  # of Krueger's series
 
 @struct
 class Mercator:
-    """Projection: `meridian` [degrees]; rectifying `radius` times scale [m]; Krueger coefficients; `start` [m]."""
+    """Projection: `meridian` [degrees]; rectifying `radius` times scale [m]. Krueger coefficients; `start` [m]."""
 
     meridian: float64
     eccentricity: float64
@@ -146,7 +146,7 @@ def project(longitude: float64, latitude: float64, to: Mercator) -> vec2d:
 
 @kernel
 def project_degrees_kernel(degrees: array(dtype=vec3d), to: Mercator, out: array(dtype=vec3d)):
-    """Easting, northing and unchanged height; non-finite points stay so."""
+    """Easting, northing and unchanged height. Non-finite points stay so."""
     i = tid()
     p = degrees[i]
     if isfinite(p):
@@ -157,7 +157,7 @@ def project_degrees_kernel(degrees: array(dtype=vec3d), to: Mercator, out: array
 
 @kernel
 def turn_degrees_kernel(degrees: array(dtype=vec3d), meridian: float64, out: array(dtype=vec3)):
-    """Relative longitude, latitude, and magnitude of the original longitude; NaN if not finite."""
+    """Relative longitude, latitude, and magnitude of the original longitude. NaN if not finite."""
     i = tid()
     p = degrees[i]
     turned = vec3(NAN, NAN, NAN)
@@ -173,7 +173,7 @@ def split_degrees_kernel(
     latitudes: array(dtype=float32),
     runs: array(dtype=int32),
 ):
-    """Separate coordinates; non-finite points are in the second run, as zeros."""
+    """Separate coordinates. Non-finite points are in the second run, as zeros."""
     i = tid()
     p = turned[i]
     run = int(1)
@@ -196,14 +196,14 @@ def project_degrees(degrees: Positions, to: Mercator) -> Positions:
 
 
 def turn_degrees(degrees: Positions, meridian: float) -> Points:
-    """(relative longitude in -180..180, latitude, magnitude of the longitude) of each point; NaN if not finite."""
+    """(relative longitude in -180..180, latitude, magnitude of the longitude) of each point. NaN if not finite."""
     out = empty(degrees.size, vec3, degrees.device)
     launch(turn_degrees_kernel, degrees.size, [degrees, float(meridian), out])
     return out
 
 
 def split_degrees(turned: Points) -> tuple[Scalars, Scalars, Integers]:
-    """(longitudes, latitudes, runs) of `turn_degrees`; finite points are run 0, others zeros in run 1."""
+    """(longitudes, latitudes, runs) of `turn_degrees`. Finite points are run 0, others zeros in run 1."""
     shape = turned.size
     longitudes, latitudes = empty(shape, float32, turned.device), empty(shape, float32, turned.device)
     runs = empty(shape, int32, turned.device)

@@ -92,7 +92,7 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
 
 @kernel
 def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
-    """Box coordinate over all rows, low corner first; 0 if no point is finite."""
+    """Box coordinate over all rows, low corner first. 0 if no point is finite."""
     i = tid()
     most = int(NOTHING)
     count = int(NOTHING)
@@ -108,7 +108,7 @@ def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
 
 
 def find_extremes(points: Points) -> Integers:
-    """Partial boxes, int32, WIDTH numbers per row, for `box_of` on the host; no sync."""
+    """Partial boxes, int32, WIDTH numbers per row, for `box_of` on the host. No sync."""
     runs = Runs(points.size, points.device, RUN)
     extremes = full(runs.rows * WIDTH, NOTHING, int32, points.device)
     launch(bound_points_kernel, runs.threads, [points, runs, extremes])
@@ -116,7 +116,7 @@ def find_extremes(points: Points) -> Integers:
 
 
 def find_box(points: Points) -> Array1[float32]:
-    """Box of the finite points on their device: low and high corner, float32 (6); no sync."""
+    """Box of the finite points on their device: low and high corner, float32 (6). No sync."""
     box = empty(6, float32, points.device)
     launch(fold_box_kernel, 6, [find_extremes(points), box])
     return box

@@ -1,7 +1,7 @@
 """Conjugate gradients over vectors of vec3d (Hestenes and Stiefel 1952; Golub and Van Loan, section 11.5).
 
 The caller provides the matrix product (`search` to `image`) and the preconditioner (`residual` to `forces`). Float64
-sums in fixed order; the loop ends on the device.
+sums in fixed order. The loop ends on the device.
 """
 
 from collections.abc import Callable
@@ -59,7 +59,7 @@ class Gradients:
 
 @kernel
 def begin_search_kernel(state: Gradients):
-    """Search along the forces; the first thread sets `running`."""
+    """Search along the forces. The first thread sets `running`."""
     i = tid()
     state.search[i] = state.forces[i]
     if i == 0:
@@ -94,7 +94,7 @@ def sum_remains(state: Gradients) -> vec2d:
 
 @kernel
 def turn_search_kernel(state: Gradients):
-    """Next search direction; the first thread sets `running`."""
+    """Next search direction. The first thread sets `running`."""
     i = tid()
     share = float64(0.0)
     if state.slopes[0][1] > 0.0:
@@ -134,7 +134,7 @@ class ConjugateGradients:
         reduce_segments(sum_remains, self.blocks, self.live, [self.state], self.partials, self.state.remains)
 
     def begin(self) -> None:
-        """Precondition and set the first search direction; only launches."""
+        """Precondition and set the first search direction. Only launches."""
         self.weigh()
         launch(begin_search_kernel, self.state.solution.size, [self.state])
 

@@ -85,7 +85,7 @@ def find_position(key: int64, table: HashTable) -> int:
 
 @func
 def insert_entry(entry: int64, low_bits: int, entries: array(dtype=int64), mask: int64):
-    """Insert an entry into its probe, moving larger ones on; the smallest entry per key (above the low bits) stays."""
+    """Insert an entry into its probe, moving larger ones on. The smallest entry per key (above the low bits) stays."""
     carried = entry
     slot = mix_bits(carried >> int64(low_bits)) & mask
     carrying = 1
@@ -112,7 +112,7 @@ def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
 
 @kernel(for_cpu=True)
 def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
-    """Insert keys sequentially, moving positions with them; one thread."""
+    """Insert keys sequentially, moving positions with them. One thread."""
     i = tid()
     for k in range(first + i, count):
         key = keys[k]

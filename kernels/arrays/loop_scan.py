@@ -129,7 +129,7 @@ class LoopList:
         self._scan = LoopScan(most, device)
 
     def find(self, mask: Mask, count: int, counts: Integers, place: int) -> None:
-        """List the flags among the first `count` of a mask, and write counts[place]; not recordable on the CPU."""
+        """List the flags among the first `count` of a mask, and write counts[place]. Not recordable on the CPU."""
         if not mask.device.is_cuda:
             found = np.flatnonzero(host_view(mask)[:count].view(np.bool_))
             host_view(self.rows)[: len(found)] = found

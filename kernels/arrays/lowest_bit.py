@@ -14,7 +14,7 @@ NO_BIT = 1000
 
 @func
 def lowest_bit_of(x: float) -> int:
-    """Exponent of the lowest bit of a coordinate; NO_BIT for zero."""
+    """Exponent of the lowest bit of a coordinate. NO_BIT for zero."""
     bits = float_bits(x)
     field = (bits >> MANTISSA_BITS) & (FIELDS - 1)
     mantissa = bits & MANTISSA_MASK
@@ -37,7 +37,7 @@ def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(
 
 
 def find_lowest_bits(points: Points) -> Integers:
-    """Partial results, int32, for `bit_of` on the host; no sync."""
+    """Partial results, int32, for `bit_of` on the host. No sync."""
     runs = Runs(points.size, points.device, RUN)
     lowest = full(runs.rows, NO_BIT, int32, points.device)
     launch(find_lowest_bit_kernel, runs.threads, [points, runs, lowest])
@@ -45,11 +45,11 @@ def find_lowest_bits(points: Points) -> Integers:
 
 
 def bit_of(found: np.ndarray) -> int:
-    """Exponent of the lowest bit; 0 if all coordinates are zero."""
+    """Exponent of the lowest bit. 0 if all coordinates are zero."""
     bit = int(found.min())
     return 0 if bit == NO_BIT else bit
 
 
 def lowest_bit(points: Points) -> int:
-    """Exponent of the lowest bit of finite vec3 points; 0 if all are zero (one sync)."""
+    """Exponent of the lowest bit of finite vec3 points. 0 if all are zero (one sync)."""
     return bit_of(download(find_lowest_bits(points)))  # sync

@@ -1,4 +1,4 @@
-"""Rows processed in rounds until none is open; CUDA runs increasing numbers of rounds between syncs."""
+"""Rows processed in rounds until none is open. CUDA runs increasing numbers of rounds between syncs."""
 
 from collections.abc import Callable
 

@@ -16,7 +16,7 @@ def find_far_kernel(points: array(dtype=vec3), limit: float, far: array(dtype=in
     p = points[i]
     if isfinite(p):
         if max(abs(p[0]), max(abs(p[1]), abs(p[2]))) > limit:
-            if far[0] == 0:  # saves atomics; all writers set 1
+            if far[0] == 0:  # saves atomics. All writers set 1
                 atomic_max(far, 0, 1)
 
 
@@ -32,7 +32,7 @@ def find_far_wide_kernel(points: array(dtype=vec3d), limit: float64, far: array(
 
 @kernel
 def subtract_origin_kernel(points: array(dtype=vec3d), origin: vec3d, lost: array(dtype=int32), out: array(dtype=vec3)):
-    """out = p - origin, rounded once; set the flag if a finite point becomes infinite."""
+    """out = p - origin, rounded once. Set the flag if a finite point becomes infinite."""
     i = tid()
     p = points[i]
     q = narrow(p - origin)
@@ -50,7 +50,7 @@ def add_origin_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dtype
 
 @kernel
 def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtype=float32)):
-    """Rays of six numbers with their starts about an origin; one thread per number."""
+    """Rays of six numbers with their starts about an origin. One thread per number."""
     i = tid()
     k = i % 6
     value = rays[i]
@@ -64,7 +64,7 @@ def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtyp
 
 
 def reaches_beyond(points: AnyArray, limit: float, step: int) -> tuple[bool, np.ndarray]:
-    """(True if a finite point has a coordinate beyond the limit, every `step`-th point); one sync."""
+    """(True if a finite point has a coordinate beyond the limit, every `step`-th point). One sync."""
     flag = zeros(1, int32, points.device)
     launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])
     far, sample = read_together([flag, contiguous(points[::step])])  # sync

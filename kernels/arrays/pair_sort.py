@@ -1,5 +1,5 @@
 """Stable sort of pairs of small numbers of which few share the first. On the CPU pairs are bucketed and each bucket is
-insertion-sorted, three times faster than a full sort; CUDA uses `argsort_keys`.
+insertion-sorted, three times faster than a full sort. CUDA uses `argsort_keys`.
 """
 
 from ..array_types import Integers, Keys, LongIntegers

@@ -38,7 +38,7 @@ def sum_of_run(i: int, counts: array(dtype=int32), runs: Runs) -> int64:
 
 @kernel
 def sum_counts_kernel(counts: array(dtype=int32), runs: Runs, totals: array(dtype=int64)):
-    """Add a thread's counts to a row's; integer atomics are order-independent."""
+    """Add a thread's counts to a row's. Integer atomics are order-independent."""
     i = tid()
     atomic_add(totals, row_of(i, runs), sum_of_run(i, counts, runs))
 
@@ -68,7 +68,7 @@ def copy_middle_kernel(offsets: array(dtype=int32), place: int, totals: array(dt
 
 
 def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
-    """(offsets (n + 1), total): exclusive prefix sums of int32 counts; one sync. Raises ValueError above 2^31 - 1."""
+    """(offsets (n + 1), total): exclusive prefix sums of int32 counts. One sync. Raises ValueError above 2^31 - 1."""
     offsets, parts = scan_unread(counts)
     return offsets, _checked(total_of(download(parts)))  # sync
 
@@ -176,7 +176,7 @@ def sum_counts(counts: Integers) -> int:
 
 
 def sum_each(*counts: Integers) -> list[int]:
-    """As `sum_counts` of several arrays of one size; one sync for all."""
+    """As `sum_counts` of several arrays of one size. One sync for all."""
     runs, device = Runs(counts[0].size, counts[0].device, RUN), counts[0].device
     totals = zeros(len(counts) * runs.rows, int64, device)
     for k, part in enumerate(counts):

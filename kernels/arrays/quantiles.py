@@ -1,4 +1,4 @@
-"""Quantiles and medians of non-negative numbers, bitwise as NumPy's; on CUDA by one sort and one sync."""
+"""Quantiles and medians of non-negative numbers, bitwise as NumPy's. On CUDA by one sort and one sync."""
 
 from collections.abc import Sequence
 
@@ -45,7 +45,7 @@ def pick_quantiles_kernel(
     is_median: int,
     found: array(dtype=float64),
 ):
-    """Each quantile, interpolated linearly; then the count of valid numbers."""
+    """Each quantile, interpolated linearly. Then the count of valid numbers."""
     i = tid()
     count = count_numbers(keys, values.shape[0])
     if i == shares.shape[0]:

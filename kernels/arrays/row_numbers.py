@@ -75,7 +75,7 @@ def write_partners_kernel(rows: array(dtype=int32), partners: array(dtype=int32)
 
 
 def limits_of(numbers: LongIntegers, first: int = 0, step: int = 1) -> tuple[int, int]:
-    """Minimum and maximum of every step-th int64 device number (one sync); at least one is needed."""
+    """Minimum and maximum of every step-th int64 device number (one sync). At least one is needed."""
     limits = upload(np.array(NOTHING, np.int64), int64, numbers.device)
     launch(find_limits_kernel, (numbers.size - first + step - 1) // step, [numbers, first, step, limits])
     low, high = download(limits)  # sync

@@ -54,6 +54,6 @@ def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars
 
 
 def order_statistics(values: Scalars, runs: Integers, starts: Indices) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(lows, medians, highs) of nonempty runs, NumPy float32 (r); values without NaN, by ascending run."""
+    """(lows, medians, highs) of nonempty runs, NumPy float32 (r). Values without NaN, by ascending run."""
     lows, medians, highs = download(find_statistics(values, runs, starts)).reshape(3, starts.size - 1)  # sync
     return lows, medians, highs

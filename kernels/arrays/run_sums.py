@@ -9,7 +9,7 @@ from ..memory import empty
 def average_vec3_kernel(
     values: array(dtype=vec3), order: array(dtype=int32), starts: array(dtype=int32), means: array(dtype=vec3)
 ):
-    """Mean of the finite vectors of each run; NaN if none is finite."""
+    """Mean of the finite vectors of each run. NaN if none is finite."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)

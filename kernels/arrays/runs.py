@@ -8,7 +8,7 @@ from ..array_types import Device
 from ..lang import WARP, func, loop, struct
 
 CUDA_THREADS = 1 << 17  # half the capacity of an H200: 12 B per thread in flight saturate its memory
-CUDA_LEAST = 4  # elements per thread; fewer are not worth an atomic
+CUDA_LEAST = 4  # elements per thread. Fewer are not worth an atomic
 CUDA_SHARE = 512  # threads per result row: their atomics take 0.25 us, and the host reads few rows
 
 
@@ -43,5 +43,5 @@ def elements_of(i: int, runs: Runs) -> int:
 
 @func
 def row_of(i: int, runs: Runs) -> int:
-    """Result row of a thread; one per warp."""
+    """Result row of a thread. One per warp."""
     return (i // WARP) % runs.rows

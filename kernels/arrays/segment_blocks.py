@@ -9,7 +9,7 @@ from ..memory import upload_together
 
 
 class SegmentBlocks:
-    """Blocks of segments; none crosses a boundary. `owners`: their segments; `starts`: first block per segment."""
+    """Blocks of segments. None crosses a boundary. `owners`: their segments; `starts`: first block per segment."""
 
     def __init__(self, firsts: ArrayLike, counts: ArrayLike, device: Device) -> None:
         firsts, counts = np.asarray(firsts, np.int64), np.asarray(counts, np.int64)

@@ -31,7 +31,7 @@ def scatter_positions_kernel(mask: array(dtype=uint8), ranks: array(dtype=int32)
 
 @kernel
 def number_rows_kernel(rows: array(dtype=int32), numbers: array(dtype=int32)):
-    """numbers[rows[i]] = i for distinct rows; other numbers are undefined."""
+    """numbers[rows[i]] = i for distinct rows. Other numbers are undefined."""
     i = tid()
     numbers[rows[i]] = i
 
@@ -85,12 +85,12 @@ def copy_last_kernel(ranks: array(dtype=int32), place: int, counts: array(dtype=
 
 
 def positions_of_each(*masks: Mask) -> list[Indices]:
-    """As `positions_of` of several masks on one device; one sync for all."""
+    """As `positions_of` of several masks on one device. One sync for all."""
     return positions_beside(masks, ())[0]
 
 
 def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple[list[Indices], list[np.ndarray]]:
-    """As `positions_of` of several masks on one device, and other arrays as NumPy; one sync for all."""
+    """As `positions_of` of several masks on one device, and other arrays as NumPy. One sync for all."""
     device = masks[0].device
     if not device.is_cuda:
         return [positions_of(mask) for mask in masks], read_together(beside) if beside else []

@@ -21,7 +21,7 @@ ALIGNMENT = 256  # bytes, as of separate allocations
 def part_of(
     whole: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
 ) -> DeviceArray[Element, Any]:
-    """View of a device array from a byte offset on as another type; keeps the array alive."""
+    """View of a device array from a byte offset on as another type. Keeps the array alive."""
     seen: Any = seen_as(whole, first, dtype, shape)
     if seen is not None:
         return seen
@@ -50,7 +50,7 @@ def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
 
 
 class SideBySide:
-    """Arrays packed into one allocation, by name with element types; each device view keeps it alive."""
+    """Arrays packed into one allocation, by name with element types. Each device view keeps it alive."""
 
     def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
         self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}

@@ -64,8 +64,8 @@ def copy_pairs_kernel(keys: array(dtype=int64), pair_keys: array(dtype=int64), p
 
 
 def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = None) -> tuple[Keys, Integers]:
-    """Stable order of non-negative keys (unchanged): (sorted keys int64 (n), order int32 (n)); 40 B per key. `starts`:
-    boundaries of runs with ascending key ranges, if known; the CPU sorts them separately.
+    """Stable order of non-negative keys (unchanged): (sorted keys int64 (n), order int32 (n)). 40 B per key. `starts`:
+    boundaries of runs with ascending key ranges, if known. The CPU sorts them separately.
     """
     count, device = keys.size, keys.device
     if count == 0:

@@ -55,12 +55,12 @@ def draw_rows(count: int, drawn: int, seed: int, device: Device) -> Indices:
 
 
 def sort_rows(rows: Indices, count: int, are_distinct: bool = False) -> Indices:
-    """Sorted unique rows of a list; one sync, none if they are known to be distinct."""
+    """Sorted unique rows of a list. One sync, none if they are known to be distinct."""
     return positions_of(_mark(rows, count), rows.size if are_distinct else None)
 
 
 def other_rows(rows: Indices, count: int, are_distinct: bool = False) -> Indices:
-    """Rows of `count` that are not listed, ascending; one sync, none if the list is distinct."""
+    """Rows of `count` that are not listed, ascending. One sync, none if the list is distinct."""
     return positions_of(invert_mask(_mark(rows, count)), count - rows.size if are_distinct else None)
 
 

@@ -2,7 +2,7 @@
 minimum of the set.
 
 Jaiganesh and Burtscher, "A high-performance connected components implementation for GPUs", HPDC 2018 (ECL-CC), with a
-minimum in place of compare-and-swap; a displaced link is carried on as in Rem's algorithm (Dijkstra, "A Discipline of
+minimum in place of compare-and-swap. A displaced link is carried on as in Rem's algorithm (Dijkstra, "A Discipline of
 Programming", 1976, chapter 23).
 
 No link is lost: a minimum that replaces `before` by `low` continues with the pair (before, low), and a shortened path
@@ -28,7 +28,7 @@ def find_root(parents: array(dtype=int32), x: int) -> int:
 
 @func
 def hook_roots(parents: array(dtype=int32), x: int, y: int) -> int:
-    """Unite the sets of two recent roots; returns a recent root. They need not be roots any more."""
+    """Unite the sets of two recent roots. Returns a recent root. They need not be roots any more."""
     a = x
     b = y
     while a != b:
@@ -45,7 +45,7 @@ def hook_roots(parents: array(dtype=int32), x: int, y: int) -> int:
 
 @func
 def unite(parents: array(dtype=int32), x: int, y: int) -> int:
-    """Unite the sets of x and y; returns a number that was its root at the end."""
+    """Unite the sets of x and y. Returns a number that was its root at the end."""
     return hook_roots(parents, find_root(parents, x), find_root(parents, y))
 
 

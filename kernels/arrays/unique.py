@@ -1,4 +1,4 @@
-"""Unique keys with counts: sort, flag changes, compact; on CUDA three launches, a scan and one sync."""
+"""Unique keys with counts: sort, flag changes, compact. On CUDA three launches, a scan and one sync."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -27,7 +27,7 @@ def mark_run_starts_kernel(keys: array(dtype=int64), starts: array(dtype=uint8))
 
 @kernel
 def mark_heads_kernel(keys: array(dtype=int64), ranks: array(dtype=int32)):
-    """1 where a sorted key differs from the previous one; then the last key, low half first."""
+    """1 where a sorted key differs from the previous one. Then the last key, low half first."""
     i = tid()
     first = 1
     if i > 0:
@@ -79,7 +79,7 @@ class UniqueKeys:
         beside: Integers | None = None,
         padded: bool = False,
     ) -> None:
-        """Find the distinct of non-negative int64 keys; one sync. `in_order`: known result of `argsort_keys`. With
+        """Find the distinct of non-negative int64 keys. One sync. `in_order`: known result of `argsort_keys`. With
         `padded` there is no sync: on CUDA `count` is that of all keys, and the padding has no positions.
         """
         device = keys.device
@@ -119,7 +119,7 @@ class UniqueKeys:
         return counts
 
     def drop_last(self, key: int) -> None:
-        """Remove a key if it is the last; its positions stay at the end of `order`."""
+        """Remove a key if it is the last. Its positions stay at the end of `order`."""
         if not self.count:
             return
         last = self._last if self._last is not None else int(download(self.keys[self.count - 1 :])[0])
@@ -130,7 +130,7 @@ class UniqueKeys:
 
 
 def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:
-    """Cut padded ones to their distinct keys, and download arrays `beside` them; one sync."""
+    """Cut padded ones to their distinct keys, and download arrays `beside` them. One sync."""
     padded = [(group, group.told) for group in groups if group.told is not None]
     found = read_together([*(told for _, told in padded), *beside]) if padded or beside else []
     for (group, _), told in zip(padded, found, strict=False):

@@ -1,6 +1,6 @@
 """Gauss-Newton steps of non-rigid registration by a deformation graph.
 
-A row costs a ((p' - q) n)^2 + b |p' - q|^2; nodes are regularized by s / degree |R_j (g_k - g_j) + c_j - c_k|^2
+A row costs a ((p' - q) n)^2 + b |p' - q|^2. Nodes are regularized by s / degree |R_j (g_k - g_j) + c_j - c_k|^2
 (Sumner, Schmid and Pauly 2007, section 4; Li, Sumner and Pauly, "Global correspondence optimization for non-rigid
 registration of depth scans", SGP 2008). Matrix-free conjugate gradients, block-Jacobi preconditioner.
 """
@@ -162,7 +162,7 @@ def sum_node_squares(influence: Influence, rows: BendingRows) -> pull_block:
 
 @struct
 class NodeSystem:
-    """Node data of a step: neighbors `around`; `sums`, `squares` by node; block `factors`; damping `lifts` (2 m)."""
+    """Node data of a step: neighbors `around`; `sums`, `squares` by node. Block `factors`; damping `lifts` (2 m)."""
 
     around: VertexNeighbors
     sums: array(dtype=pull_sums)
@@ -305,7 +305,7 @@ class BendingSteps:
         self.turns = 0
 
     def take(self, stiffness: float) -> float:
-        """One step; returns the RMS shift of the nodes [m]. Two syncs."""
+        """One step. Returns the RMS shift of the nodes [m]. Two syncs."""
         graph, rows, system, count = self.graph, self.rows, self.system, self.graph.count
         launch(begin_rows_kernel, rows.count, [graph, self.influence, rows])
         self._gather()

@@ -46,7 +46,7 @@ pull_moments = vector(22, float64)
 
 @func
 def falloff(x: float64) -> float64:
-    """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free; 0 beyond FARTHEST."""
+    """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free. 0 beyond FARTHEST."""
     turns = x * float64(INVERSE_LOG2) + 0.5
     n = int(turns if turns < float64(MAX_HALVINGS) else float64(MAX_HALVINGS))
     k = float64(n)
@@ -97,7 +97,7 @@ def weigh_targets_kernel(
     inverses: array(dtype=float64),
     shares: array(dtype=float64),
 ):
-    """Inverse denominator and inlier probability of each target; LANES targets per thread, the last one may repeat."""
+    """Inverse denominator and inlier probability of each target. LANES targets per thread, the last one may repeat."""
     i = tid()
     last = targets.shape[0] - 1
     x = octet(0.0)
@@ -310,7 +310,7 @@ class Drift:
         self.sums = empty(source_count, pulls, device)
 
     def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
-        """Correspondences at a variance; by trees if the Gaussian's range is below `near`."""
+        """Correspondences at a variance. By trees if the Gaussian's range is below `near`."""
         targets, scale = self.targets, 0.5 / variance
         reach = FARTHEST / scale * REACH_SLACK
         found: list[Doubles] = [self.inverses, self.shares]

@@ -49,7 +49,7 @@ def factor_row_kernel(
     left: array(dtype=float64),
     pivots: array(dtype=int64),
 ):
-    """One factor row, the remaining diagonal, and the next pivot; ties go to the larger index."""
+    """One factor row, the remaining diagonal, and the next pivot. Ties go to the larger index."""
     i = tid()
     p = key_index(pivots[row])
     own = float64(1.0)
@@ -145,7 +145,7 @@ def move_points_kernel(
     scale: float64,
     moved: array(dtype=vec3),
 ):
-    """Displace points; the field's coordinates are unit (p + shift). Non-finite points stay."""
+    """Displace points. The field's coordinates are unit (p + shift). Non-finite points stay."""
     i = tid()
     p = widen(points[i])
     moved[i] = points[i]
@@ -186,7 +186,7 @@ class CoherentField:
         self.pivots = (keys & 0xFFFFFFFF)[: self.count]
 
     def step(self, sums: Doubles, damping: float, moved: Positions) -> np.ndarray:
-        """Move the positions to equilibrium; returns the row coefficients (k, 3). Float64 on the host, one sync."""
+        """Move the positions to equilibrium. Returns the row coefficients (k, 3). Float64 on the host, one sync."""
         device, count, size = self.places.device, self.count, self.places.size
         square = zeros((count, count), float64, device)
         across = -(-count // WIDE)
@@ -208,7 +208,7 @@ class CoherentField:
         return solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
 
     def centers(self) -> np.ndarray:
-        """Positions of the pivots, float64 (k, 3); one sync."""
+        """Positions of the pivots, float64 (k, 3). One sync."""
         chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
         return np.array(download(gather_rows(self.places, chosen)), np.float64).reshape(-1, 3)
 

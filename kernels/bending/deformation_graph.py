@@ -93,7 +93,7 @@ def members_of(listed: int) -> int:
 
 @kernel
 def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
-    """Nodes of a point and their weights; only the nearest if all are equally far."""
+    """Nodes of a point and their weights. Only the nearest if all are equally far."""
     i = tid()
     p = widen(influence.points[i])
     first = graph.listed * i
@@ -263,7 +263,7 @@ def measure_volumes(graph: DeformationGraph, influence: Influence) -> Scalars:
 
 @kernel
 def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int64)):
-    """Keys of node pairs that share a point, lower first; the maximum for none."""
+    """Keys of node pairs that share a point, lower first. The maximum for none."""
     i = tid()
     none = (int64(1) << int64(2 * bits)) - 1
     at = PAIRS * i

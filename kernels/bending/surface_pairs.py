@@ -13,7 +13,7 @@ from ..search.tree_search import search_nearest
 from .bending_steps import BendingRows
 
 BORDER = 0.3  # of the neighborhood radius: between boundary and interior
-AROUND = 20  # neighbors; points with fewer than half of them are not classified
+AROUND = 20  # neighbors. Points with fewer than half of them are not classified
 
 
 @struct

@@ -134,7 +134,7 @@ def share_of_span(center: float, low: float, high: float) -> float:
 
 @kernel
 def cover_box_kernel(left: int, top: int, columns: int, outer: vec4, inner: vec4, sheet: Sheet):
-    """Cover the cells between two boxes (left, top, right, bottom); the inner may be empty."""
+    """Cover the cells between two boxes (left, top, right, bottom). The inner may be empty."""
     i = tid()
     column = left + i % columns
     row = top + i // columns

@@ -2,7 +2,7 @@
 
 The first pass finds the least depth z0 within the click radius, the second the minimum of d^2 + (s / STEEPNESS)^2 with
 s = (z - z0) f / z0, where d is the screen distance [px] and s the depth behind the foremost point in pixel widths.
-Float64; atomic minima over (number, index) words, ties to the smaller index.
+Float64. Atomic minima over (number, index) words, ties to the smaller index.
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ STEEPNESS = 10.0  # maximum slope relative to the screen (84 degrees) of a conti
 
 @func
 def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
-    """Column, row and depth of a point; depth 0 if it is behind the camera or not finite."""
+    """Column, row and depth of a point. Depth 0 if it is behind the camera or not finite."""
     q = transform_point(widen(p), T_camera_points)
     seen = vec3d(0.0, 0.0, 0.0)
     if isfinite(q) and q[2] > 0.0:
@@ -35,7 +35,7 @@ def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
 
 @func
 def shown(i: int, hidden: array(dtype=uint8)) -> int:
-    """1 unless the point is hidden; an empty mask hides none."""
+    """1 unless the point is hidden. An empty mask hides none."""
     visible = 1
     if hidden.shape[0] > 0:
         if int(hidden[i]) != 0:
@@ -138,7 +138,7 @@ def mask_clipped_kernel(
 
 
 def _least(kernel_of_pass: Kernel, points: Points, arguments: Sequence[Any]) -> tuple[float, int] | None:
-    """The least (number, index) of a pass, or None; one sync."""
+    """The least (number, index) of a pass, or None. One sync."""
     word = full(1, NO_KEY, int64, points.device)
     launch(kernel_of_pass, points.size, [points, *arguments, word])
     found = download(word)  # sync
@@ -155,7 +155,7 @@ def find_foremost(
     radius: float,
     hidden: Mask | None = None,
 ) -> float | None:
-    """Least depth [m] of the points within `radius` [px] of a click, or None; any affine `T_camera_points`."""
+    """Least depth [m] of the points within `radius` [px] of a click, or None. Any affine `T_camera_points`."""
     found = _least(find_foremost_kernel, points, _click(points, T_camera_points, camera, click, radius, hidden))
     return None if found is None else found[0]
 

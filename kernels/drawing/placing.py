@@ -94,7 +94,7 @@ def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Po
 
 
 def place_points(points: Points, A: np.ndarray, t: np.ndarray, out: Vectors, start: int) -> None:
-    """Write A p + t for all points from `start` on; A (3, 3) and t (3) in float64."""
+    """Write A p + t for all points from `start` on. A (3, 3) and t (3) in float64."""
     launch(place_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
 
 

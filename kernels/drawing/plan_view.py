@@ -82,7 +82,7 @@ def measure_heights_kernel(
     origin: float64,
     heights: array(dtype=float32),
 ):
-    """Height seen by each cell; NaN for none."""
+    """Height seen by each cell. NaN for none."""
     i = tid()
     height = float(NAN)
     if seen.triangles[i] >= 0:
@@ -99,7 +99,7 @@ def measure_heights_kernel(
 def color_cells_kernel(
     seen: SeenTriangles, surface: Surface, materials: array(dtype=int32), number: int, colors: array(dtype=uint8)
 ):
-    """RGBA with alpha 255 for cells that see a triangle of a material; others stay."""
+    """RGBA with alpha 255 for cells that see a triangle of a material. Others stay."""
     i = tid()
     triangle = seen.triangles[i]
     wanted = 0
@@ -123,7 +123,7 @@ def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) ->
 
 
 def heights_of(seen: SeenTriangles, vertices: Points, triangles: Array1[vec3i], origin: float) -> Scalars:
-    """Heights, float32 (n), of vertices about an origin; NaN for none."""
+    """Heights, float32 (n), of vertices about an origin. NaN for none."""
     heights = empty(seen.triangles.size, float32, vertices.device)
     launch(measure_heights_kernel, heights.size, [seen, vertices, triangles, origin, heights])
     return heights

@@ -1,6 +1,6 @@
 """Shading: from z-buffer to image.
 
-A pixel averages `SAMPLES` x `SAMPLES` cells. Each scene part adds its colors to a light array; the rest is background.
+A pixel averages `SAMPLES` x `SAMPLES` cells. Each scene part adds its colors to a light array. The rest is background.
 A headlight, a lamp above left (Lambert), and ambient light. Points without normals use eye-dome lighting (Boucheny,
 thesis, Grenoble 2009, chapter 4). Triangle edges by image distance (Baerentzen et al., "Single-pass wireframe
 rendering", SIGGRAPH 2006). Only + - * / and sqrt: bitwise identical everywhere.
@@ -100,7 +100,7 @@ def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
 
 @func
 def clamp_color(color: vec3) -> vec3:
-    """Color clamped to 0..1; NaN becomes 0."""
+    """Color clamped to 0..1. NaN becomes 0."""
     r = min(max(color[0], 0.0), 1.0)
     g = min(max(color[1], 0.0), 1.0)
     b = min(max(color[2], 0.0), 1.0)
@@ -223,7 +223,7 @@ def finish_picture_kernel(
 def read_depth_kernel(
     buffer: DepthBuffer, unit: float, first_line: int, last_line: int, closer: float, depths: array(dtype=float)
 ):
-    """Depth of each pixel: harmonic mean of cells within 1 % of the nearest; 0 if empty."""
+    """Depth of each pixel: harmonic mean of cells within 1 % of the nearest. 0 if empty."""
     i = tid()
     nearest = int64(NO_KEY)
     for cell in cells_of(i, buffer):

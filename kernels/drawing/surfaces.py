@@ -187,5 +187,5 @@ def shade_surface_kernel(
 def shade_surface(
     buffer: DepthBuffer, view: View, region: Region, light: Vectors, surface: Surface, veil: Veil
 ) -> None:
-    """Add the light of triangles; arguments as of `draw_triangles` and `shade_points`."""
+    """Add the light of triangles. Arguments as of `draw_triangles` and `shade_points`."""
     launch(shade_surface_kernel, region.pixels, [buffer, view, region, surface, veil, light])

@@ -50,7 +50,7 @@ class LargeShapes:
     total: array(dtype=int64)
 
     def __init__(self, most: int, device: Device) -> None:
-        """An empty list for up to `most` shapes (at most MAX_SHAPES); with 0 threads draw everything themselves."""
+        """An empty list for up to `most` shapes (at most MAX_SHAPES). With 0 threads draw everything themselves."""
         self.shapes, self.firsts = empty(most, int32, device), empty(most, int64, device)
         self.total = zeros(min(most, 1), int64, device)
 
@@ -126,7 +126,7 @@ def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
 
 @func
 def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> vec4i:
-    """Box of cells that a projected triangle may cover; empty if it is not visible."""
+    """Box of cells that a projected triangle may cover. Empty if it is not visible."""
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -147,7 +147,7 @@ def box_on_grid(a: vec3, b: vec3, c: vec3, cull: int, buffer: DepthBuffer) -> ve
 
 @func
 def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: DepthBuffer):
-    """Draw a projected triangle inside the guard band, within a box; edges are inclusive, in layers only its own."""
+    """Draw a projected triangle inside the guard band, within a box. Edges are inclusive, in layers only its own."""
     ax = on_grid(a[0])
     ay = on_grid(a[1])
     bx = on_grid(b[0])
@@ -206,7 +206,7 @@ def reach_of(edge: vec3, view: View) -> float:
 
 @func
 def box_unprojected(a: vec3, b: vec3, c: vec3, cull: int, view: View, buffer: DepthBuffer) -> vec4i:
-    """Box of cells that a camera-frame triangle may cover; empty if it is not visible."""
+    """Box of cells that a camera-frame triangle may cover. Empty if it is not visible."""
     box = vec4(FAR_OUT, FAR_OUT, -FAR_OUT, -FAR_OUT)
     box = widen_box(box, a, b, view)
     box = widen_box(box, b, c, view)

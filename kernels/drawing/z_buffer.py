@@ -1,7 +1,7 @@
 """Z-buffer of points, lines and triangles, without a graphics library.
 
-A cell is a 64-bit word, depth bits above an index; the atomic minimum is independent of thread order, ties go to the
-smaller index. Scene parts have their own origins and share the numbering; a `View` maps vertices to the camera in units
+A cell is a 64-bit word, depth bits above an index. The atomic minimum is independent of thread order, ties go to the
+smaller index. Scene parts have their own origins and share the numbering. A `View` maps vertices to the camera in units
 of the scene's size to avoid float32 overflow.
 """
 
@@ -32,7 +32,7 @@ class View:
 
 @struct
 class DepthBuffer:
-    """First element in each cell: `words`, NO_KEY if empty; exclusive lower bounds `behind`, or empty."""
+    """First element in each cell: `words`, NO_KEY if empty. Exclusive lower bounds `behind`, or empty."""
 
     width: int
     height: int

@@ -100,7 +100,7 @@ FLAT_ARC = 1e-9  # [rad] facets closer than this are coplanar, and their edge is
 
 @struct
 class FoundBoxes:
-    """Smallest box of each thread: `volumes` float64; unit axes `firsts`, `seconds`."""
+    """Smallest box of each thread: `volumes` float64. Unit axes `firsts`, `seconds`."""
 
     volumes: array(dtype=float64)
     firsts: array(dtype=vec3d)
@@ -111,7 +111,7 @@ class FoundBoxes:
         self.firsts, self.seconds = empty(count, vec3d, device), empty(count, vec3d, device)
 
     def smallest(self) -> tuple[float, np.ndarray, np.ndarray]:
-        """The smallest volume and its two axes; the first of equal ones."""
+        """The smallest volume and its two axes. The first of equal ones."""
         found = download(self.volumes)  # sync
         best = int(found.argmin())
         axes = empty(2, vec3d, self.volumes.device)
@@ -271,7 +271,7 @@ def search_dips(
 def search_range(
     t0: float64, t1: float64, best: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
-    """(t, volume) of the smallest box on a range; the best known with t = -1 if none is smaller."""
+    """(t, volume) of the smallest box on a range. The best known with t = -1 if none is smaller."""
     found = vec2d(-1.0, best)
     arc = length(partner(a, b, c, d, t1) - partner(a, b, c, d, t0)) + length(b - a) * (t1 - t0)
     count = min(max(int(arc / float64(STEP)) + 2, FEWEST), MOST)

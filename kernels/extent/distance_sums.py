@@ -60,6 +60,6 @@ class DistanceSums:
 
 
 def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
-    """(finite count, sum, maximum, counts below each radius as int64 (r)); one sync."""
+    """(finite count, sum, maximum, counts below each radius as int64 (r)). One sync."""
     sums = DistanceSums(distances, radii)
     return sums.told(download(sums.whole))  # sync

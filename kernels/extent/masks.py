@@ -108,7 +108,7 @@ def drop_unusable_kernel(rows: array(dtype=float32, ndim=2), points: array(dtype
 
 
 def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: np.ndarray) -> Mask:
-    """uint8 (n); inclusive float64 world bounds, rounded to float32 like the points, so points on a face are inside."""
+    """uint8 (n). Inclusive float64 world bounds, rounded to float32 like the points, so points on a face are inside."""
     mask = empty(points.size, uint8, points.device)
     with np.errstate(over="ignore"):
         bounds = [(bound - origin).astype(np.float32) for bound in (low, high)]
@@ -117,7 +117,7 @@ def mask_aligned_box(points: Points, origin: np.ndarray, low: np.ndarray, high: 
 
 
 def mask_oriented_box(points: Points, offset: np.ndarray, axes: np.ndarray, half: np.ndarray) -> Mask:
-    """uint8 (n); rows of `axes` are the box axes, `offset` is the cloud's origin minus the box center."""
+    """uint8 (n). Rows of `axes` are the box axes, `offset` is the cloud's origin minus the box center."""
     mask = empty(points.size, uint8, points.device)
     arguments = [points, vec3d(*offset), mat33d(*axes.ravel()), vec3d(*half), mask]
     launch(mask_oriented_box_kernel, points.size, arguments)

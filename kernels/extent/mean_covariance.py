@@ -56,7 +56,7 @@ def sum_products(points: array(dtype=vec3), mean: vec3d) -> products:
 def measure_mahalanobis_kernel(
     points: array(dtype=vec3), mean: vec3d, inverse: mat33d, distances: array(dtype=float64)
 ):
-    """sqrt((p - mean)^T inverse (p - mean)); NaN for non-finite points."""
+    """sqrt((p - mean)^T inverse (p - mean)). NaN for non-finite points."""
     i = tid()
     p = points[i]
     distance = float64(NAN)
@@ -67,7 +67,7 @@ def measure_mahalanobis_kernel(
 
 
 def mean_and_covariance(points: Points) -> tuple[int, np.ndarray, np.ndarray]:
-    """(count, mean (3), population covariance (3, 3)) of the finite points; NaN without any; two syncs."""
+    """(count, mean (3), population covariance (3, 3)) of the finite points. NaN without any. Two syncs."""
     count, *total = download(reduce(sum_positions, points.size, [points]))[0].tolist()  # sync
     if count == 0:
         return 0, np.full(3, np.nan), np.full((3, 3), np.nan)

@@ -51,7 +51,7 @@ TRIANGLES = 12  # of a cell and its ring of eight: see `ring_triangle`
 
 @func
 def flip_point(d: vec3d, radius: float64) -> vec3d:
-    """d (2 R - |d|) / |d|; NaN at the camera."""
+    """d (2 R - |d|) / |d|. NaN at the camera."""
     size = length(d)
     scale = float64(NAN)
     if size > 0.0:
@@ -241,7 +241,7 @@ def mask_seen_kernel(
 
 
 def visible_rows(points: Points, offset: np.ndarray, radius: float) -> tuple[Indices, Positions]:
-    """(rows of possibly visible points, ascending; flipped points about the camera); none at the camera."""
+    """(rows of possibly visible points, ascending; flipped points about the camera). None at the camera."""
     count, device = points.size, points.device
     camera = [vec3d(*offset), float(radius)]
     views, faces, ranges = empty(count, vec3d, device), empty(count, uint8, device), empty(count, float32, device)

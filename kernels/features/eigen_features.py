@@ -39,7 +39,7 @@ SHAPES = (
 
 @func
 def eigenvalues_of(m: moments) -> vec3d:
-    """Eigenvalues [m^2] of the covariance in ascending order; zero below rounding."""
+    """Eigenvalues [m^2] of the covariance in ascending order. Zero below rounding."""
     values = eigenvalues(covariance_of(m))
     floor_value = values[2] * float64(FLAT)
     low = float64(0.0)
@@ -83,7 +83,7 @@ class Shapes:
 
 @func
 def density_of(count: float64, sqdist: float) -> float:
-    """Points per cubic meter of a ball of squared radius [m^2]; NaN if it is zero or infinite."""
+    """Points per cubic meter of a ball of squared radius [m^2]. NaN if it is zero or infinite."""
     density = float(NAN)
     if sqdist > 0.0 and sqdist < LARGEST_SQDIST:
         radius = sqrt(float64(sqdist))
@@ -124,7 +124,7 @@ def find_ends_kernel(
 def measure_shapes_kernel(
     sums: array(dtype=moments), ends: array(dtype=float32), order: array(dtype=int32), shapes: Shapes
 ):
-    """Eigenvalues and features of each point; NaN for degenerate neighborhoods."""
+    """Eigenvalues and features of each point. NaN for degenerate neighborhoods."""
     i = tid()
     at = order[i]
     m = sums[i]
@@ -158,8 +158,8 @@ def measure_curvature_kernel(sums: array(dtype=moments), order: array(dtype=int3
 
 
 def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict[str, Scalars | Array2[float32]]:
-    """Eigenvalues (n, 3), largest first, and SHAPES (n), float32 by name; NaN for fewer than three neighbors. `max_nn`
-    includes the point itself; None takes all within `radius` [m] (exclusive).
+    """Eigenvalues (n, 3), largest first, and SHAPES (n), float32 by name. NaN for fewer than three neighbors. `max_nn`
+    includes the point itself. None takes all within `radius` [m] (exclusive).
     """
     around = Neighborhood(tree, radius, max_nn)
     sums = sum_neighbor_moments(around)
@@ -174,7 +174,7 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
 
 
 def measure_curvature(tree: "PointTree", radius: float, max_nn: int | None) -> Scalars:
-    """Surface variation of each neighborhood, float32 (n), 0 .. 1/3; NaN as in `measure_shapes`."""
+    """Surface variation of each neighborhood, float32 (n), 0 .. 1/3. NaN as in `measure_shapes`."""
     sums = sum_neighbor_moments(Neighborhood(tree, radius, max_nn))
     curvature = full(tree.source.size, NAN, float32, tree.device)
     launch(measure_curvature_kernel, tree.count, [sums, tree.order, curvature])

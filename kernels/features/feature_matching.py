@@ -51,7 +51,7 @@ closest = vector(2, int64)  # keys of the nearest row and the second nearest
 
 @func
 def square_distance(a: int, some: array(dtype=float32), b: int, others: array(dtype=float32), width: int) -> float:
-    """|a - b|^2 of packed rows, as eight parallel sums; symmetric."""
+    """|a - b|^2 of packed rows, as eight parallel sums. Symmetric."""
     sums = eight(0.0)
     for c in range(width // STEP):
         for j in range(STEP):
@@ -136,7 +136,7 @@ def coordinates_of(place: int, tree: FeatureTree) -> axes:
 def offer_group(
     group: int, y: axes, limit: float, place: int, queries: FeatureTree, tree: FeatureTree, held: closest
 ) -> closest:
-    """Update the two smallest keys with a group's rows; of equal rows only two are compared (n duplicates)."""
+    """Update the two smallest keys with a group's rows. Of equal rows only two are compared (n duplicates)."""
     best = held[0]
     next_best = held[1]
     left = 0
@@ -238,7 +238,7 @@ class FeatureMatch:
     rounding: float
 
     def __init__(self, source: Array2[float32], target: Array2[float32], *, second: bool = True) -> None:
-        """Match float32 device arrays (n, d) and (m, d); raises ValueError if they are too large."""
+        """Match float32 device arrays (n, d) and (m, d). Raises ValueError if they are too large."""
         self.device, columns = source.device, source.shape[1]
         sides = FeatureRows(source), FeatureRows(target)
         basis = find_axes(*sides)
@@ -302,7 +302,7 @@ def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree:
 
 @kernel
 def claim_rows_kernel(nearest: array(dtype=int32), sqdists: array(dtype=float32), claims: array(dtype=int64)):
-    """Smallest key of the claimants of a target row; a minimum has no order."""
+    """Smallest key of the claimants of a target row. A minimum has no order."""
     i = tid()
     if nearest[i] != NO_ROW:
         atomic_min(claims, nearest[i], pack_key(sqdists[i], i))

@@ -34,17 +34,17 @@ from ..lang import (
 from ..memory import download, empty, upload, zeros
 
 LEADING = 15  # principal axes
-AXES = 16  # plus the residual length; with 9, three times as many rows need full comparisons
+AXES = 16  # plus the residual length. With 9, three times as many rows need full comparisons
 BOXED = 6  # axes of a box: 9 would visit 10 % fewer groups in the same time
 GROUP = 16  # rows stored interleaved
 FAN = 16  # children of a node
 SIDES = 2 * BOXED * FAN  # numbers of child boxes: low per axis, then high
 STEP = 8  # numbers of a row summed in parallel
-LARGEST_NUMBER = 1.0e15  # its squares can be summed in float32; rows with larger numbers are excluded
+LARGEST_NUMBER = 1.0e15  # its squares can be summed in float32. Rows with larger numbers are excluded
 SAMPLE = 512  # rows per side for the axes
 ROUNDS = 4  # axes that rows are sorted along
 SKEW = 1.6  # ratio of slab counts along successive axes: the first ones separate best
-POWER_STEPS = 3  # power iterations per axis; more do not pay off
+POWER_STEPS = 3  # power iterations per axis. More do not pay off
 INDEPENDENT = 1.0e-3  # minimum independent component of a vector that becomes an axis
 TINY = 1.0e-300  # replaces zero divisors
 MAX_NUMBERS = 2**31 - 1  # of one array
@@ -266,7 +266,7 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
 
 @kernel
 def bound_children_kernel(below: int, first: int, boxes: array(dtype=float32)):
-    """Copy the node boxes of a level into their parents; empty for missing nodes."""
+    """Copy the node boxes of a level into their parents. Empty for missing nodes."""
     i = tid()
     at = (first + i // FAN) * SIDES + i % FAN
     for k in range(BOXED):
@@ -294,7 +294,7 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
 
 
 def leading_axes(scatter: np.ndarray) -> np.ndarray:
-    """Approximate leading eigenvectors by power iterations; LAPACK's spinning threads would delay the next kernels."""
+    """Approximate leading eigenvectors by power iterations. LAPACK's spinning threads would delay the next kernels."""
     found = np.zeros((len(scatter), LEADING))
     left = scatter / max(np.trace(scatter), TINY)
     for k in range(min(LEADING, len(scatter))):

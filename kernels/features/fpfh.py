@@ -148,7 +148,7 @@ def count_angles(neighborhood: Neighborhood, normals: Vectors, ranks: Integers) 
     return histograms
 
 
-HALF = 16  # columns of a vector register; a row has two of them and one number
+HALF = 16  # columns of a vector register. A row has two of them and one number
 HEAVIEST = 1.0e30  # [1 / m^2] weight of points closer than 1e-15 m: finite for any number of neighbors
 MAX_POINTS = (2**31 - 1) // COLUMNS  # array elements are counted in 32 bits
 half_row = vector(16, float32)
@@ -158,7 +158,7 @@ half_row = vector(16, float32)
 def mask_points_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), usable: array(dtype=vec3), masked: array(dtype=int32)
 ):
-    """Replace points without a finite normal by NaN; flag if a finite point was replaced."""
+    """Replace points without a finite normal by NaN. Flag if a finite point was replaced."""
     i = tid()
     p = points[i]
     if not isfinite(normals[i]):
@@ -186,7 +186,7 @@ def copy_features_kernel(
     compact: array(dtype=float32, ndim=2),
     features: array(dtype=float32, ndim=2),
 ):
-    """Features in the requested order; NaN for points without."""
+    """Features in the requested order. NaN for points without."""
     i = tid()
     place = places[rows[i]]
     for c in range(COLUMNS):
@@ -206,7 +206,7 @@ def fill_missing_features_kernel(order: array(dtype=int32), count: int, features
 
 @func
 def weight_of(sqdist: float) -> float:
-    """1 / squared distance [1 / m^2]; 0 for coincident points."""
+    """1 / squared distance [1 / m^2]. 0 for coincident points."""
     weight = 0.0
     if sqdist > 0.0:
         weight = min(1.0 / sqdist, HEAVIEST)
@@ -215,7 +215,7 @@ def weight_of(sqdist: float) -> float:
 
 @func
 def weight_at(keys: array(dtype=int64), at: int, end: int, limit: int64) -> float:
-    """Weight of a key's point; 0 beyond the limit or the end."""
+    """Weight of a key's point. 0 beyond the limit or the end."""
     weight = 0.0
     if at < end:
         if keys[at] <= limit:
@@ -394,7 +394,7 @@ def sum_histograms(
 
 
 def mask_points(points: Points, normals: Vectors) -> Points | None:
-    """Points with NaN where the normal is not finite; None if nothing changes (sync)."""
+    """Points with NaN where the normal is not finite. None if nothing changes (sync)."""
     usable, masked = empty(points.size, vec3, points.device), zeros(1, int32, points.device)
     launch(mask_points_kernel, points.size, [points, normals, usable, masked])
     return usable if download(masked)[0] else None  # sync
@@ -403,7 +403,7 @@ def mask_points(points: Points, normals: Vectors) -> Points | None:
 def compute_features(
     tree: "PointTree", normals: Vectors, radius: float, max_nn: int | None, rows: Indices | None = None
 ) -> Array2[float32]:
-    """Fast point feature histograms, float32 (n, 33) or (rows, 33); NaN for points without finite position and normal.
+    """Fast point feature histograms, float32 (n, 33) or (rows, 33). NaN for points without finite position and normal.
     The tree's points must pass `mask_points`; `max_nn` includes the point itself; `radius` [m] is exclusive.
     """
     n, device = tree.source.size, tree.device

@@ -92,7 +92,7 @@ def keep_maxima_kernel(
 
 
 def mean_spacing(tree: PointTree) -> float:
-    """Mean distance [m] of finite points to the nearest other point; 0 if there are none (sync)."""
+    """Mean distance [m] of finite points to the nearest other point. 0 if there are none (sync)."""
     if tree.count == 0:
         return 0.0
     points = tree.source

@@ -1,12 +1,12 @@
 """The three angles between two points with normals, and their bins.
 
 Rusu, Blodow and Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009, section II, as in PCL and
-Open3D; the first point is the one whose normal is closer to the line. With offset d, normals a and b, v = (d x a) / |d
+Open3D. The first point is the one whose normal is closer to the line. With offset d, normals a and b, v = (d x a) / |d
 x a| and w = a x v:
 
 f0 = atan2(w . b, a . b) over -pi..pi,    f1 = v . b over -1..1,    f2 = (a . d) / |d| over -1..1,
 
-eleven bins each; all zero if d is zero or along a. `quick_bins` uses float32 and reports pairs near a bin edge (about
+eleven bins each. All zero if d is zero or along a. `quick_bins` uses float32 and reports pairs near a bin edge (about
 1e-4), which `exact_bins` decides in float64. Float32 error bounds, with u = 2^-24 and r = |d|^2 |a|^2 / |d x a|^2 >= 1:
 f1 21 u r, w . b 29 u r, sector border 37 u r, f2 7 u. The margins are at least 1.7 times that; f1 and f2 count in bins,
 5.5 to the unit.
@@ -34,7 +34,7 @@ HALF_BINS = 5.5  # bins per unit of f1 and f2
 SECTOR_MARGIN = 4.0e-6  # times r
 SIDE_MARGIN = 2.0e-5  # [bins] times r
 SLOPE_MARGIN = 1.0e-5  # [bins]
-TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line; the error 8 u is 5e-7
+TIE_MARGIN = 2.0e-6  # of |d|: which normal is closer to the line. The error 8 u is 5e-7
 LONGEST = 1.00005  # squared normal length above which Open3D's arc cosines are NaN, so it does not swap
 STEEP = 1.0e-4  # squared sine between line and normal: smaller makes r too large
 SMALL = 1.0e-30  # [m^2] squares that underflow are not trusted
@@ -45,7 +45,7 @@ SAME_LENGTH = 1.0e-6
 
 @func
 def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
-    """Bins of a pair, four bits each, f0 lowest; UNSURE near an edge. `d` leads from normal `n1` to `n2`."""
+    """Bins of a pair, four bits each, f0 lowest. UNSURE near an edge. `d` leads from normal `n1` to `n2`."""
     sqdist = dot(d, d)
     along1 = dot(n1, d)
     along2 = dot(n2, d)

@@ -32,9 +32,9 @@ from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
 from ..search.tree_search import reach_of
 
-MIN_NEIGHBORS = 4.0  # including the point itself; with fewer, noise dominates the gradient
+MIN_NEIGHBORS = 4.0  # including the point itself. With fewer, noise dominates the gradient
 FLATTEST = 1.0e-6  # of the squared neighborhood length: thinner ones (1:1000) determine one direction
-plane_sums = vector(6, float64)  # count; a^2, a b, b^2; a c, b c of plane coordinates (a, b) and differences c
+plane_sums = vector(6, float64)  # count. A^2, a b, b^2. A c, b c of plane coordinates (a, b) and differences c
 
 
 @kernel
@@ -54,7 +54,7 @@ def gather_intensities_kernel(
 
 @func
 def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d) -> plane_sums:
-    """Add a neighbor at offset d with intensity difference `change`; NaN is skipped."""
+    """Add a neighbor at offset d with intensity difference `change`. NaN is skipped."""
     sums = total
     if isfinite(change):
         w = widen(d)
@@ -67,7 +67,7 @@ def add_difference(total: plane_sums, d: vec3, change: float, u: vec3d, v: vec3d
 
 @func
 def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
-    """Gradient in the plane of u and v; minimum norm if the neighbors are collinear."""
+    """Gradient in the plane of u and v. Minimum norm if the neighbors are collinear."""
     half = (total[1] - total[3]) * 0.5
     spread = sqrt(half * half + total[2] * total[2])
     largest = (total[1] + total[3]) * 0.5 + spread

@@ -125,7 +125,7 @@ def parameters_of(r: square, y: vec6d) -> vec6d:
 
 @func
 def solve_scaled(matrix: square, b: vec6d) -> vec6d:
-    """Solve M x = b with M scaled to a unit diagonal; unknowns with an empty row stay 0."""
+    """Solve M x = b with M scaled to a unit diagonal. Unknowns with an empty row stay 0."""
     scales = vec6d(0.0)
     scaled = square(0.0)
     n = int(UNKNOWNS)
@@ -194,7 +194,7 @@ scale_row = vector(8, float64)  # products of a scale with the six motions and i
 
 @func
 def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> scale_row:
-    """Row of a scale about the pivot's image `arm`; it and `center` are relative to the origin of the sums."""
+    """Row of a scale about the pivot's image `arm`. It and `center` are relative to the origin of the sums."""
     a = vec3d(sums[1], sums[2], sums[3])
     b = vec3d(sums[4], sums[5], sums[6])
     turn = cross(arm, a)
@@ -222,7 +222,7 @@ def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
 
 @func
 def undetermined(geometry: square, reduced: square, least: float64, free: array(dtype=int32)) -> tuple[square, vec6d]:
-    """Eigenvectors of a reduced system (columns) and kinds PAIRED, LOOSE, FIXED; relative to the largest of all six."""
+    """Eigenvectors of a reduced system (columns) and kinds PAIRED, LOOSE, FIXED. Relative to the largest of all six."""
     n = int(UNKNOWNS)
     whole = diagonalize(geometry, UNKNOWNS)
     own = diagonalize(reduced, UNKNOWNS)
@@ -462,7 +462,7 @@ def motion_between(before: mat44d, after: mat44d) -> mat44d:
 
 @func
 def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress, freedom: Freedom) -> int:
-    """Update a job's pose and search margin; returns whether the motion is finite."""
+    """Update a job's pose and search margin. Returns whether the motion is finite."""
     outcome = int(RUNNING)
     state = state_after(freedom.states[i], x, freedom.turns)
     pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.turns)

@@ -1,7 +1,7 @@
 """Gauss-Newton step without undetermined motions.
 
 Undetermined directions are eigenvectors of the normal matrix about the center of the pairs, with rotations scaled to
-lengths (Zhang, Kaess and Singh 2016, "solution remapping"). Float64; on CUDA lanes share the slow parts.
+lengths (Zhang, Kaess and Singh 2016, "solution remapping"). Float64. On CUDA lanes share the slow parts.
 """
 
 from ..algebra.rigid_solve import (
@@ -97,7 +97,7 @@ def determined_step(
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
-    """Step along the determined eigenvectors of the geometry about a center; the others are stored as free."""
+    """Step along the determined eigenvectors of the geometry about a center. The others are stored as free."""
     directions = free_directions(0.0)
     n = int(UNKNOWNS)  # loops over a variable are not unrolled: few jobs use this
     system = diagonalize(geometry, UNKNOWNS)
@@ -105,7 +105,7 @@ def determined_step(
     for k in range(n):
         largest = max(largest, system[36 + k])
     b = vector_about(g, center, size)
-    # the system along the eigenvectors; a free one keeps an empty row, which the solve skips
+    # the system along the eigenvectors. A free one keeps an empty row, which the solve skips
     a = about(h, center, size)
     along = square(0.0)
     right = vec6d(0.0)
@@ -140,7 +140,7 @@ def determined_step(
 
 @func
 def power_of_two_below(size: float64) -> float64:
-    """Largest power of two up to a size; 1 if float32 has none."""
+    """Largest power of two up to a size. 1 if float32 has none."""
     power = float64(bits_float(float_bits(float(size)) & EXPONENT))
     if not (power > 0.0 and power - power == 0.0):
         power = 1.0

@@ -30,7 +30,7 @@ from ..lang import (
     vector,
 )
 
-motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and 0, or a quaternion xyzw; translation [m]; scale
+motion_state = vector(8, float64)  # roll, pitch, yaw [rad] and 0, or a quaternion xyzw; translation [m]. Scale
 SHIFT_AT = 4
 SCALE_AT = 7
 STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
@@ -94,7 +94,7 @@ def rotation_of_state(state: motion_state, turns: int) -> mat44d:
 
 @func
 def turn_of_state(state: motion_state, frame: mat33d, turns: int) -> mat33d:
-    """Rotation of a state in target coordinates, F R F^T; exact identity without rotation."""
+    """Rotation of a state in target coordinates, F R F^T. Exact identity without rotation."""
     one = float64(1.0)
     zero = float64(0.0)
     turned = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)
@@ -118,7 +118,7 @@ def shift_of_state(state: motion_state, frame: mat33d) -> vec3d:
 
 @func
 def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_state, turns: int) -> mat44d:
-    """Pose of the parameters; bitwise the first pose if all are 0."""
+    """Pose of the parameters. Bitwise the first pose if all are 0."""
     turned = turn_of_state(state, frame, turns) * state[SCALE_AT]
     shift = shift_of_state(state, frame)
     start = vec3d(first[0, 3], first[1, 3], first[2, 3])

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class RegistrationLoop:
-    """Launches of an iteration over all jobs. `poses`: T_target_source about the clouds' origins; pairs closer than
+    """Launches of an iteration over all jobs. `poses`: T_target_source about the clouds' origins. Pairs closer than
     `max_distance` [m] count; `judged_apart`: degeneracy by other rows than the solve; `alone`: each point searches
     alone.
     """

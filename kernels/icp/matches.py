@@ -20,7 +20,7 @@ LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
 
 @struct
 class Matches:
-    """Poses of jobs and pairs of source points. `reach` [m^2]; previous poses `earlier`; search `margins` [m];
+    """Poses of jobs and pairs of source points. `reach` [m^2]; previous poses `earlier`. Search `margins` [m];
     `nearest` position or -1; `lowers` [m]: bound of the distance to all others; `pairs` or NO_PAIR.
     """
 

@@ -53,7 +53,7 @@ def reject_normals_kernel(
 
 @kernel
 def measure_pairs_kernel(matches: Matches, bits: array(dtype=int32)):
-    """Squared distance bits of each pair; the maximum without one."""
+    """Squared distance bits of each pair. The maximum without one."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
@@ -94,7 +94,7 @@ def count_bits_kernel(
 def pick_bin_kernel(
     live: array(dtype=int32), counts: array(dtype=int32), prefixes: array(dtype=int32), ranks: array(dtype=int32)
 ):
-    """Extend the prefix by the bin that contains the rank; all bits set if there are fewer."""
+    """Extend the prefix by the bin that contains the rank. All bits set if there are fewer."""
     i = tid()
     if live[i] != 0:
         chosen = int(BINS - 1)
@@ -148,7 +148,7 @@ def pick_least_rmsd_kernel(
 
 @kernel
 def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: array(dtype=int32)):
-    """Reject pairs beyond their job's threshold; a negative threshold rejects none."""
+    """Reject pairs beyond their job's threshold. A negative threshold rejects none."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and thresholds[job] >= 0 and bits[i] > thresholds[job]:
@@ -156,7 +156,7 @@ def trim_pairs_kernel(matches: Matches, bits: array(dtype=int32), thresholds: ar
 
 
 class PairRejection:
-    """Launches that reject pairs; source spreads `sizes` [m] minimize the fractional RMSD instead of `wanted`."""
+    """Launches that reject pairs. Source spreads `sizes` [m] minimize the fractional RMSD instead of `wanted`."""
 
     def __init__(
         self,

@@ -41,7 +41,7 @@ def identity() -> mat33d:
 
 @func
 def plane_covariance(n: vec3d, epsilon: float64) -> mat33d:
-    """Covariance I + (epsilon - 1) n n^T; the identity for a zero normal."""
+    """Covariance I + (epsilon - 1) n n^T. The identity for a zero normal."""
     sqlength = dot(n, n)
     C = identity()
     if sqlength > 0.0:
@@ -53,7 +53,7 @@ def plane_covariance(n: vec3d, epsilon: float64) -> mat33d:
 def cover_planes_kernel(
     normals: array(dtype=vec3), known: int, epsilon: float64, covariances: array(dtype=float32, ndim=2)
 ):
-    """Covariance of each normal's plane; the identity if unknown, NaN for non-finite normals."""
+    """Covariance of each normal's plane. The identity if unknown, NaN for non-finite normals."""
     i = tid()
     n = normals[i]
     C = identity()

@@ -20,7 +20,7 @@ MINUS_INFINITY = -1.0e7  # smaller shapes use the limit at minus infinity
 
 @struct
 class Loss:
-    """A robust kernel: `kind` L2, L1, ..., or GEOMETRY; scale `k` in the residual's unit; `shape` if general."""
+    """A robust kernel: `kind` L2, L1, ..., or GEOMETRY. Scale `k` in the residual's unit; `shape` if general."""
 
     kind: int
     k: float64

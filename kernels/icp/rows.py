@@ -64,7 +64,7 @@ def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
 
 @func
 def inverse_root(M: mat33d) -> mat33d:
-    """Symmetric root M^(-1/2) of a positive definite matrix; directions of no variance are skipped."""
+    """Symmetric root M^(-1/2) of a positive definite matrix. Directions of no variance are skipped."""
     system = diagonalize_three(M)
     W = mat33d(0.0)
     for k in range(3):
@@ -159,7 +159,7 @@ def sum_pair(p: vec3d, q: vec3d, w: float64) -> row_sums:
 
 @func
 def count_pair(sums: row_sums, p: vec3d, q: vec3d, paired: float64) -> row_sums:
-    """Add a pair's sums to a row's; without a pair p, q and `paired` are zero."""
+    """Add a pair's sums to a row's. Without a pair p, q and `paired` are zero."""
     d = p - q
     counted = sums
     counted[DISTANCE_AT] = dot(d, d)
@@ -184,7 +184,7 @@ def mean_target(sums: row_sums) -> vec3d:
 
 @struct
 class DopplerRule:
-    """Weights of Doppler rows. `sensor`: vehicle position in the sensor frame [m]; `period` [s]; `share`, 0..1; first
+    """Weights of Doppler rows. `sensor`: vehicle position in the sensor frame [m]; `period` [s]; `share`, 0..1. First
     iterations of robust kernels (`geometric_from`, `doppler_from`) and of rejection above `threshold` [m/s].
     """
 
@@ -273,7 +273,7 @@ def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, targe
 
 @segment_reduction
 def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
-    """Generalized: rows of W d with W^T W = (C_target + R C_source R^T)^-1; a kernel weights each row."""
+    """Generalized: rows of W d with W^T W = (C_target + R C_source R^T)^-1. A kernel weights each row."""
     i = tid()
     p, q, paired = pair_of(i, matches)
     total = row_sums(0.0)

@@ -266,7 +266,7 @@ def moved_size(i: int, matches: Matches, progress: Progress) -> float64:
 
 @func
 def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) -> int:
-    """Store fitness and rmse of a job; returns whether it continues or how it ends."""
+    """Store fitness and rmse of a job. Returns whether it continues or how it ends."""
     sums = progress.totals[i]
     count = sums[COUNT_AT]
     share = float64(0.0)
@@ -371,7 +371,7 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
 
 @func
 def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
-    """Displacement [m] by a motion of a cloud of some size about p; not finite if the motion is not."""
+    """Displacement [m] by a motion of a cloud of some size about p. Not finite if the motion is not."""
     moved = move(motion, p) - p
     turned_by = float64(0.0)
     for row in range(3):
@@ -403,7 +403,7 @@ def end_job(i: int, outcome: int, matches: Matches, progress: Progress):
 
 @func
 def move_job(i: int, motion: mat44d, matches: Matches, progress: Progress) -> int:
-    """Update a job's pose and search margin; returns whether the motion is finite."""
+    """Update a job's pose and search margin. Returns whether the motion is finite."""
     outcome = int(RUNNING)
     length = length_of(motion, mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == 0.0:

@@ -126,7 +126,7 @@ class VoxelGaussians:
 
 @func
 def cell_of(p: vec3, grid: CellGrid) -> vec3d:
-    """Cell of a point relative to the first cell; NaN if the point is."""
+    """Cell of a point relative to the first cell. NaN if the point is."""
     d = (widen(p) - grid.corner) * grid.scale
     return vec3d(floor(d[0]) - grid.first[0], floor(d[1]) - grid.first[1], floor(d[2]) - grid.first[2])
 
@@ -173,7 +173,7 @@ def gaussian_weight(row: int, gaussians: array(dtype=float32, ndim=2)) -> float:
 
 @func
 def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussians) -> int:
-    """Gaussian with the nearest mean among 1, 7, 19 or 27 voxels (`steps` 0 to 3), or -1; ties to the lower."""
+    """Gaussian with the nearest mean among 1, 7, 19 or 27 voxels (`steps` 0 to 3), or -1. Ties to the lower."""
     at = cell_of(p, voxels.grid)
     best = -1
     least = float(INFINITY)

@@ -91,7 +91,7 @@ def limit_depth_kernel(
     depth: array(dtype=float32),
     largest: array(dtype=int32),
 ):
-    """Valid depth in meters of floats; 0 if it is 0, negative, not finite or too far."""
+    """Valid depth in meters of floats. 0 if it is 0, negative, not finite or too far."""
     i = tid()
     most = 0
     for j in elements_of(i, runs):
@@ -107,7 +107,7 @@ def limit_depth_kernel(
 
 @struct
 class PixelGrid:
-    """Every `stride`-th pixel of every `stride`-th row: `columns` x `rows`, `count`; image `width` [px]."""
+    """Every `stride`-th pixel of every `stride`-th row: `columns` x `rows`, `count`. Image `width` [px]."""
 
     stride: int
     columns: int
@@ -239,7 +239,7 @@ def scale_depth(
 
 
 def largest_depth(largest: Integers) -> float:
-    """Maximum depth [m] of `metric_depth`, 0 for none; one sync."""
+    """Maximum depth [m] of `metric_depth`, 0 for none. One sync."""
     return float(download(largest).max().view(np.float32))  # sync
 
 

@@ -1,4 +1,4 @@
-"""Depth image filters: bilateral, edge erosion, halving. Depth is in meters; missing pixels (0) stay missing."""
+"""Depth image filters: bilateral, edge erosion, halving. Depth is in meters. Missing pixels (0) stay missing."""
 
 from ..array_types import Array2, Scalars
 from ..lang import array, exp, float32, floor, func, kernel, launch, loop, tid, uint8, vec3
@@ -98,7 +98,7 @@ def gaussian_weight(offset: int) -> float:
 def halve_depth_kernel(
     depth: array(dtype=float32), width: int, height: int, columns: int, jump: float, halved: array(dtype=float32)
 ):
-    """Every second pixel: mean of the 5 x 5 pixels within `jump` of its depth; 0 without depth."""
+    """Every second pixel: mean of the 5 x 5 pixels within `jump` of its depth. 0 without depth."""
     i = tid()
     u = 2 * (i % columns)
     v = 2 * (i // columns)

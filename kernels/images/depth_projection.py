@@ -30,7 +30,7 @@ def project_points_kernel(
 
 @kernel
 def read_depth_kernel(words: array(dtype=int64), scale: float64, depth: array(dtype=float32)):
-    """Depth of each pixel times the scale; 0 if empty."""
+    """Depth of each pixel times the scale. 0 if empty."""
     i = tid()
     word = words[i]
     d = 0.0
@@ -65,7 +65,7 @@ def project_points(points: Points, T_camera_points: np.ndarray, camera: CameraLi
 
 
 def read_depth(words: LongIntegers, scale: float = 1.0) -> Scalars:
-    """Depth [m] times `scale`, float32 (pixels); 0 if empty."""
+    """Depth [m] times `scale`, float32 (pixels). 0 if empty."""
     depth = empty(words.size, float32, words.device)
     launch(read_depth_kernel, words.size, [words, float(scale), depth])
     return depth

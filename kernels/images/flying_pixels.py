@@ -1,5 +1,5 @@
 """Removal of flying pixels between two surfaces. Inverse depth of a plane is linear along a row, so a surface pixel is
-on the line through two others on one side; a flying pixel is on neither line and between both.
+on the line through two others on one side. A flying pixel is on neither line and between both.
 """
 
 from ..array_types import Scalars
@@ -19,7 +19,7 @@ def is_between(w: float, before: float, after: float, jump: float) -> int:
 
 @func
 def inverse_depth(depth: array(dtype=float32), at: int) -> float:
-    """1 / z of a pixel; 0 without depth."""
+    """1 / z of a pixel. 0 without depth."""
     z = depth[at]
     w = 0.0
     if z > 0.0:

@@ -156,7 +156,7 @@ def read_places_kernel(
     places: array(dtype=vec2),
     straight: array(dtype=uint8, ndim=2),
 ):
-    """Bilinear image values at positions; 0 outside the lens. Pixels are squares of `side` of the positions' pixels."""
+    """Bilinear image values at positions. 0 outside the lens. Pixels are squares of `side` of the positions' pixels."""
     i = tid()
     place = places[i]
     if place[0] < 0.0:

@@ -233,7 +233,7 @@ def taichi_arguments(name: str, annotations: Sequence[Any], values: Sequence[Any
 
 
 def _taichi_array(name: str, annotation: wp.array, argument: wp.array) -> np.ndarray:
-    if argument.size == 0:  # Warp gives empty arrays no memory; loops over them need the true extents
+    if argument.size == 0:  # Warp gives empty arrays no memory. Loops over them need the true extents
         shape = getattr(annotation.dtype, "_shape_", ())
         scalar = getattr(annotation.dtype, "_wp_scalar_type_", annotation.dtype)
         return np.zeros((*argument.shape, *shape), wp.dtype_to_numpy(scalar))

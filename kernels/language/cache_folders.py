@@ -1,7 +1,7 @@
 """Folder of compiled kernels: the user's cache folder, or a temporary one if that is not usable.
 
 Compiled kernels run in this process, so files that other users can write to are not used silently. Each file has a
-digest, since a full disk or a killed process can truncate it; a mismatch causes recompilation.
+digest, since a full disk or a killed process can truncate it. A mismatch causes recompilation.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def temporary_cache() -> str:
 
 
 def other_writers(folder: Path) -> str:
-    """Describe other users who can write to a folder or its contents; empty if none."""
+    """Describe other users who can write to a folder or its contents. Empty if none."""
     if not hasattr(os, "getuid"):
         return ""
     try:
@@ -84,7 +84,7 @@ def seal(*files: Path) -> None:
 
 
 def discard(*files: Path) -> bool:
-    """Remove files and their digests; False if one cannot be removed."""
+    """Remove files and their digests. False if one cannot be removed."""
     try:
         for file in files:
             file.unlink(missing_ok=True)

@@ -1,7 +1,7 @@
 """Functions as arguments of device functions, resolved before compilation.
 
 A `callback` parameter takes the name of a device function or `partial(function, first, arguments)`. A `@func` with such
-parameters is compiled once per function given; in a `@loop`, the calls are inlined.
+parameters is compiled once per function given. In a `@loop`, the calls are inlined.
 """
 
 from __future__ import annotations

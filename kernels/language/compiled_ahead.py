@@ -25,7 +25,7 @@ import warp as wp
 from ..array_types import Device
 from .cache_folders import is_intact, seal, temporary_cache, write_atomically
 
-VARIABLE = "POINTLOOM_CUDA_KERNELS"  # path of the archive; empty disables all archives
+VARIABLE = "POINTLOOM_CUDA_KERNELS"  # path of the archive. Empty disables all archives
 PACKAGE = "pointloom_cuda_kernels"
 ARCHIVE = "kernels.zip"
 MANIFEST = "manifest.json"
@@ -119,7 +119,7 @@ def _architecture(binary: str) -> int:
 
 def choose(binaries: list[str], device: Device) -> str | None:
     """Select the code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None. Machine code runs on later
-    architectures of the same major number; PTX on all later ones if the driver is not older than the compiler."""
+    architectures of the same major number. PTX on all later ones if the driver is not older than the compiler."""
     own, found = device.arch, {kind: [] for kind in ("cubin", "ptx")}
     for binary in binaries:
         architecture = _architecture(binary)

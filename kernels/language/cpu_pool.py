@@ -1,6 +1,6 @@
 """Thread pool for CPU launches: each thread processes chunks until none is left.
 
-The distributing code is a Warp kernel (pool_code.py); Python threads only enter it, and no chunk waits for the GIL. A
+The distributing code is a Warp kernel (pool_code.py). Python threads only enter it, and no chunk waits for the GIL. A
 worker polls for some microseconds, then sleeps on a semaphore. A launch wakes two workers, which wake the next ones. A
 pool runs one launch at a time: take the lock. Tested on Linux. On macOS and Windows (untested), a pool has one thread
 unless POINTLOOM_CPU_THREADS or `set_thread_count` sets more.
@@ -102,7 +102,7 @@ class Pool:
         self._code.share(ctypes.byref(self._one), self._pack(self._address, forward, arguments, total, chunk, first))
 
     def end(self) -> None:
-        """End the threads; no launch may be running."""
+        """End the threads. No launch may be running."""
         words = self._words
         words[FIELDS["over"]] = 1
         for worker in range(len(self._threads)):
@@ -131,7 +131,7 @@ def default_thread_count() -> int:
 
 
 def _cores_of_group() -> int:
-    """Cores by the CPU quota of this process's control group, rounded up; 0 if unlimited."""
+    """Cores by the CPU quota of this process's control group, rounded up. 0 if unlimited."""
     try:
         quota, period = Path("/sys/fs/cgroup/cpu.max").read_text().split()
         return 0 if quota == "max" else -(-int(quota) // int(period))
@@ -148,14 +148,14 @@ def thread_count() -> int:
 
 
 def set_thread_count(count: int | None) -> None:
-    """Set the number of threads, 1 to MAX_THREADS, or None for the default; take the lock."""
+    """Set the number of threads, 1 to MAX_THREADS, or None for the default. Take the lock."""
     global _wanted
     _wanted = count
     _end()
 
 
 def pool() -> Pool | None:
-    """The pool, created on first use; None if launches run on the calling thread. Take the lock."""
+    """The pool, created on first use. None if launches run on the calling thread. Take the lock."""
     global _pool, _is_chosen
     if not _is_chosen:
         code, count = pool_code(), thread_count()

@@ -2,7 +2,7 @@
 
 `wp.launch` takes 20 to 40 us of Python. Here the first launch records the kernel's handle, grid, shared memory, and
 argument bytes. If the bytes packed here differ, all launches go through Warp. A generated function packs later
-arguments; it raises for unusual ones, which arguments.py then converts or rejects.
+arguments. It raises for unusual ones, which arguments.py then converts or rejects.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _ALIGNMENT = 8
 
 
 def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | None = None, count: int = 0) -> Flattener:
-    """Function that flattens a kernel's arguments to bytes and numbers; raises UNFIT or AttributeError if unusual."""
+    """Function that flattens a kernel's arguments to bytes and numbers. Raises UNFIT or AttributeError if unusual."""
     if places is None:
         places, count = [Place(k, ()) for k in range(len(types))], len(types)
     scope: dict[str, Any] = {}
@@ -122,7 +122,7 @@ class CudaLaunch:
         return given == [bytes(param) for param in command.params]
 
     def __call__(self, thread_count: int, flat: Flat) -> None:
-        """Launch; take the lock. Raises struct.error or OverflowError (not launched), RuntimeError of the driver."""
+        """Launch. Take the lock. Raises struct.error or OverflowError (not launched), RuntimeError of the driver."""
         # Detached while in use: a signal handler may launch the same kernel in between, and an interrupted
         # launch leaves a half-filled buffer that must not be reused.
         buffer, self._idle = self._idle, None
@@ -162,7 +162,7 @@ class PreparedKernel:
 
     @classmethod
     def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
-        """Prepare from launch arguments; None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
+        """Prepare from launch arguments. None if Warp must launch it. Raises one of UNFIT as `prepared_launch`."""
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
             return None
@@ -177,14 +177,14 @@ class PreparedSum:
 
     @classmethod
     def of(cls, reduction: Reduction, given: Sequence[Any], folded: Sequence[Any], device: Any) -> PreparedSum | None:
-        """Prepare from the arguments of both kernels; None if Warp must launch them. Raises one of UNFIT."""
+        """Prepare from the arguments of both kernels. None if Warp must launch them. Raises one of UNFIT."""
         kernels, size = reduction.cuda, REDUCTION_BLOCK
         tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
         fold = prepared_launch(kernels.fold_tiles, size, folded, device, block_dim=size)
         return cls(reduction, tiles, fold, device) if tiles.is_known and fold.is_known else None
 
     def sum(self, count: int, flat: Flat, blocks: int, partials: wp.array, out: wp.array) -> None:
-        """Sum `count` elements of the flattened arguments; take the lock."""
+        """Sum `count` elements of the flattened arguments. Take the lock."""
         parts, total = self.sums.packed(partials), self.sums.packed(out)
         self._tiles(blocks * REDUCTION_BLOCK, (*flat, count, parts))
         self._fold(REDUCTION_BLOCK, (blocks, parts, total))

@@ -2,7 +2,7 @@
 
 `wp.empty` and the release take 11 us of Python for two driver calls of less than 1 us. Here arrays are copies of a Warp
 array with their own memory, and cache the bytes passed to kernels. This depends on the internals of Warp 1.19
-(warp_parts.py); Warp itself is used if they differ or if it has hooks.
+(warp_parts.py). Warp itself is used if they differ or if it has hooks.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Kind:
         array.kind_ = self
 
     def new(self, shape: Shape, strides: Shape, size: int) -> Any:
-        """An uninitialized array; take the lock. Raises RuntimeError if device memory is exhausted."""
+        """An uninitialized array. Take the lock. Raises RuntimeError if device memory is exhausted."""
         like = self._like
         if like is None:
             releases = _releases_of(self.device)
@@ -102,7 +102,7 @@ def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
 
 
 def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
-    """An uninitialized GPU array; None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
+    """An uninitialized GPU array. None if Warp has to create it. Raises RuntimeError if device memory is exhausted."""
     if not warp_parts.makes_arrays_plainly(device):
         return None
     if type(shape) is int:
@@ -138,7 +138,7 @@ def flat(values: Any) -> Any:
 
 
 def seen_as(whole: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
-    """View of an array's memory from a byte on as another type; None if Warp has to create it."""
+    """View of an array's memory from a byte on as another type. None if Warp has to create it."""
     if getattr(whole, "kind_", None) is None or whole.ptr is None:
         return None
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]

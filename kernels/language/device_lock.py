@@ -39,7 +39,7 @@ if hasattr(os, "register_at_fork"):  # not on Windows
 
 
 def why_no_cuda_here() -> str:
-    """Reason why this process cannot use Warp's GPUs; empty if it can."""
+    """Reason why this process cannot use Warp's GPUs. Empty if it can."""
     if not _is_without_cuda:
         return ""
     return (
@@ -58,7 +58,7 @@ def turn_on(device: Device | str) -> AbstractContextManager[Any]:
 
 
 def own(values: Any) -> wp.array:
-    """Arrange the release of an array under the lock; take the lock first. Garbage collection may occur in any thread
+    """Arrange the release of an array under the lock. Take the lock first. Garbage collection may occur in any thread
     and must not block: the release is then deferred to the next allocation or release."""
     if values.device.is_cuda and values.deleter is not None:
         release_pending()
@@ -84,7 +84,7 @@ def release_in_turn(
 
 
 def release_pending() -> None:
-    """Run deferred releases; take the lock."""
+    """Run deferred releases. Take the lock."""
     if waiting:
         order_releases()
     while waiting:
@@ -103,7 +103,7 @@ def release_all() -> None:
 
 
 class Recording:
-    """Capture the launches of `body` as one CUDA graph; its arrays must stay where they are. Take the lock. The stream
+    """Capture the launches of `body` as one CUDA graph. Its arrays must stay where they are. Take the lock. The stream
     is non-blocking (streams.py), so that other libraries can use the legacy stream meanwhile."""
 
     def __init__(self, device: Any, body: Callable[[], None]) -> None:

@@ -12,7 +12,7 @@ _NAMES = ("nvcuda.dll",) if os.name == "nt" else ("libcuda.so", "libcuda.so.1") 
 
 @cache
 def driver() -> Any:
-    """The driver library that Warp has loaded; functions return CUDA error codes. Raises OSError if there is none."""
+    """The driver library that Warp has loaded. Functions return CUDA error codes. Raises OSError if there is none."""
     for name in _NAMES[:-1]:
         try:
             return ctypes.cdll.LoadLibrary(name)

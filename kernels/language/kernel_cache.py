@@ -64,7 +64,7 @@ def keep(module: str, name: str, kept: Kept) -> None:
 
 
 def address_of(kept: Kept) -> int:
-    """Address of a kernel's loaded machine code; 0 if it is missing or this Warp loads it differently."""
+    """Address of a kernel's loaded machine code. 0 if it is missing or this Warp loads it differently."""
     try:
         llvm = wp._src.context.runtime.llvm
         handle = _handle(kept.machine_code)
@@ -74,7 +74,7 @@ def address_of(kept: Kept) -> int:
 
 
 def machine_code_of(kernel: Any) -> str:
-    """File of a kernel's machine code in Warp's cache; empty unless there is exactly one."""
+    """File of a kernel's machine code in Warp's cache. Empty unless there is exactly one."""
     name = kernel.module.get_module_identifier(block_dim=1)
     found = [str(path) for path in (Path(wp.config.kernel_cache_dir or ".") / name).glob(f"{name}*.o")]
     return found[0] if len(found) == 1 else ""
@@ -82,7 +82,7 @@ def machine_code_of(kernel: Any) -> str:
 
 @cache
 def _handle(machine_code: str) -> bytes:
-    """Name of a loaded file in Warp's loader; empty if it cannot be loaded."""
+    """Name of a loaded file in Warp's loader. Empty if it cannot be loaded."""
     if not is_intact(Path(machine_code)):
         return b""
     handle = f"pointloom_{Path(machine_code).stem}".encode()

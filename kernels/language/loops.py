@@ -298,7 +298,7 @@ def _is_set_anew(walk: list[ast.stmt], name: str) -> bool:
 
 
 def _steps(statements: list[ast.stmt], name: str, *, in_loop: bool) -> Iterator[bool | None]:
-    """In text order: None for a `yield`; for an assignment, whether it is in a loop."""
+    """In text order: None for a `yield`. For an assignment, whether it is in a loop."""
     for statement in statements:
         if isinstance(statement, ast.If | ast.For | ast.While):
             if isinstance(statement, ast.For) and name in stored_names([ast.Expr(statement.target)]):

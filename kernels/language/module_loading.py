@@ -27,13 +27,13 @@ try:
 except ImportError:  # not a POSIX system: no locks
     fcntl = None
 
-LOCKS = "pointloom.lock"  # in Warp's cache; a byte per module
+LOCKS = "pointloom.lock"  # in Warp's cache. A byte per module
 LONGEST_WAIT = 300.0  # [s] before a process compiles itself: the lock's owner may have been stopped
 PAUSE = 0.01  # [s] between polls
 
 
 def load_module(module: Any, device: Device) -> None:
-    """Load a Warp module for a device; take the lock first."""
+    """Load a Warp module for a device. Take the lock first."""
     block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as in launches
     if (device.context, block_dim) in module.execs:
         return
@@ -96,7 +96,7 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
 
 @contextlib.contextmanager
 def turn_of(name: str) -> Iterator[None]:
-    """Let one process at a time do the named work, without a lock if unsupported; it ends with the process."""
+    """Let one process at a time do the named work, without a lock if unsupported. It ends with the process."""
     descriptor = -1
     try:
         with contextlib.suppress(OSError):  # a folder of another user, or not writable
@@ -115,7 +115,7 @@ def _wait_for_turn(descriptor: int, position: int) -> None:
         try:
             fcntl.lockf(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, position)
             return
-        except (BlockingIOError, PermissionError):  # locked by another process; the error code depends on the system
+        except (BlockingIOError, PermissionError):  # locked by another process. The error code depends on the system
             if time.monotonic() > end:
                 return
             time.sleep(PAUSE)

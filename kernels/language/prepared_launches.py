@@ -1,8 +1,8 @@
 """Prepared CPU launches: later launches of a kernel only pass their arguments.
 
 Launching takes Taichi 0.24 ms for eight arguments and Warp 0.02 ms. After the first launch, the address and argument
-layout of Warp's machine code, or Taichi's compiled kernel and context, are reused. Prepared launches check nothing;
-arguments.py does. Take the lock.
+layout of Warp's machine code, or Taichi's compiled kernel and context, are reused. Prepared launches check nothing.
+Arguments.py does. Take the lock.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class WarpLaunch:
 
     @property
     def layout(self) -> str:
-        """`struct` format of the arguments; empty if Warp's layout differs."""
+        """`struct` format of the arguments. Empty if Warp's layout differs."""
         return "" if self._layout is None else self._layout.format
 
     def _packed(self, values: Sequence[Any]) -> bytes:
@@ -124,7 +124,7 @@ class WarpLaunch:
 
 
 def _read_layout(parameters: Sequence[Parameter], params: Sequence[Any]) -> tuple[struct.Struct | None, bytes]:
-    """`struct` format and arguments packed by Warp; an empty format if the layout is unknown."""
+    """`struct` format and arguments packed by Warp. An empty format if the layout is unknown."""
     filled = filled_with(params)
     kind, layout = type(filled), "="
     for k, (parameter, param) in enumerate(zip(parameters, params, strict=True)):
@@ -165,7 +165,7 @@ class _Context:
 
 
 class TaichiLaunch:
-    """A compiled Taichi kernel; only changed arguments are set again."""
+    """A compiled Taichi kernel. Only changed arguments are set again."""
 
     def __init__(self, name: str, annotations: Sequence[Any], recorder: Recorder) -> None:
         self._name, self._kernel, self._compiled = name, recorder.kernel, recorder.compiled

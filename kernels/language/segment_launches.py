@@ -32,7 +32,7 @@ def launch_segments(
     partials: AnyArray,
     out: AnyArray,
 ) -> None:
-    """Sum the vectors of a reduction over segments; take the lock first. Arguments as in `lang.reduce_segments`."""
+    """Sum the vectors of a reduction over segments. Take the lock first. Arguments as in `lang.reduce_segments`."""
     device, size = out.device, REDUCTION_BLOCK
     for part in _parts(blocks.count):
         tables = [blocks.firsts[part], blocks.lasts[part], blocks.owners[part], live, partials[part]]
@@ -54,7 +54,7 @@ class PreparedSegmentSum:
     def of(
         cls, reduction: Reduction, values: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> PreparedSegmentSum | None:
-        """Prepare from the arguments of a launch; None if Warp must launch it. Raises one of UNFIT."""
+        """Prepare from the arguments of a launch. None if Warp must launch it. Raises one of UNFIT."""
         kernels, device, size = reduction.cuda, out.device, REDUCTION_BLOCK
         given = [*values, blocks.firsts, blocks.lasts, blocks.owners, live, partials]
         tiles = prepared_launch(kernels.tiles, size, given, device, block_dim=size)
@@ -64,7 +64,7 @@ class PreparedSegmentSum:
     def is_launched(
         self, arguments: Sequence[Any], blocks: Any, live: Integers, partials: AnyArray, out: AnyArray
     ) -> bool:
-        """Launch; False without any effect for arguments that need conversion."""
+        """Launch. False without any effect for arguments that need conversion."""
         size, packed = REDUCTION_BLOCK, self._tables.packed
         if not 0 < blocks.count <= _MOST or not 0 < out.size <= _MOST:
             return False

@@ -1,6 +1,6 @@
 """Types of the kernel language and signatures of its built-ins: the intersection of Warp and Taichi.
 
-Taichi's minimum of 8-bit numbers aborts the process, and its square root of an integer is an integer; Warp has neither.
+Taichi's minimum of 8-bit numbers aborts the process, and its square root of an integer is an integer. Warp has neither.
 """
 
 from __future__ import annotations

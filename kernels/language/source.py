@@ -38,7 +38,7 @@ class Vocabulary:
 
 @dataclass
 class Source:
-    """Syntax tree, file, and signature of a device function; loops, callbacks and structures are inlined."""
+    """Syntax tree, file, and signature of a device function. Loops, callbacks and structures are inlined."""
 
     function: Callable
     definition: ast.FunctionDef
@@ -90,7 +90,7 @@ class Source:
 
 @functools.lru_cache(64)
 def _definitions(text: str, module: int) -> dict[int, ast.FunctionDef]:
-    """Functions of a module by first line, including decorators; each is taken once, since it is modified."""
+    """Functions of a module by first line, including decorators. Each is taken once, since it is modified."""
     functions = [node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)]
     return {min([f.lineno, *(d.lineno for d in f.decorator_list)]): f for f in functions}
 

@@ -37,7 +37,7 @@ def fields_of(annotation: Any) -> dict[str, Any] | None:
 
 
 def leaves_of(kind: Any) -> list[Path]:
-    """Paths to all numbers and arrays of a structure in order; otherwise the empty path."""
+    """Paths to all numbers and arrays of a structure in order. Otherwise the empty path."""
     fields = fields_of(kind)
     return [()] if fields is None else [(name, *rest) for name, part in fields.items() for rest in leaves_of(part)]
 

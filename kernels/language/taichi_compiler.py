@@ -37,12 +37,12 @@ try:
 except ImportError:  # Windows: Taichi's own lock has to suffice
     fcntl = None
 
-PATIENCE = 10.0  # [s] to wait for the lock, which takes some ms; then it continues without
+PATIENCE = 10.0  # [s] to wait for the lock, which takes some ms. Then it continues without
 LEFT_BEHIND = 2.0  # [s] after which a ticache.lock is stale
 
 
 class TaichiUnavailableError(RuntimeError):
-    """Taichi is not usable; the message gives the cause and the fix."""
+    """Taichi is not usable. The message gives the cause and the fix."""
 
 
 def require_threads(count: int) -> None:
@@ -176,7 +176,7 @@ CHUNK_LOOP = """
 for i in range(chunk_ * chunk_size_, chunk_ * chunk_size_ + min(chunk_size_, thread_count_ - chunk_ * chunk_size_)):
     pass
 """
-# Two parts of one launch: blocks on all cores, then their sums; the body of an `if` runs on one core.
+# Two parts of one launch: blocks on all cores, then their sums. The body of an `if` runs on one core.
 REDUCTION = """
 def {name}_sum({arguments}count_, block_, partials_, out_, block_count_, chunk_size_, chunk_count_):
     first_ = chunk_ * chunk_size_
@@ -242,7 +242,7 @@ class ToTaichi(ast.NodeTransformer):
         return node
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
-        """`%` as in C; the first of two literals gets its type."""
+        """`%` as in C. The first of two literals gets its type."""
         self.generic_visit(node)
         if isinstance(self._number(node.left), float) and isinstance(self._number(node.right), float):
             node.left = _call("f32", node.left)
@@ -497,7 +497,7 @@ class Taichi:
         return scope | {"ti_": self.ti, NEGATED: self.builtins[NEGATED]}
 
     def make_func(self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable) -> Any:
-        """A Taichi device function; arrays are templates."""
+        """A Taichi device function. Arrays are templates."""
         definition = copy_tree(definition)
         to_taichi = self._rewriter(function, definition, is_builtin, in_kernel=False)
         definition.body = [to_taichi.visit(s) for s in without_docstring(definition)]

@@ -1,7 +1,7 @@
 """Warp compiler of the kernel language, for CUDA and the CPU.
 
 `@kernel(most_registers=80)` limits registers per thread on CUDA. To try other limits, set
-POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name; a reduction has that of its
+POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name. A reduction has that of its
 function. The limit is part of the module's hash, so such builds are cached separately and never come from an archive.
 """
 
@@ -49,7 +49,7 @@ def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
 
 
 def _redirected() -> tuple[IO[bytes], int] | None:
-    """A temporary file in place of descriptor 2, and a copy of the descriptor; None if impossible."""
+    """A temporary file in place of descriptor 2, and a copy of the descriptor. None if impossible."""
     try:
         os.fstat(STDERR)
         file = tempfile.TemporaryFile()
@@ -120,7 +120,7 @@ def _has_driver() -> bool:
 
 _start_quietly()
 
-REDUCTION_BLOCK = 256  # threads of a CUDA block; also the stride of the second stage
+REDUCTION_BLOCK = 256  # threads of a CUDA block. Also the stride of the second stage
 PART = 4  # elements of a vector that a block sums at once
 
 # One block size per module, since its tiles are compiled for it. No fused multiply-add: the search tree is exact only
@@ -140,7 +140,7 @@ def _bits_float(i: wp.int32):
     return wp.cast(i, wp.float32)
 
 
-# All 32 lanes of a warp take part in each of these; functions of one name are overloads.
+# All 32 lanes of a warp take part in each of these. Functions of one name are overloads.
 @wp.func_native("return (int)(threadIdx.x & 31u);")
 def _lane() -> wp.int32: ...
 
@@ -226,7 +226,7 @@ OWN = {
 
 
 def translate(function: Callable, is_builtin: Callable[[Any], bool]) -> dict[str, Any]:
-    """Globals of a function as Warp must see them; Warp's built-ins are found by name."""
+    """Globals of a function as Warp must see them. Warp's built-ins are found by name."""
     names: dict[str, Any] = {}
     for name in function.__code__.co_names:
         if name not in function.__globals__:
@@ -260,7 +260,7 @@ def compile_source(name: str, source: str, scope: dict[str, Any], module: str) -
 
 
 def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda: bool) -> Any:
-    """A Warp device function; a CUDA one has its own name, since a module may contain both."""
+    """A Warp device function. A CUDA one has its own name, since a module may contain both."""
     _set_options(function.__module__)
     twin = rebind(function, is_builtin)
     if for_cuda:
@@ -289,7 +289,7 @@ def _module_of(module: str, place: str) -> Any:
 
 
 def modules_for_cuda(module: str) -> list[Any]:
-    """Warp modules of a file's CUDA kernels; the kernels must exist."""
+    """Warp modules of a file's CUDA kernels. The kernels must exist."""
     return [found for found in (wp.get_module(module), cuda_module(module)) if found.kernels]
 
 

@@ -1,6 +1,6 @@
 """Boundary half-edges of a mesh and the loops that they form.
 
-Successors along the boundary are found by rotation around each vertex; loops are ranked by pointer jumping (Wyllie
+Successors along the boundary are found by rotation around each vertex. Loops are ranked by pointer jumping (Wyllie
 1979) in log2 n passes. A loop that passes a vertex twice is split there by one thread per loop. Paths end at
 non-manifold or inconsistently oriented edges and form chains, not loops. About 60 B per boundary half-edge and 8 B per
 half-edge.
@@ -23,7 +23,7 @@ BORDER, BLOCKED = -1, -2  # stored for a half-edge without an opposite
 
 @kernel
 def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int32)):
-    """Opposite of each half-edge; BORDER if there is none, BLOCKED if there are several."""
+    """Opposite of each half-edge. BORDER if there is none, BLOCKED if there are several."""
     i = tid()
     first = edges.starts[i]
     count = edges.starts[i + 1] - first
@@ -223,7 +223,7 @@ def cut_at_vertices_kernel(
     stack: array(dtype=int32),
     nexts: array(dtype=int32),
 ):
-    """Close a loop at each repeated vertex; one thread per loop. `heights` are stack positions of vertices, or -1."""
+    """Close a loop at each repeated vertex. One thread per loop. `heights` are stack positions of vertices, or -1."""
     i = tid()
     base = starts[i]
     top = base

@@ -95,7 +95,7 @@ def join_masks(mask: Mask, *others: Mask) -> Mask:
 
 @kernel
 def mark_corners_kernel(triangles: array(dtype=vec3i), gone: array(dtype=uint8), used: array(dtype=uint8)):
-    """1 for vertices of unmasked triangles; all threads write the same value."""
+    """1 for vertices of unmasked triangles. All threads write the same value."""
     i = tid()
     if gone[i] == 0:
         t = triangles[i]
@@ -111,7 +111,7 @@ def mask_used(triangles: Triangles, gone: Mask, vertex_count: int) -> Mask:
 
 
 def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:
-    """uint8 [t]: 1 for triangles that equal an earlier one up to rotation; the opposite orientation differs."""
+    """uint8 [t]: 1 for triangles that equal an earlier one up to rotation. The opposite orientation differs."""
     device, count = triangles.device, triangles.size
     turned = empty(count, vec3i, device)
     launch(list_turned_kernel, count, [triangles, turned])

@@ -1,7 +1,7 @@
 """Greedy vertex merging by distance, in parallel: each vertex stays or follows the earliest close one that stays.
 
 The result is the lexicographically first maximal independent set, independent of the thread order (Blelloch, Fineman
-and Shun, SPAA 2012). Cells have half the radius, so at most one vertex per cell stays; they are grouped in hashed
+and Shun, SPAA 2012). Cells have half the radius, so at most one vertex per cell stays. They are grouped in hashed
 blocks of 4 x 4 x 4. After 64 rounds, one thread processes the rest. About 130 B per vertex.
 """
 
@@ -73,7 +73,7 @@ def compare_blocks_kernel(
     order: array(dtype=int32),
     differ: array(dtype=int32),
 ):
-    """Set `differ` on a hash collision of blocks; keys are sorted, and all threads write the same value."""
+    """Set `differ` on a hash collision of blocks. Keys are sorted, and all threads write the same value."""
     i = tid()
     if i > 0:
         if (keys[i] >> int64(CELL_BITS)) == (keys[i - 1] >> int64(CELL_BITS)):
@@ -193,7 +193,7 @@ def look_around(v: int, cells: Cells) -> int:
 
 @func
 def settle(v: int, cells: Cells) -> int:
-    """Decide a vertex if possible; 1 if decided. Only the thread of a cell's state writes; others read whole words."""
+    """Decide a vertex if possible. 1 if decided. Only the thread of a cell's state writes. Others read whole words."""
     c = cells.of_point[v]
     state = cells.states[c]
     done = 1

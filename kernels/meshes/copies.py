@@ -23,7 +23,7 @@ def spread_classes_kernel(order: array(dtype=int32), ranks: array(dtype=int32), 
 
 
 def find_copies(triangles: Triangles, vertex_count: int) -> tuple[Integers, int]:
-    """(classes int32 [t], their count); one sync."""
+    """(classes int32 [t], their count). One sync."""
     device, count = triangles.device, triangles.size
     if count == 0:
         return empty(0, int32, device), 0

@@ -1,4 +1,4 @@
-"""New vertices from sets of corners; each takes the row of its lowest earlier vertex.
+"""New vertices from sets of corners. Each takes the row of its lowest earlier vertex.
 
 The first set at a vertex keeps its index; further sets are appended by their lowest corners. About 20 B per corner.
 """
@@ -20,14 +20,14 @@ NONE = 2**31 - 1  # above all vertices and corners
 
 @kernel
 def find_lowest_vertices_kernel(triangles: array(dtype=vec3i), sets: array(dtype=int32), lowest: array(dtype=int32)):
-    """Lowest vertex of each set, at its lowest corner; the minimum does not depend on the order."""
+    """Lowest vertex of each set, at its lowest corner. The minimum does not depend on the order."""
     i = tid()
     atomic_min(lowest, sets[i], corner_vertex(triangles, i))
 
 
 @kernel
 def find_first_sets_kernel(sets: array(dtype=int32), lowest: array(dtype=int32), firsts: array(dtype=int32)):
-    """Lowest set at each vertex; the minimum does not depend on the order."""
+    """Lowest set at each vertex. The minimum does not depend on the order."""
     i = tid()
     if sets[i] == i:
         atomic_min(firsts, lowest[i], i)
@@ -80,7 +80,7 @@ def name_corners_kernel(sets: array(dtype=int32), numbers: array(dtype=int32), n
 
 
 class CornerVertices:
-    """Vertices from sets of corners, by lowest corner. `rows` are earlier vertices; the first `kept` are first sets."""
+    """Vertices from sets of corners, by lowest corner. `rows` are earlier vertices. The first `kept` are first sets."""
 
     def __init__(self, triangles: Triangles, vertex_count: int, sets: Indices) -> None:
         device, corners = triangles.device, sets.size
@@ -165,7 +165,7 @@ def drop_folded_corners_kernel(triangles: array(dtype=vec3i), around: CornersByV
 
 @kernel
 def find_lowest_corners_kernel(fans: array(dtype=int32), lowest: array(dtype=int32)):
-    """Lowest corner of each fan; the minimum does not depend on the order."""
+    """Lowest corner of each fan. The minimum does not depend on the order."""
     i = tid()
     atomic_min(lowest, fans[i], i)
 
@@ -196,7 +196,7 @@ def take_fans_kernel(
 
 @kernel
 def find_first_fans_kernel(triangles: array(dtype=vec3i), fans: array(dtype=int32), firsts: array(dtype=int32)):
-    """Fan with the lowest corner at each vertex; the minimum does not depend on the order."""
+    """Fan with the lowest corner at each vertex. The minimum does not depend on the order."""
     i = tid()
     atomic_min(firsts, corner_vertex(triangles, i), fans[i])
 

@@ -1,6 +1,6 @@
 """Remove triangles, smallest first, until no edge has more than two.
 
-Triangles are decided by ascending float32 area, then index; the result does not depend on the thread order, since one
+Triangles are decided by ascending float32 area, then index. The result does not depend on the thread order, since one
 word per edge shows which is next. Triangles at such edges that use a vertex twice are removed first. After 64 rounds,
 one thread processes the rest. About 100 B per triangle at such edges.
 """
@@ -34,7 +34,7 @@ def spread_edges_kernel(edges: UniqueKeys, places: array(dtype=int32), of_half_e
 def mask_crowded_kernel(
     triangles: array(dtype=vec3i), of_half_edge: array(dtype=int32), twice: int, mask: array(dtype=uint8)
 ):
-    """1 for triangles at crowded edges; with `twice` only those that use a vertex twice."""
+    """1 for triangles at crowded edges. With `twice` only those that use a vertex twice."""
     i = tid()
     found = 0
     for k in range(3):
@@ -65,7 +65,7 @@ def list_crowded_slots_kernel(
 
 @kernel
 def number_turns_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int32), turns: array(dtype=int32)):
-    """Group of each slot and its rank there; one thread per group."""
+    """Group of each slot and its rank there. One thread per group."""
     i = tid()
     if groups.starts[i + 1] > groups.starts[i]:
         if groups.keys[i] != int64(none):
@@ -103,7 +103,7 @@ class CrowdedEdges:
 
 @func
 def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
-    """Decide a triangle that is next at all its edges; its state. Each word has one writer; others read it whole."""
+    """Decide a triangle that is next at all its edges. Its state. Each word has one writer. Others read it whole."""
     before = crowded.states[i]
     state = STAYS
     for k in range(3):
@@ -159,7 +159,7 @@ def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices,
 
 
 def find_at_crowded_edges(triangles: Triangles, vertex_count: int) -> tuple[Indices, Indices]:
-    """(Triangles at crowded edges, all but those of them that use a vertex twice), int32, ascending; one sync."""
+    """(Triangles at crowded edges, all but those of them that use a vertex twice), int32, ascending. One sync."""
     device, of_half_edge = triangles.device, _crowded_edges_of(triangles, vertex_count)[0]
     crowded, folded = empty(triangles.size, uint8, device), empty(triangles.size, uint8, device)
     launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 0, crowded])

@@ -74,7 +74,7 @@ class Wave:
 def start_at_sources_kernel(
     sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), awake: array(dtype=uint8)
 ):
-    """Distance 0 at the sources; all threads that activate a vertex write the same value."""
+    """Distance 0 at the sources. All threads that activate a vertex write the same value."""
     i = tid()
     source = sources[i]
     before[source] = 0.0
@@ -122,7 +122,7 @@ def spread_distances_kernel(
                 nearer = 1
         if nearer == 1:
             own = shortest
-            if wave.found[0] == 0:  # avoids most atomics; an old value only causes an extra one
+            if wave.found[0] == 0:  # avoids most atomics. An old value only causes an extra one
                 atomic_max(wave.found, 0, 1)
             for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
                 t = wave.triangles[wave.around.corners[j] // 3]

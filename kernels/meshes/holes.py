@@ -97,7 +97,7 @@ class Loops:
 
 @kernel
 def begin_loops_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), loops: Loops):
-    """Position of each vertex, and the mesh normal beyond the side after it; the last side closes the loop."""
+    """Position of each vertex, and the mesh normal beyond the side after it. The last side closes the loop."""
     p = tid()
     first = loops.starts[loops.owners[p]]
     count = loops.starts[loops.owners[p] + 1] - first
@@ -120,7 +120,7 @@ def unit_or_none(n: vec3d) -> vec3d:
 
 @func
 def bend_to(n: vec3d, m: vec3d) -> float64:
-    """1 - cos of the angle between two unit normals; 0 if the second is zero."""
+    """1 - cos of the angle between two unit normals. 0 if the second is zero."""
     bend = float64(0.0)
     if dot(m, m) > 0.5:
         bend = 1.0 - dot(n, m)
@@ -233,7 +233,7 @@ def name_pieces_kernel(
     corners: array(dtype=int32),
     of_loop: array(dtype=int32),
 ):
-    """Replace positions by vertices; also the half-edges that start there and the loop of each triangle."""
+    """Replace positions by vertices. Also the half-edges that start there and the loop of each triangle."""
     i = tid()
     p = pieces[i]
     for k in range(3):
@@ -245,7 +245,7 @@ def name_pieces_kernel(
 def close_loops(
     vertices: Points, triangles: Triangles, found: "FoundLoops", batch: np.ndarray
 ) -> tuple[Triangles, Indices, Indices, int]:
-    """Triangulate a batch; one sync. Returns (pieces vec3i [p], corners int32 [3 p], loop of each, loops filled)."""
+    """Triangulate a batch. One sync. Returns (pieces vec3i [p], corners int32 [3 p], loop of each, loops filled)."""
     device, counts = triangles.device, found.counts[batch]
     loops, bits = Loops(found, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
@@ -276,7 +276,7 @@ def measure_loops_kernel(
     starts: array(dtype=int32),
     radii: array(dtype=float64),
 ):
-    """Largest distance [m] of a loop's vertices from their box center; NaN if not finite, inf for a single triangle."""
+    """Largest distance [m] of a loop's vertices from their box center. NaN if not finite, inf for a single triangle."""
     i = tid()
     first = starts[i]
     last = starts[i + 1]
@@ -302,7 +302,7 @@ def measure_loops_kernel(
 
 @kernel
 def find_conflicts_kernel(edges: UniqueKeys, of_loop: array(dtype=int32), waits: array(dtype=int32)):
-    """1 for loops that use a chord of an earlier one; all threads write the same value."""
+    """1 for loops that use a chord of an earlier one. All threads write the same value."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]

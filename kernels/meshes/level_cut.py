@@ -43,7 +43,7 @@ class CutEdges:
     shares: array(dtype=float64)
 
     def __init__(self, triangles: Triangles, values: Doubles, sides: Integers, level: float, crossings: int) -> None:
-        """From triangles with a number of edges that cross the level; no sync."""
+        """From triangles with a number of edges that cross the level. No sync."""
         device, half_edges = triangles.device, 3 * triangles.size
         self.bits = max(1, values.size.bit_length())
         keys, mask = empty(half_edges, int64, device), empty(half_edges, uint8, device)
@@ -206,7 +206,7 @@ class LevelCut:
     their triangles. The vertex on cut edge i has index m + i; trailing vertices may be unused."""
 
     def __init__(self, triangles: Triangles, values: Doubles, level: float) -> None:
-        """Cut by finite float64 values [m]; one sync."""
+        """Cut by finite float64 values [m]. One sync."""
         device, self.triangles = triangles.device, triangles
         self.sides = empty(values.size, int32, device)
         launch(mark_sides_kernel, values.size, [values, level, self.sides])

@@ -22,7 +22,7 @@ from ..sampling.duplicates import WORD_BITS, hash_points_kernel, is_nan, same_po
 def unite_equal_kernel(
     points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """Unite a point with its predecessor if the coordinates are equal; NaN equals nothing."""
+    """Unite a point with its predecessor if the coordinates are equal. NaN equals nothing."""
     i = tid()
     p = points[order[i]]
     j = i - 1
@@ -94,7 +94,7 @@ def find_equal_vertices(vertices: Points) -> Indices:
 
 
 def number_owners(owners: Indices) -> tuple[Integers, int]:
-    """(places int32 [m + 1], count): new index of each owner; one sync."""
+    """(places int32 [m + 1], count): new index of each owner. One sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
     return exclusive_scan(marks)

@@ -1,6 +1,6 @@
 """Edge-connected components of a mesh, their triangle counts and areas.
 
-Triangles at an edge of any number are united; components are numbered by first triangle. Areas are float64 sums in
+Triangles at an edge of any number are united. Components are numbered by first triangle. Areas are float64 sums in
 blocks of 1024 by ascending triangle: bitwise reproducible. About 60 B per triangle.
 """
 
@@ -70,7 +70,7 @@ def fold_blocks_kernel(sums: array(dtype=float64), starts: array(dtype=int32), t
 
 @kernel
 def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), held: array(dtype=uint8)):
-    """1 for components with a marked triangle; all threads write the same value."""
+    """1 for components with a marked triangle. All threads write the same value."""
     i = tid()
     if marks[i] != 0:
         held[int(labels[i])] = uint8(1)
@@ -84,7 +84,7 @@ def holds_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
 
 
 def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
-    """(labels int64 [t], count) from the first triangle of each component; one sync."""
+    """(labels int64 [t], count) from the first triangle of each component. One sync."""
     device = parents.device
     marks, labels = empty(parents.size, uint8, device), empty(parents.size, int64, device)
     launch(mark_roots_kernel, parents.size, [parents, marks])
@@ -103,7 +103,7 @@ class PartOrder:
         find_key_starts(keys, self.starts)
 
     def counts(self) -> np.ndarray:
-        """Number of triangles of each component, int32 NumPy [count]; one sync."""
+        """Number of triangles of each component, int32 NumPy [count]. One sync."""
         return np.diff(download(self.starts))  # sync
 
     def sum(self, values: Doubles, counts: np.ndarray) -> Doubles:
@@ -151,7 +151,7 @@ def label_chosen_kernel(
 
 @kernel
 def start_parts_kernel(keys: array(dtype=int64), starts: array(dtype=int32)):
-    """First triangle of each component, and the end of the last; labels have no gaps."""
+    """First triangle of each component, and the end of the last. Labels have no gaps."""
     i = tid()
     before = -1
     if i > 0:
@@ -236,7 +236,7 @@ class Parts:
         launch(fold_part_blocks_kernel, count, [sums, self.starts, self.count, self.doubled])
 
     def read(self) -> tuple[np.ndarray, np.ndarray]:
-        """(triangle counts, areas): int32 and float64 NumPy arrays; two syncs."""
+        """(triangle counts, areas): int32 and float64 NumPy arrays. Two syncs."""
         count = int(download(self.count)[0])  # sync
         starts, doubled = read_together([self.starts[: count + 1], self.doubled[:count]]) if count else ([0], [])
         return np.diff(np.asarray(starts, np.int32)), np.asarray(doubled, np.float64) / 2

@@ -72,7 +72,7 @@ def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: arr
 
 @func
 def sums_of_corner(p: vec3d, q: vec3d, r: vec3d) -> ring_sums:
-    """Contribution of triangle (p, q, r) at p; not finite if it has no area."""
+    """Contribution of triangle (p, q, r) at p. Not finite if it has no area."""
     u = q - p
     v = r - p
     w = r - q
@@ -123,7 +123,7 @@ def measure_curvatures_kernel(
 
 
 def measure_curvatures(vertices: Points, triangles: Triangles) -> Array1[vec4d]:
-    """(mean, Gaussian, minimum, maximum) curvature of each vertex, vec4d [m]; one sync."""
+    """(mean, Gaussian, minimum, maximum) curvature of each vertex, vec4d [m]. One sync."""
     device = vertices.device
     edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)
     twins, curvatures = empty(3 * triangles.size, int32, device), empty(vertices.size, vec4d, device)

@@ -60,7 +60,7 @@ def sorted_edges(triangles: Triangles, vertex_count: int) -> tuple[LongIntegers,
 
 
 def find_edges(triangles: Triangles, vertex_count: int, padded: bool = False) -> UniqueKeys:
-    """Edges as UniqueKeys of half-edges; one sync, none if padded."""
+    """Edges as UniqueKeys of half-edges. One sync, none if padded."""
     keys, order = sorted_edges(triangles, vertex_count)
     return UniqueKeys(keys, 2 * key_bits(vertex_count), (keys, order), padded=padded)
 
@@ -74,7 +74,7 @@ def split_edge_keys_kernel(keys: array(dtype=int64), bits: int, lows: array(dtyp
 
 @kernel
 def split_padded_keys_kernel(edges: UniqueKeys, bits: int, lows: array(dtype=int32), highs: array(dtype=int32)):
-    """Both vertices of each edge; vertex 0 twice beyond the last one."""
+    """Both vertices of each edge. Vertex 0 twice beyond the last one."""
     i = tid()
     a = 0
     b = 0

@@ -19,7 +19,7 @@ def flip_triangles_kernel(triangles: array(dtype=vec3i), flipped: array(dtype=ve
 
 @kernel
 def mark_referenced_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32)):
-    """1 for vertices of triangles; all threads write the same value."""
+    """1 for vertices of triangles. All threads write the same value."""
     i = tid()
     t = triangles[i]
     used[t[0]] = 1
@@ -29,7 +29,7 @@ def mark_referenced_kernel(triangles: array(dtype=vec3i), used: array(dtype=int3
 
 @kernel
 def mark_chosen_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8), used: array(dtype=uint8)):
-    """1 for vertices of selected triangles; all threads write the same value."""
+    """1 for vertices of selected triangles. All threads write the same value."""
     i = tid()
     if mask[i] != 0:
         t = triangles[i]
@@ -94,7 +94,7 @@ def compare_triangles_kernel(triangles: array(dtype=vec3i), others: array(dtype=
 
 @kernel
 def find_first_places_kernel(rows: array(dtype=int32), places: array(dtype=int32)):
-    """First position of each row in a list; the minimum decides among several."""
+    """First position of each row in a list. The minimum decides among several."""
     i = tid()
     atomic_min(places, rows[i], i)
 
@@ -129,7 +129,7 @@ def later_listed(rows: Indices, count: int) -> Indices:
 
 
 def mark_places(rows: Indices, count: int) -> tuple[Integers, Indices]:
-    """(used, places), int32: mask of listed vertices and their positions; the list has no duplicates."""
+    """(used, places), int32: mask of listed vertices and their positions. The list has no duplicates."""
     used, places = zeros(count, int32, rows.device), empty(count, int32, rows.device)
     launch(mark_places_kernel, rows.size, [rows, used, places])
     return used, places
@@ -178,12 +178,12 @@ def flip_corners(values: Array1[vec2]) -> Array1[vec2]:
 
 
 def count_referenced(triangles: Triangles, vertex_count: int) -> int:
-    """Number of vertices in use; one sync."""
+    """Number of vertices in use. One sync."""
     return sum_counts(mark_referenced(triangles, vertex_count))
 
 
 def count_unlike(triangles: Triangles, others: Cells) -> int:
-    """Number of triangles that differ from a list at least as long; one sync."""
+    """Number of triangles that differ from a list at least as long. One sync."""
     unlike = empty(triangles.size, int32, triangles.device)
     launch(compare_triangles_kernel, triangles.size, [triangles, others, unlike])
     return sum_counts(unlike)
@@ -217,7 +217,7 @@ def list_rows_kernel(used: array(dtype=int32), places: array(dtype=int32), rows:
 def keep_counted(
     triangles: Triangles, used: Integers, places: Integers, count: int, per_vertex: Iterable[Vectors]
 ) -> tuple[Triangles, list[Any]]:
-    """`keep_vertices` with known count and places; no sync."""
+    """`keep_vertices` with known count and places. No sync."""
     device = triangles.device
     kept = []
     for rows in per_vertex:

@@ -1,6 +1,6 @@
 """Normals, area and volume of a triangle mesh, in float64 and a fixed order.
 
-Zero-area triangles and vertices get the normal (0, 0, 1), as in Open3D; triangles with a non-finite corner are ignored.
+Zero-area triangles and vertices get the normal (0, 0, 1), as in Open3D. Triangles with a non-finite corner are ignored.
 """
 
 from ..algebra.transform import widen
@@ -29,7 +29,7 @@ from .mesh_topology import CornersByVertex
 
 @func
 def triangle_cross(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
-    """Twice the area along the normal; zero if a corner is not finite."""
+    """Twice the area along the normal. Zero if a corner is not finite."""
     a = widen(vertices[t[0]])
     n = cross(widen(vertices[t[1]]) - a, widen(vertices[t[2]]) - a)
     if not isfinite(n):
@@ -51,7 +51,7 @@ def unit_or_up(n: vec3d) -> vec3:
 def compute_triangle_normals_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), normals: array(dtype=vec3)
 ):
-    """Unit normals of triangles; NaN if a corner is not finite."""
+    """Unit normals of triangles. NaN if a corner is not finite."""
     i = tid()
     t = triangles[i]
     normal = unit_or_up(triangle_cross(vertices, t))
@@ -70,7 +70,7 @@ def cross_triangles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=v
 def sum_vertex_normals_kernel(
     vertices: array(dtype=vec3), around: CornersByVertex, crosses: array(dtype=vec3d), normals: array(dtype=vec3)
 ):
-    """Unit normals of vertices; NaN if the vertex is not finite."""
+    """Unit normals of vertices. NaN if the vertex is not finite."""
     i = tid()
     total = vec3d(0.0, 0.0, 0.0)
     for j in range(around.starts[i], around.starts[i + 1]):

@@ -27,7 +27,7 @@ def list_corner_keys_kernel(triangles: array(dtype=vec3i), keys: array(dtype=int
 
 @kernel
 def find_starts_kernel(keys: array(dtype=int64), count: int, starts: array(dtype=int32)):
-    """starts[v] is the first position of a key >= v; one thread per key."""
+    """starts[v] is the first position of a key >= v. One thread per key."""
     i = tid()
     first = 0
     if i > 0:
@@ -96,7 +96,7 @@ def pair_edges_kernel(
     twins: array(dtype=int32),
     findings: array(dtype=int32),
 ):
-    """Opposite half-edge at edges with two triangles, else -1; all threads that set a finding write the same value."""
+    """Opposite half-edge at edges with two triangles, else -1. All threads that set a finding write the same value."""
     i = tid()
     count = keys.shape[0]
     key = keys[i]
@@ -184,7 +184,7 @@ class Topology(NamedTuple):
 def find_topology(
     triangles: Triangles, vertex_count: int, edges: tuple[LongIntegers, Integers] | None = None
 ) -> Integers:
-    """Topology flags as int32 [4]; `edges` of `sorted_edges` if known; no sync."""
+    """Topology flags as int32 [4]; `edges` of `sorted_edges` if known. No sync."""
     device, count = triangles.device, 3 * triangles.size
     keys, order = edges or sorted_edges(triangles, vertex_count)
     twins, findings = empty(count, int32, device), zeros(4, int32, device)
@@ -195,7 +195,7 @@ def find_topology(
 
 
 def examine(triangles: Triangles, vertex_count: int) -> Topology:
-    """Topology of triangles; one sync. Unused vertices are ignored."""
+    """Topology of triangles. One sync. Unused vertices are ignored."""
     return topology_of(download(find_topology(triangles, vertex_count)))  # sync
 
 

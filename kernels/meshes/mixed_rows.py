@@ -16,7 +16,7 @@ FLOATING = ("float16", "float32", "float64")  # types that are interpolated
 
 @struct
 class MixedRows:
-    """Vertices mixed from old ones: `rows` vec3i [n], `weights` vec3d [n], sum 1; the first `kept` are unchanged."""
+    """Vertices mixed from old ones: `rows` vec3i [n], `weights` vec3d [n], sum 1. The first `kept` are unchanged."""
 
     rows: array(dtype=vec3i)
     weights: array(dtype=vec3d)

@@ -47,7 +47,7 @@ def unite_forms_kernel(
     parents: array(dtype=int32),
     is_open: array(dtype=int32),
 ):
-    """Unite forms across edges with two triangles; mark triangles at other edges. All threads write the same value."""
+    """Unite forms across edges with two triangles. Mark triangles at other edges. All threads write the same value."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]
@@ -78,7 +78,7 @@ def read_forms_kernel(
     is_open: array(dtype=int32),
     twisted: array(dtype=int32),
 ):
-    """First triangle of each component, and whether to flip; non-orientable ones count as open (same value written)."""
+    """First triangle of each component, and whether to flip. Non-orientable ones count as open (same value written)."""
     i = tid()
     root = parents[2 * i]
     flip = root % 2
@@ -98,7 +98,7 @@ def measure_turned_kernel(
     flips: array(dtype=uint8),
     volumes: array(dtype=float64),
 ):
-    """Six times the volume between each oriented triangle and the first vertex of its component; 0 if not finite."""
+    """Six times the volume between each oriented triangle and the first vertex of its component. 0 if not finite."""
     i = tid()
     t = triangles[i]
     tip = triangles[firsts[i]]
@@ -112,7 +112,7 @@ def measure_turned_kernel(
 
 @kernel
 def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int64), open_parts: array(dtype=int32)):
-    """1 for components with an edge of other than two triangles; all threads write the same value."""
+    """1 for components with an edge of other than two triangles. All threads write the same value."""
     i = tid()
     if is_open[i] == 1:
         open_parts[int(labels[i])] = 1
@@ -181,12 +181,12 @@ class Orientation:
         launch(turn_parts_kernel, self.flips.size, [labels, upload(turned, uint8, device), self.flips])
 
     def follow_most(self) -> None:
-        """Flip components so that most triangles keep their orientation; on a tie, the first one does."""
+        """Flip components so that most triangles keep their orientation. On a tie, the first one does."""
         follow_most(self._firsts, self.flips)
 
 
 class OrientedParts(NamedTuple):
-    """Components connected by edges of two triangles: `labels` int64 [t]; NumPy [p] `counts`, signed `volumes`, and
+    """Components connected by edges of two triangles: `labels` int64 [t]. NumPy [p] `counts`, signed `volumes`, and
     `closed` (no boundary and orientable)."""
 
     labels: LongIntegers

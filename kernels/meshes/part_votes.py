@@ -1,4 +1,4 @@
-"""Majority votes and counts per component; components are named by one of their triangles.
+"""Majority votes and counts per component. Components are named by one of their triangles.
 
 One atomic on an integer per triangle, so the order does not matter.
 """

@@ -29,7 +29,7 @@ IN_PLANE_DOWN = 3
 def measure_heights_kernel(
     vertices: array(dtype=vec3), normal: vec3d, offset: float64, slack: float64, heights: array(dtype=float64)
 ):
-    """Heights above the plane; 0 within the slack and for non-finite vertices."""
+    """Heights above the plane. 0 within the slack and for non-finite vertices."""
     i = tid()
     height = float64(0.0)
     if isfinite(vertices[i]):
@@ -129,7 +129,7 @@ def mask_side_kernel(side_of: array(dtype=int32), with_up: int, mask: array(dtyp
 
 
 def measure_heights(vertices: Points, normal: np.ndarray, offset: float, slack: float) -> Doubles:
-    """Signed heights above a plane (unit normal, offset), float64 [m]; 0 within `slack`."""
+    """Signed heights above a plane (unit normal, offset), float64 [m]. 0 within `slack`."""
     heights = empty(vertices.size, float64, vertices.device)
     launch(measure_heights_kernel, vertices.size, [vertices, vec3d(*normal.tolist()), offset, slack, heights])
     return heights
@@ -172,7 +172,7 @@ def mark_in_plane(cut: LevelCut, kept: Mask | None = None) -> Mask:
 def read_half_edges(
     vertices: Points, pieces: Triangles, side_of: Integers, rows: Indices, places: tuple[Indices, Indices] | None = None
 ) -> HalfEdges:
-    """Read half-edges `rows` of pieces; one sync. `places` are new indices of vertices and pieces."""
+    """Read half-edges `rows` of pieces. One sync. `places` are new indices of vertices and pieces."""
     listed, ends = empty((rows.size, 4), int32, pieces.device), empty(2 * rows.size, vec3, pieces.device)
     launch(list_half_edges_kernel, rows.size, [vertices, pieces, side_of, rows, listed, ends])
     if places is not None:

@@ -2,7 +2,7 @@
 
 Yuksel, "Sample elimination for generating Poisson disk sample sets", Computer Graphics Forum 34(2), 2015. A sample
 weighs sum(w(d)) over remaining samples within r_max, w(d) = (1 - max(d, r_min) / r_max)^8. Each round removes all local
-maxima, equivalent to the paper's heap since weights only decrease; the last removals are undone. Integer weights, so
+maxima, equivalent to the paper's heap since weights only decrease. The last removals are undone. Integer weights, so
 the order does not matter. 8 B per neighbor and about 60 B per sample.
 """
 
@@ -33,7 +33,7 @@ from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
-BETA, GAMMA = 0.65, 1.5  # of the paper's r_min; its alpha, 8, is the power in `pair_weight`
+BETA, GAMMA = 0.65, 1.5  # of the paper's r_min. Its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbors it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
 IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
@@ -225,10 +225,10 @@ def remove_sample(i: int, samples: Elimination):
 
 @kernel
 def find_peaks_kernel(samples: Elimination):
-    """1 for samples that outweigh all neighbors; the atomic records whether any are left."""
+    """1 for samples that outweigh all neighbors. The atomic records whether any are left."""
     i = tid()
     if samples.states[i] > 0:
-        if samples.found[0] == 0:  # avoids most atomics; an old value only causes an extra one
+        if samples.found[0] == 0:  # avoids most atomics. An old value only causes an extra one
             atomic_max(samples.found, 0, 1)
         samples.peaks[i] = 1 - is_outweighed(i, samples)
 
@@ -267,8 +267,8 @@ def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), ke
 
 
 def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
-    """Ascending rows (int32 [kept]) of evenly spread samples; `widest` is r_max [m]. About 40 rounds of two launches;
-    one sync. Raises CrowdedError for more than 2^30 pairs of neighbors, MemoryError if device memory is exhausted."""
+    """Ascending rows (int32 [kept]) of evenly spread samples; `widest` is r_max [m]. About 40 rounds of two launches.
+    One sync. Raises CrowdedError for more than 2^30 pairs of neighbors, MemoryError if device memory is exhausted."""
     narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
     samples = Elimination(tree, widest, narrowest, kept)
     if tree.device.is_cuda or tree.count > IN_TURN:

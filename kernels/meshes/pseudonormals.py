@@ -37,7 +37,7 @@ NARROW = 1e-16  # sine squared of the angle at the first corner: below it float3
 
 @func
 def unit_normal(vertices: array(dtype=vec3), t: vec3i) -> vec3d:
-    """Unit normal of a triangle; zero if it has no area."""
+    """Unit normal of a triangle. Zero if it has no area."""
     n = triangle_cross(vertices, t)
     size = length(n)
     if size > 0.0:

@@ -74,7 +74,7 @@ def unite_ends_kernel(
 
 
 def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
-    """Lowest vertex at each surface position, int32 [m]; None without a boundary."""
+    """Lowest vertex at each surface position, int32 [m]. None without a boundary."""
     device, count = triangles.device, vertices.size
     border = empty(3 * triangles.size, uint8, device)
     launch(mark_border_kernel, border.size, [*sorted_edges(triangles, count), border])

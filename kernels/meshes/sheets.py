@@ -1,7 +1,7 @@
 """Manifold sheets of a mesh: non-manifold edges are cut, and half-edges are stitched again in pairs.
 
 After Guéziec, Taubin, Lazarus and Horn, "Cutting and stitching: converting sets of polygons to manifold surfaces", IEEE
-TVCG 7(2), 2001. Two half-edges alone on an edge are a pair; all others are matched by the positions of their ends. If
+TVCG 7(2), 2001. Two half-edges alone on an edge are a pair. All others are matched by the positions of their ends. If
 more than two meet, they are sorted by angle around the edge and matched like brackets around solids, so that touching
 solids stay separate. Otherwise the flattest pairs match first, complete sheets before others. A triangle matches its
 own opposite copy last. Same-direction pairs at crowded edges are kept only if their component stays two-sided. About
@@ -91,7 +91,7 @@ class OpenEdges:
 
 @kernel
 def pair_two_kernel(open_edges: OpenEdges, twins: array(dtype=int32), natural: array(dtype=uint8)):
-    """Pair two half-edges at one position; mark triangles of single ones."""
+    """Pair two half-edges at one position. Mark triangles of single ones."""
     i = tid()
     first = open_edges.starts[i]
     count = open_edges.starts[i + 1] - first
@@ -136,7 +136,7 @@ def measure_angles(
 
 @func
 def sort_by_angle(open_edges: OpenEdges, first: int, last: int):
-    """Sort the half-edges of an edge by angle; on ties, those that end a solid come first."""
+    """Sort the half-edges of an edge by angle. On ties, those that end a solid come first."""
     for p in range(first + 1, last):
         q = p
         while q > first and open_edges.angles[open_edges.order[max(q - 1, 0)]] > open_edges.angles[p]:
@@ -354,7 +354,7 @@ def unite_runs_kernel(edges: UniqueKeys, parents: array(dtype=int32)):
 
 @kernel
 def mark_roots_kernel(parents: array(dtype=int32), marks: array(dtype=uint8), of_part: array(dtype=uint8)):
-    """1 at the first triangle of a component with a marked one; all threads write the same value."""
+    """1 at the first triangle of a component with a marked one. All threads write the same value."""
     i = tid()
     if marks[i] != 0:
         of_part[parents[i]] = uint8(1)
@@ -374,7 +374,7 @@ def pair_given_kernel(
     twins: array(dtype=int32),
     is_open: array(dtype=uint8),
 ):
-    """Pair the half-edges alone on an edge; mark the others, and those of a loose triangle and its copy."""
+    """Pair the half-edges alone on an edge. Mark the others, and those of a loose triangle and its copy."""
     i = tid()
     first = edges.starts[i]
     last = edges.starts[i + 1]

@@ -122,14 +122,14 @@ def take_triangle_normals_kernel(
 
 
 def measure_areas(vertices: Points, triangles: Triangles) -> Doubles:
-    """Twice the area of each triangle, float64 [t]; zero if a corner is not finite."""
+    """Twice the area of each triangle, float64 [t]. Zero if a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(measure_areas_kernel, triangles.size, [vertices, triangles, areas])
     return areas
 
 
 def triangle_areas(vertices: Points, triangles: Triangles) -> Doubles:
-    """Area of each triangle, float64 [t]; NaN if a corner is not finite."""
+    """Area of each triangle, float64 [t]. NaN if a corner is not finite."""
     areas = empty(triangles.size, float64, vertices.device)
     launch(list_areas_kernel, areas.size, [vertices, triangles, areas])
     return areas

@@ -54,7 +54,7 @@ def find_edges_of_parts_kernel(
     is_open: array(dtype=int32),
     touches: array(dtype=int32),
 ):
-    """Components at the mesh boundary, and those adjacent to triangles of none; all threads write 1."""
+    """Components at the mesh boundary, and those adjacent to triangles of none. All threads write 1."""
     i = tid()
     count = labels.shape[0]
     part = int(labels[order[i] // 3])
@@ -86,7 +86,7 @@ def change_small_parts(vertices: Points, pieces: Triangles, mask: Mask, ratio: f
 
 
 def mask_trimmed(vertices: Points, cut: LevelCut, whole: Triangles, island_ratio: float) -> Mask:
-    """Pieces of a cut that remain, uint8 [p]; components below a fraction of the area change sides. No sync."""
+    """Pieces of a cut that remain, uint8 [p]. Components below a fraction of the area change sides. No sync."""
     if island_ratio > 0:
         twice = reduce(measure_triangle, whole.size, [vertices, whole])
         change_small_parts(vertices, cut.pieces, cut.above, island_ratio, twice)

@@ -37,7 +37,7 @@ TINY_ANGLE = 1.0e-12  # [rad] below, a rotation is negligible in float32
 
 @struct
 class ScrewMotion:
-    """Constant-velocity screw: `span`, start and end times; rotation `axis`, `angle` [rad]; `velocity` [m]."""
+    """Constant-velocity screw: `span`, start and end times. Rotation `axis`, `angle` [rad]; `velocity` [m]."""
 
     span: array(dtype=float64)
     axis: vec3
@@ -53,7 +53,7 @@ class ScrewMotion:
 
 @func
 def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
-    """Move p by a fraction of exp(angle * axis, velocity); 2 sin^2(a / 2) is accurate for small a."""
+    """Move p by a fraction of exp(angle * axis, velocity). 2 sin^2(a / 2) is accurate for small a."""
     a = share * motion.angle
     sine = sin(a)
     half = sin(0.5 * a)
@@ -105,7 +105,7 @@ def fold_times_kernel(ends: array(dtype=float64), span: array(dtype=float64)):
 def deskew_points_kernel(
     points: array(dtype=vec3), times: array(dtype=float64), origin: vec3d, motion: ScrewMotion, out: array(dtype=vec3)
 ):
-    """Each point as seen at the last time; NaN without a time, unless no point has one."""
+    """Each point as seen at the last time. NaN without a time, unless no point has one."""
     i = tid()
     first = motion.span[0]
     last = motion.span[1]

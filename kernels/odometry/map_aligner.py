@@ -36,15 +36,15 @@ from .map_icp import SUMS
 from .voxel_map import VoxelMap
 
 CPU_RUN = 32  # points per thread: some tens of threads and rows per scan
-CUDA_RUN = 1  # a GPU needs the threads; a second stage sums FOLD rows each
+CUDA_RUN = 1  # a GPU needs the threads. A second stage sums FOLD rows each
 MIN_PAIRS = 6  # fewer do not fix a pose against noise
 MIN_ROOM = 1024  # minimum room for scan points
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """Options of an ICP loop: start `pose` if GIVEN; `max_distance` [m], within 27 voxels; Geman-McClure `kernel_scale`
-    [m^2]; `tolerance` of the motion (rad, m); `least` correspondences, else lost; maximum `turns`; `few`: use the
+    """Options of an ICP loop: start `pose` if GIVEN; `max_distance` [m], within 27 voxels. Geman-McClure `kernel_scale`
+    [m^2]; `tolerance` of the motion (rad, m); `least` correspondences, else lost. Maximum `turns`; `few`: use the
     reduced scan; `is_held`: add the course's matrix; `is_needed`: stop if lost.
     """
 

@@ -1,7 +1,7 @@
 """Device loop over a scan's ICP legs.
 
 A leg starts at a given pose, at the end of the first leg, or at that of the cheapest before it, so a scan needs one
-sync. An iteration is two launches, three on CUDA: runs of points are matched and summed in fixed order; one thread
+sync. An iteration is two launches, three on CUDA: runs of points are matched and summed in fixed order. One thread
 solves, moves the pose and decides. Source: as map_icp.py.
 """
 
@@ -31,7 +31,7 @@ RESULT = 22
 
 @struct
 class Course:
-    """State of a course: `points` with the reduced scan behind; `planes` and `known` map positions (-1) per point; a
+    """State of a course: `points` with the reduced scan behind; `planes` and `known` map positions (-1) per point. A
     row per leg in `orders` (last: held matrix, leg count) and `results` (last: plane information); `states`: leg and
     iteration; `poses` T_map_sensor; `plane_reach` [m].
     """
@@ -99,7 +99,7 @@ def start_of(leg: int, course: Course) -> mat44d:
 
 @kernel
 def load_scan_kernel(points: array(dtype=vec3), few: array(dtype=vec3), course: Course):
-    """Copy the scan and the reduced scan; reset the planes."""
+    """Copy the scan and the reduced scan. Reset the planes."""
     i = tid()
     count = points.shape[0]
     if i < count:

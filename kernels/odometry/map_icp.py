@@ -2,7 +2,7 @@
 
 Float64 sums about the sensor, independent of the distance traveled. Points on a plane count along the normal (plus a
 little regularization), points among scattered neighbors in all directions, points on lines almost nothing, since scan
-rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight; Chen and
+rings on far ground move with the scanner. Vizzo et al. 2023, "KISS-ICP", eqs. 9 to 12, Geman-McClure weight. Chen and
 Medioni 1991 for planes.
 """
 
@@ -19,7 +19,7 @@ SQUARES = 27
 PAIRS = 28
 COST = 29
 TELLING = 30
-FEW = 5.0  # points around the nearest one; fewer define no plane
+FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
 HELD = 1.0e-3  # weight of undetermined directions: keeps the system solvable

@@ -107,7 +107,7 @@ def keep_firsts_kernel(
 
 
 def shift_points(points: Points, origin: np.ndarray) -> Points:
-    """Points about zero instead of an origin (3); the array itself if that is zero."""
+    """Points about zero instead of an origin (3). The array itself if that is zero."""
     if not any(origin):
         return points
     out = empty(points.size, vec3, points.device)
@@ -134,7 +134,7 @@ def first_in_voxels(points: Points, voxel_size: float, least: float, most: float
 
 
 def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, most: float) -> list[Points]:
-    """Repeated `first_in_voxels` with each size [m]; one sync on CUDA."""
+    """Repeated `first_in_voxels` with each size [m]. One sync on CUDA."""
     index_bits = max(points.size - 1, 0).bit_length()
     chain = [_cells_within(most, size) for size in voxel_sizes]
     if not points.device.is_cuda or not points.size or max(c.key_bits for c in chain) + index_bits > ENTRY_BITS:

@@ -55,7 +55,7 @@ def find_squares_kernel(
 
 
 def compare_poses(points: Points, most: int, voxel_map: VoxelMap, poses: np.ndarray, reach: float) -> np.ndarray:
-    """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`; one sync. `most`:
+    """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync. `most`:
     approximate points used; `reach` [m]: radius of plane neighborhoods, planes are searched twice as far.
     """
     device = points.device

@@ -122,7 +122,7 @@ SPARE_CELLS = 2  # voxels that a scan may exceed its range by: rounding, and the
 
 @struct
 class VoxelMap:
-    """Points in voxels: `voxel_size` [m]; `room` points per voxel; minimum squared distance `sqspacing` [m^2]; `keys`
+    """Points in voxels: `voxel_size` [m]; `room` points per voxel. Minimum squared distance `sqspacing` [m^2]; `keys`
     in insertion order; `places` relative to voxel corners [m]; `totals`: CUDA voxel counts after even and odd changes.
     """
 

@@ -2,8 +2,8 @@
 
 An edge joins correspondences that preserve the distance between their ends within twice the noise (TEASER: Yang, Shi
 and Carlone 2021, section IV). Common neighbors separate inliers at 1 % (SC2-PCR: Chen et al., CVPR 2022, section 3.2).
-Each seed and its best neighbors give a pose; the best are refined by graduated non-convexity (Yang et al., RA-L 2020,
-eqs. 13 and 14), starting at twice the noise bound. Bit rows of m^2 / 8 bytes; fixed-order sums.
+Each seed and its best neighbors give a pose. The best are refined by graduated non-convexity (Yang et al., RA-L 2020,
+eqs. 13 and 14), starting at twice the noise bound. Bit rows of m^2 / 8 bytes. Fixed-order sums.
 """
 
 import numpy as np
@@ -71,7 +71,7 @@ class CompatibilityGraph:
         launch(connect_pairs_kernel, self.count, [self, bound, least])
 
     def support(self, work: int = WORK) -> LongIntegers:
-        """Twice the triangles of each vertex, int64 (m); 0 for low degrees beyond `work` words."""
+        """Twice the triangles of each vertex, int64 (m). 0 for low degrees beyond `work` words."""
         sums, degrees = zeros(self.count, int64, self.device), empty(self.count, int64, self.device)
         launch(widen_counts_kernel, self.count, [self.degrees, degrees])
         order = order_descending(degrees)
@@ -91,7 +91,7 @@ class CompatibilityGraph:
         return gather_rows(rows, order[: min(most, rows.size)])
 
     def common(self, rows: Indices) -> Integers:
-        """Common neighbors of some rows with all vertices, int32 (rows * m); 0 without an edge."""
+        """Common neighbors of some rows with all vertices, int32 (rows * m). 0 without an edge."""
         common = empty(rows.size * self.count, int32, self.device)
         launch(list_common_kernel, rows.size, [self, rows, common])
         return common
@@ -168,7 +168,7 @@ def sum_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), sums:
 
 @kernel
 def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), common: array(dtype=int32)):
-    """Common neighbors of a row with each adjacent correspondence; 0 for others."""
+    """Common neighbors of a row with each adjacent correspondence. 0 for others."""
     i = tid()
     row = rows[i] * graph.words
     for j in range(graph.pairs.count):
@@ -289,7 +289,7 @@ def sum_truncated_kernel(
     share: float64,
     partials: array(dtype=float64, ndim=2),
 ):
-    """Weighted sums of a block of correspondences under one pose; last, the reduction of the truncated cost."""
+    """Weighted sums of a block of correspondences under one pose. Last, the reduction of the truncated cost."""
     i = tid()
     pose = poses[i // pairs.blocks]
     s = pair_sums(0.0)
@@ -305,7 +305,7 @@ def sum_truncated_kernel(
 
 @segment_reduction
 def sum_truncated(pairs: PairCoordinates, poses: array(dtype=mat44d), limit: float64, share: float64) -> all_sums:
-    """Weighted sums of a correspondence under one pose; last, the reduction of the truncated cost."""
+    """Weighted sums of a correspondence under one pose. Last, the reduction of the truncated cost."""
     i = tid()
     p = source_point(pairs, i % pairs.count)
     q = target_point(pairs, i % pairs.count)
@@ -325,7 +325,7 @@ def step_poses_kernel(
     poses: array(dtype=mat44d),
     saved: array(dtype=float64),
 ):
-    """Cost reduction of each pose; then refit it, except in the last step."""
+    """Cost reduction of each pose. Then refit it, except in the last step."""
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
     saved[i] = total[SUMS]
@@ -342,7 +342,7 @@ def seed_poses(graph: CompatibilityGraph, seeds: Integers) -> tuple[Poses, Indic
 
 
 def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps: int = STEPS) -> Doubles:
-    """Fit poses (in place) by graduated non-convexity; returns inlier sums of 1 - (residual / distance)^2."""
+    """Fit poses (in place) by graduated non-convexity. Returns inlier sums of 1 - (residual / distance)^2."""
     saved = empty(poses.size, float64, pairs.device)
     sums, limit, share = PoseSums(pairs, poses.size), distance * distance, FIRST_SHARE
     for step in range(steps + 1):
@@ -376,7 +376,7 @@ def stack_poses_kernel(poses: array(dtype=mat44d), values: array(dtype=float64),
 
 
 def read_poses(poses: Poses, values: Doubles) -> tuple[np.ndarray, np.ndarray]:
-    """A value per pose, float64 (k), and the poses (k, 4, 4) on the host; one sync."""
+    """A value per pose, float64 (k), and the poses (k, 4, 4) on the host. One sync."""
     rows = empty((poses.size, 17), float64, poses.device)
     launch(stack_poses_kernel, poses.size, [poses, values, rows])
     found = download(rows).copy()  # sync

@@ -268,7 +268,7 @@ def place_anchors_kernel(
 
 @kernel
 def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, shifts: array(dtype=vec3d)):
-    """Shifts of the anchors that another lattice has; zero for new ones."""
+    """Shifts of the anchors that another lattice has. Zero for new ones."""
     i = tid()
     found = find_position(anchor_keys[i], known.anchors)
     shift = vec3d(0.0, 0.0, 0.0)
@@ -288,7 +288,7 @@ def sum_bent_pairs(points: array(dtype=vec3), moved: array(dtype=vec3)) -> pair_
 
 
 def make_lattice(cell_size: float, points: Points, known: ControlLattice | None = None) -> ControlLattice:
-    """Lattice of the cells of points and of the `known` lattice, whose shifts it keeps; one sync."""
+    """Lattice of the cells of points and of the `known` lattice, whose shifts it keeps. One sync."""
     device = points.device
     keys = empty(points.size, int64, device)
     launch(key_cells_kernel, points.size, [points, float(cell_size), keys])

@@ -95,7 +95,7 @@ def run_length(squares: Array2[float32]) -> int:
 
 
 def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
-    """Compare costs of poses with the first, float64 (k, 4), from squared plane distances [m^2] (-1: none); one sync.
+    """Compare costs of poses with the first, float64 (k, 4), from squared plane distances [m^2] (-1: none). One sync.
     Columns: sum of cost differences (costs 0..1), of their squares, points with a plane at both, sum of improvements.
     """
     device, (k, count), run = squares.device, squares.shape, run_length(squares)

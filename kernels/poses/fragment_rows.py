@@ -1,6 +1,6 @@
 """Point-to-plane rows between deformed fragments (Zhou and Koltun 2014, eqs. 4 to 6).
 
-A row pairs a point p with its nearest point q of another fragment, both deformed by the lattice and posed; the residual
+A row pairs a point p with its nearest point q of another fragment, both deformed by the lattice and posed. The residual
 is (p' - q') n'. Derivatives are recomputed from 100 B per row. Sums have a fixed order.
 """
 
@@ -60,7 +60,7 @@ slope_sums = vector(6, float64)
 @struct
 class FragmentRows:
     """Rows at given poses and shifts. `ends`: source and target fragments per pair; `places`, `normals`: q' and n' in
-    the pose frame; cells (-1: rigid); `residuals` [m]; `images`: product with a step; `order`: 2 row + 1 for the
+    the pose frame. Cells (-1: rigid); `residuals` [m]; `images`: product with a step; `order`: 2 row + 1 for the
     target.
     """
 
@@ -82,7 +82,7 @@ class FragmentRows:
         device, self.count, self.ends = ends.device, count, ends
         self.pairs = empty(count, int32, device)
         self.starts = np.zeros(1, np.int64)
-        self.sums: SegmentBlocks  # of the rows of each pair; set once they are known
+        self.sums: SegmentBlocks  # of the rows of each pair. Set once they are known
         for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
@@ -144,7 +144,7 @@ def pair_points_kernel(
     partners: array(dtype=int32),
     kept: array(dtype=uint8),
 ):
-    """Partner of each point if the normals agree; of either sign if they are unoriented."""
+    """Partner of each point if the normals agree. Of either sign if they are unoriented."""
     i = tid()
     partner = key_index(nearest[i])
     keep = 0
@@ -199,7 +199,7 @@ def fill_rows_kernel(
 
 @kernel
 def key_ends_kernel(cell_count: int, rows: FragmentRows, keys: array(dtype=int64)):
-    """Cell of each row end; the last number if it has none."""
+    """Cell of each row end. The last number if it has none."""
     i = tid()
     cell = rows.source_cells[i // 2]
     if i % 2 == 1:

@@ -39,7 +39,7 @@ from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
 
 DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
-TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned); 1e-6 changes no point by 10 um
+TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned). 1e-6 changes no point by 10 um
 MAX_TURNS = 1000
 pose_block = vector(21, float64)
 anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
@@ -207,7 +207,7 @@ def gather_anchors_kernel(
 
 @kernel
 def factor_fragments_kernel(damping: float64, system: StepSystem):
-    """Damping and block factors of each fragment; zero without rows."""
+    """Damping and block factors of each fragment. Zero without rows."""
     i = tid()
     total = triangle(0.0)
     for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
@@ -233,7 +233,7 @@ def add_anchor_blocks_kernel(corner: int, lattice: ControlLattice, system: StepS
 
 @func
 def invert_symmetric(a: mat33d) -> mat33d:
-    """Inverse of a positive definite matrix by cofactors; zero if singular."""
+    """Inverse of a positive definite matrix by cofactors. Zero if singular."""
     xx = a[1, 1] * a[2, 2] - a[1, 2] * a[1, 2]
     xy = a[0, 2] * a[1, 2] - a[0, 1] * a[2, 2]
     xz = a[0, 1] * a[1, 2] - a[0, 2] * a[1, 1]

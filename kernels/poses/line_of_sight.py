@@ -1,7 +1,7 @@
 """Visibility check: candidate viewpoints of a cloud, and points of another cloud that block the view.
 
 Viewpoints on a grid over the box are kept if few of the cloud's points are hidden. Points of another cloud in front of
-the surface from all viewpoints contradict a common scene. Each view is a cube map of minimum distances; a point blocks
+the surface from all viewpoints contradict a common scene. Each view is a cube map of minimum distances. A point blocks
 only if nearer than all nine cells around it. Assumes one nearly stationary sensor.
 """
 
@@ -43,7 +43,7 @@ RUN = 32  # points per thread
 
 @struct
 class Sight:
-    """A cloud seen from viewpoints: `ranges` [m] per cube-map cell, infinite if empty; surface `margin` [m]."""
+    """A cloud seen from viewpoints: `ranges` [m] per cube-map cell, infinite if empty. Surface `margin` [m]."""
 
     places: array(dtype=vec3d)
     ranges: array(dtype=float32)
@@ -109,7 +109,7 @@ def count_hidden_kernel(points: array(dtype=vec3), count: int, sight: Sight, cou
 
 @func
 def least_around(sight: Sight, place: int, p: vec3d) -> float:
-    """Minimum over the nine cells around a direction, within its face; 0 if its own is empty."""
+    """Minimum over the nine cells around a direction, within its face. 0 if its own is empty."""
     located = locate_direction(p)
     u = grid_place(located[1], sight.width)
     v = grid_place(located[2], sight.width)
@@ -140,7 +140,7 @@ def count_in_the_way_kernel(
 
 
 def find_sight(points: Points, margin: float) -> Sight | None:
-    """Candidate viewpoints of finite points; None if none sees most of the cloud. Deterministic, two syncs."""
+    """Candidate viewpoints of finite points. None if none sees most of the cloud. Deterministic, two syncs."""
     if not points.size:
         return None
     some = contiguous(points[:: max(1, -(-points.size // SAMPLE))])

@@ -1,6 +1,6 @@
 """Dominant planes of a surface, such as floors and walls: sequential plane extraction without random sampling.
 
-A subset of points (voters) proposes tangent planes; the plane with most inliers is fitted, its inliers are removed, and
+A subset of points (voters) proposes tangent planes. The plane with most inliers is fitted, its inliers are removed, and
 so on, as in Schnabel, Wahl and Klein 2007 ("Efficient RANSAC for point-cloud shape detection"). No sync.
 """
 
@@ -162,7 +162,7 @@ def sum_coplanar(voters: Voters, slab: float, cosine: float) -> moments:
 
 @kernel
 def fit_plane_kernel(sums: array(dtype=moments), is_last: int, voters: Voters, planes: MainPlanes):
-    """Fit the plane to its inliers; store it in the last step if there are enough. One thread."""
+    """Fit the plane to its inliers. Store it in the last step if there are enough. One thread."""
     i = tid()
     m = sums[i]
     if m[0] < float64(FEWEST):

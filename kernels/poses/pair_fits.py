@@ -61,7 +61,7 @@ class PairCoordinates:
     def __init__(
         self, source: Points, target: Points, pairs: Array2[int32], source_middle: np.ndarray, target_middle: np.ndarray
     ) -> None:
-        """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3; centers as float32 (3)."""
+        """Select the finite correspondences `pairs` (int32 (m, 2)) of two arrays of vec3. Centers as float32 (3)."""
         device = source.device
         mask = empty(pairs.shape[0], uint8, device)
         launch(mask_finite_pairs_kernel, mask.size, [source, target, pairs, mask])
@@ -104,7 +104,7 @@ class PairCoordinates:
         return best, scores
 
     def anneal(self, pose: Poses, mu: float, least: float, divisor: float, every: int, steps: int) -> Poses:
-        """Minimize the Geman-McClure cost with decreasing scale mu [m^2]; returns the pose before the last step."""
+        """Minimize the Geman-McClure cost with decreasing scale mu [m^2]. Returns the pose before the last step."""
         previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
         sums, left = PoseSums(self, 1), full(1, steps, int32, self.device)
         step = [divisor, least, every, steps, left, pose, previous, limits]
@@ -275,7 +275,7 @@ def fold_blocks(partials: array(dtype=float64, ndim=2), first: int, blocks: int)
 
 @func
 def fit_of(total: all_sums, pose: mat44d, with_scaling: int) -> mat44d:
-    """Weighted best fit; the old pose if the weights are zero."""
+    """Weighted best fit. The old pose if the weights are zero."""
     s = pair_sums(0.0)
     for k in range(SUMS):
         s[k] = total[k]

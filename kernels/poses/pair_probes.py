@@ -22,7 +22,7 @@ from .overlap_evidence import MATCHED_AT, Overlap
 @dataclass(frozen=True)
 class Hold:
     """Constraint of a pose: `triangle` (21) of the normal matrix (rotation first, in units of the RMS distance
-    `lever`); weighted `matches`; `middle` about the target's origin [m].
+    `lever`). Weighted `matches`; `middle` about the target's origin [m].
     """
 
     triangle: np.ndarray
@@ -75,7 +75,7 @@ def measure_offsets_kernel(
 def compare_pair(
     source: Surface, target: Surface, most: int, poses: np.ndarray, reach: float, cosine: float, voxel_size: float
 ) -> np.ndarray:
-    """Cost changes when one surface moves from its pose (the first) to others, (k, 4) as of `compare_costs`; one sync.
+    """Cost changes when one surface moves from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync.
     The surfaces must not be thinned on a common grid, which would bias the result.
     """
     device = source.device

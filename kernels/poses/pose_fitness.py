@@ -1,6 +1,6 @@
 """Number of points of a cloud with a near point of another cloud, under many poses.
 
-Eight consecutive points on the curve form one box for the tree and eight lanes for a leaf; their traversal ends when
+Eight consecutive points on the curve form one box for the tree and eight lanes for a leaf. Their traversal ends when
 each has a match. Distances are bitwise those of find_nearest.
 """
 
@@ -160,7 +160,7 @@ class Course:
 
 @func
 def moved_point(pose: mat44d, row: int, fitness: PoseFitness) -> vec3:
-    """Source point in target coordinates; the pose is about the two centers."""
+    """Source point in target coordinates. The pose is about the two centers."""
     p = widen(fitness.source[row])
     return narrow(move(pose, p - widen(fitness.source_middle)) + widen(fitness.target_middle))
 
@@ -198,7 +198,7 @@ def count_met_kernel(
     reach: float,
     counts: array(dtype=int32),
 ):
-    """Count the matches of a run of groups under one wanted pose; integer sums."""
+    """Count the matches of a run of groups under one wanted pose. Integer sums."""
     i = tid()
     source_count = fitness.source.shape[0]
     groups = (source_count + LEAF - 1) // LEAF
@@ -269,7 +269,7 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
 
 @kernel(most_registers=128)  # for two blocks per SM
 def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_scaling: int, course: Course):
-    """Keep and refit a pose whose cost is below the best; else stop."""
+    """Keep and refit a pose whose cost is below the best. Else stop."""
     i = tid()
     total = sums[i]
     cost = total[SUMS] - total[0] * limit  # minus that of all unmatched points
@@ -289,12 +289,12 @@ def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_sca
 
 
 def middle_of(low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """Center of a box, float32 (3); zero if empty."""
+    """Center of a box, float32 (3). Zero if empty."""
     if not np.isfinite(low).all():
         return np.zeros(3, np.float32)
     return (0.5 * (low.astype(np.float64) + high)).astype(np.float32)
 
 
 def half_diagonal(low: np.ndarray, high: np.ndarray) -> float:
-    """Half the diagonal of a box; zero if empty."""
+    """Half the diagonal of a box. Zero if empty."""
     return 0.5 * float(norm(high.astype(np.float64) - low)) if np.isfinite(low).all() else 0.0

@@ -116,7 +116,7 @@ def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity:
 
 @kernel
 def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int):
-    """Draw distinct sample `first + i` (Bentley and Floyd, CACM 1987); 1 if all its lengths agree."""
+    """Draw distinct sample `first + i` (Bentley and Floyd, CACM 1987). 1 if all its lengths agree."""
     i = tid()
     base = i * samples.size
     similar = 1
@@ -164,7 +164,7 @@ def fit_samples_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
 ):
-    """Pose of each chosen sample; score 0, or REFUSED if a check fails."""
+    """Pose of each chosen sample. Score 0, or REFUSED if a check fails."""
     i = tid()
     if samples.kept[chosen[i]] == 0:
         scores[i] = REFUSED
@@ -230,7 +230,7 @@ def score_poses_kernel(
     limit: float,
     scores: array(dtype=int32),
 ):
-    """Count correspondences within a squared distance under each pose; integer sums."""
+    """Count correspondences within a squared distance under each pose. Integer sums."""
     i = tid()
     groups = (poses.shape[0] + GROUP - 1) // GROUP
     head = (i // groups) * run
@@ -262,7 +262,7 @@ def score_in_lanes_kernel(
     limit: float,
     scores: array(dtype=int32),
 ):
-    """CUDA variant, one correspondence per lane; a warp skips refused poses together."""
+    """CUDA variant, one correspondence per lane. A warp skips refused poses together."""
     i = tid()
     groups = (poses.shape[0] + GROUP - 1) // GROUP
     first = (i // WARP // groups) * size_of_block

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .pose_fitness import PoseFitness
 
 FIRST_ROUND, MIN_ROUND, MAX_ROUND = 4096, 1024, 16384  # hypotheses per round
-SCORED = 4096  # correspondences that rank the hypotheses of a round; at 1 % inliers 40 of them support a correct one
+SCORED = 4096  # correspondences that rank the hypotheses of a round. At 1 % inliers 40 of them support a correct one
 RANKED = 2048  # hypotheses of a round considered for refitting
 KEPT = 16  # distinct ones scored by the whole cloud
 APART = 2.0  # match distances: minimum displacement of some source box point between distinct poses
@@ -79,7 +79,7 @@ def keep_apart_kernel(
     kept: array(dtype=mat44d),
     kept_count: array(dtype=int32),
 ):
-    """The first KEPT distinct poses in order, up to the REFUSED, in one thread; the rest repeats the first."""
+    """The first KEPT distinct poses in order, up to the REFUSED, in one thread. The rest repeats the first."""
     i = tid()
     found = 0
     ranked = min(order.shape[0], RANKED)
@@ -272,7 +272,7 @@ class PoseSearch:
         self._contest(found, poses, inliers, states["counts"][rows].copy(), distance)
 
     def _keep_apart(self, poses: Poses, scores: Integers, distance: float) -> int:
-        """Keep the best distinct poses; return how many to evaluate, all on CUDA."""
+        """Keep the best distinct poses. Return how many to evaluate, all on CUDA."""
         keys = empty(scores.size, int64, self.device)
         most = self.ranking.count
         launch(rank_keys_kernel, scores.size, [scores, most, keys])

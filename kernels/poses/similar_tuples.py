@@ -29,7 +29,7 @@ def test_tuples_kernel(
     tuples: array(dtype=int32, ndim=2),
     passed: array(dtype=uint8),
 ):
-    """Draw triple `first + i`; 1 if all sides agree within the ratio."""
+    """Draw triple `first + i`. 1 if all sides agree within the ratio."""
     i = tid()
     for j in range(TRIPLE):
         tuples[i, j] = random_below(random_bits(seed, first + i, j), pairs.count)

@@ -98,7 +98,7 @@ def sign_distances_kernel(
     numbers: array(dtype=float64),
     distances: array(dtype=float32),
 ):
-    """Distances, negative where the winding number indicates inside; NaN for non-finite queries."""
+    """Distances, negative where the winding number indicates inside. NaN for non-finite queries."""
     i = tid()
     distance = float(sqrt(sqdists[i]))
     number = numbers[i]
@@ -134,7 +134,7 @@ def mark_inside_kernel(distances: array(dtype=float32), inside: array(dtype=floa
 
 
 def mark_inside(distances: Scalars) -> Scalars:
-    """float32 (n), 1 where signed distances are <= 0, else 0; NaN stays."""
+    """float32 (n), 1 where signed distances are <= 0, else 0. NaN stays."""
     inside = empty(distances.size, float32, distances.device)
     launch(mark_inside_kernel, inside.size, [distances, inside])
     return inside

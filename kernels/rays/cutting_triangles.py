@@ -153,7 +153,7 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
 
 @func
 def holds(t: vec3i, p: int, side2: callback) -> int:
-    """True if a triangle contains a point of its plane; APART if it is degenerate, since its edges are tested too."""
+    """True if a triangle contains a point of its plane. APART if it is degenerate, since its edges are tested too."""
     verdict = int(MEETING)
     has_area = 0
     low = 0
@@ -292,7 +292,7 @@ def find_partners(
     partners: array(dtype=int32),
     verdicts: array(dtype=uint8),
 ) -> int:
-    """Count the triangles that meet triangle i or may, `within` one mesh higher ones; list them if `first` >= 0."""
+    """Count the triangles that meet triangle i or may, `within` one mesh higher ones. List them if `first` >= 0."""
     count = 0
     s = triangles[i]
     p = vertices[s[0]]
@@ -432,7 +432,7 @@ def _about(vertices: Points) -> list[Integers]:
 def find_meeting_pairs(
     tree: TriangleTree, vertices: Points, triangles: Triangles, others: Cells, *, within: bool
 ) -> tuple[Indices, Indices]:
-    """Intersecting pairs (first, second), ascending; two syncs, three if exact tests are needed. `within` one mesh
+    """Intersecting pairs (first, second), ascending. Two syncs, three if exact tests are needed. `within` one mesh
     without common vertices, lower number first. Raises ValueError for 2^31 pairs or more.
     """
     device, count = vertices.device, triangles.size

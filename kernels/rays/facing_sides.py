@@ -17,7 +17,7 @@ from .triangle_tree import TriangleTree
 
 @kernel
 def mark_rim_kernel(sides: Pseudonormals, rim: array(dtype=uint8)):
-    """Flag the vertices of edges with one or more than two triangles; all writers write 1."""
+    """Flag the vertices of edges with one or more than two triangles. All writers write 1."""
     i = tid()
     if sides.twins[i] < 0:
         t = sides.triangles[i // 3]

@@ -324,7 +324,7 @@ class NearestTriangles:
         self.order = order_in_box(queries, CURVE_LEVELS) if order is None else order
 
     def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
-        """Update with another mesh; ties keep the earlier one. `queries` are about its origin, up to 1.8e19 m."""
+        """Update with another mesh. Ties keep the earlier one. `queries` are about its origin, up to 1.8e19 m."""
         n, run = queries.size, RUN
         threads = -(-n // run)
         if queries.device.is_cuda:

@@ -2,7 +2,7 @@
 
 Rays are sheared to their main axis (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
 Float32 edge products are compared, and ties are resolved exactly in float64, so no ray passes between adjacent
-triangles. Depth and weights are float64; on an edge or corner the depth is bitwise equal for all its triangles. Boxes
+triangles. Depth and weights are float64. On an edge or corner the depth is bitwise equal for all its triangles. Boxes
 are enlarged by more than all rounding, so results are independent of them. Nearest-first traversal.
 """
 
@@ -91,7 +91,7 @@ def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3
 
 @func
 def rates_of(d: vec3, axes: vec3i) -> vec3:
-    """Depth along the main axis per unit of each axis; with the direction's sign."""
+    """Depth along the main axis per unit of each axis. With the direction's sign."""
     main = abs(d[axes[2]])
     rates = vec3(0.0, 0.0, 0.0)
     for k in range(3):
@@ -113,7 +113,7 @@ def near_sides(d: vec3) -> vec3i:
 def measure_entries(
     boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
 ) -> entry_keys:
-    """Depth bits at which a ray enters the child boxes, lowest three bits the child; NOT_ENTERED beyond `reach`."""
+    """Depth bits at which a ray enters the child boxes, lowest three bits the child. NOT_ENTERED beyond `reach`."""
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -167,7 +167,7 @@ def leaves_on_ray(
     begin: float,
     reach: float,
 ) -> int:
-    """Leaves whose boxes a ray enters by `reach`, which the body may shrink; nearest sibling first."""
+    """Leaves whose boxes a ray enters by `reach`, which the body may shrink. Nearest sibling first."""
     level = root
     node = 0
     pending = ~int64(0)
@@ -401,7 +401,7 @@ def next_place(
 
 @loop
 def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
-    """Rows of objects whose boxes a ray enters by `farthest`, which may shrink; always includes a single one."""
+    """Rows of objects whose boxes a ray enters by `farthest`, which may shrink. Always includes a single one."""
     nothing = vec3(0.0, 0.0, 0.0)
     axes = ray_axes(d)
     main = abs(d[axes[2]])

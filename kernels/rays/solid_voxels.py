@@ -17,7 +17,7 @@ CELL_BYTES = 52
 
 @func
 def edge_is_right(a: vec3d, b: vec3d, x: float64, y: float64) -> int:
-    """1 if an edge, seen along z, crosses the ray from (x, y) to +x; symmetric in a and b."""
+    """1 if an edge, seen along z, crosses the ray from (x, y) to +x. Symmetric in a and b."""
     crosses = 0
     if (a[1] > y) != (b[1] > y):
         low = a
@@ -95,7 +95,7 @@ def crossed_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -
 
 
 def inner_voxels(columns: Columns, frame: VoxelFrame) -> Keys:
-    """Distinct keys of the voxels with centers inside a closed surface with finite corners; one sync. Raises ValueError
+    """Distinct keys of the voxels with centers inside a closed surface with finite corners. One sync. Raises ValueError
     for more than 2^31 - 1 voxels, MemoryError without room.
     """
     device, found = columns.device, columns.found

@@ -112,7 +112,7 @@ def key_places_kernel(
 
 
 def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
-    """Finite `rows` (ascending) of points in split order, int32; `unit` points in the smallest runs; no sync."""
+    """Finite `rows` (ascending) of points in split order, int32; `unit` points in the smallest runs. No sync."""
     device, count, order = points.device, rows.size, rows
     half = unit
     while 2 * half < count:

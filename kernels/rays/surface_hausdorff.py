@@ -52,7 +52,7 @@ LEAST, MOST, BOUND, COUNT, TURN, WANTED, NUMBERS = range(7)
 
 @kernel
 def take_roots_kernel(sqdists: array(dtype=float64), points: array(dtype=vec3), distances: array(dtype=float64)):
-    """Distances from squared ones; NaN for non-finite points."""
+    """Distances from squared ones. NaN for non-finite points."""
     i = tid()
     p = points[i]
     distances[i] = sqrt(sqdists[i]) + float64((p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]))  # zero, or NaN
@@ -124,7 +124,7 @@ class Pieces:
         launch(end_round_kernel, 1, [self, tolerance])
 
     def go_on(self, tree: TriangleTree, tolerance: float, before: "Pieces") -> None:
-        """Split the remaining pieces, and continue until the bounds meet or the room is exhausted; no sync."""
+        """Split the remaining pieces, and continue until the bounds meet or the room is exhausted. No sync."""
         self.nearest = NearestTriangles(self.middles, positions(self.room, self.known.device))
         launch(cut_pieces_kernel, before.room, [before, self.pieces, 3 * self.room])
         fill(self.running, 1)
@@ -138,7 +138,7 @@ class Pieces:
 
 @func
 def half_of(given: Pieces, turn: int) -> int:
-    """Start of the corners of a round's pieces; the first round has only one half."""
+    """Start of the corners of a round's pieces. The first round has only one half."""
     first = 0
     if given.pieces.shape[0] > 3 * given.room and turn % 2 == 1:
         first = 3 * given.room
@@ -178,7 +178,7 @@ def measure_row(p: vec3, vertices: array(dtype=vec3), t: vec3i) -> float64:
 
 @kernel(most_registers=128)  # for two blocks per SM
 def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: array(dtype=vec3i)):
-    """Upper bound of a piece; its center is a sample (atomic maxima)."""
+    """Upper bound of a piece. Its center is a sample (atomic maxima)."""
     i = tid()
     bound = float64(-1.0)
     row = given.nearest.triangles[i]
@@ -271,7 +271,7 @@ def distances_to(points: Points, tree: TriangleTree) -> Doubles:
 
 
 def sum_squares(distances: Doubles) -> Array1[vec2d]:
-    """(sum of squares of finite float64 distances, 0) on the device; no sync."""
+    """(sum of squares of finite float64 distances, 0) on the device. No sync."""
     return reduce(square_distance, distances.size, [distances])
 
 
@@ -288,7 +288,7 @@ class FarthestSearch:
     def __init__(
         self, vertices: Points, triangles: Triangles, tree: TriangleTree, distances: Doubles, tolerance: float
     ) -> None:
-        """Process all triangles once; no sync."""
+        """Process all triangles once. No sync."""
         device = vertices.device
         self._tree, self._tolerance, self.known = tree, tolerance, zeros(NUMBERS, float64, device)
         used = zeros(vertices.size, int32, device)
@@ -301,7 +301,7 @@ class FarthestSearch:
         self._pieces.look(tree, tolerance, in_turn=False)
 
     def is_done(self, found: np.ndarray) -> bool:
-        """True if the host values are final; else continue and read again (no sync)."""
+        """True if the host values are final. Else continue and read again (no sync)."""
         if not found[WANTED]:
             return True
         before, room = self._pieces, max(MIN_ROOM, min(4 * int(found[COUNT]), MAX_PIECES))
@@ -316,7 +316,7 @@ class FarthestSearch:
 
 
 def search_farthest(searches: Sequence[FarthestSearch], found: Sequence[np.ndarray]) -> list[tuple[float, float]]:
-    """Results of searches from host values; one sync if some continue, rarely more."""
+    """Results of searches from host values. One sync if some continue, rarely more."""
     numbers = list(found)
     while left := [k for k, search in enumerate(searches) if not search.is_done(numbers[k])]:
         for k, values in zip(left, read_together([searches[k].known for k in left]), strict=True):  # sync

@@ -1,4 +1,4 @@
-"""Barycentric positions of points on a surface, to transfer values between meshes; exact on corners and edges."""
+"""Barycentric positions of points on a surface, to transfer values between meshes. Exact on corners and edges."""
 
 from ..algebra.transform import narrow
 from ..array_types import Points, Triangles
@@ -21,7 +21,7 @@ def place_on_surface_kernel(
     places: MixedRows,
     points: array(dtype=vec3),
 ):
-    """Triangle, corners, weights and nearest point; a non-finite query is kept, at triangle 0."""
+    """Triangle, corners, weights and nearest point. A non-finite query is kept, at triangle 0."""
     i = tid()
     triangle = max(nearest.triangles[i], 0)
     chosen[i] = triangle
@@ -49,7 +49,7 @@ class SurfacePlaces:
 
 
 def middles_of(vertices: Points, triangles: Triangles) -> Points:
-    """Center of each triangle, vec3; NaN for non-finite corners."""
+    """Center of each triangle, vec3. NaN for non-finite corners."""
     middles = empty(triangles.size, vec3, vertices.device)
     launch(find_middles_kernel, triangles.size, [vertices, triangles, middles])
     return middles

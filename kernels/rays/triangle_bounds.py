@@ -1,5 +1,5 @@
 """Point-triangle distance in float32 with an error bound, and in float64 where that is insufficient. Any corner weights
-give a point of the triangle, so distances are never too short; weights matter to second order, with error at most e D L
+give a point of the triangle, so distances are never too short. Weights matter to second order, with error at most e D L
 in the square for length L. With rounding of the sums the error is below ERROR times the sum of the squares. Triangles
 too small or narrow for float32 are not trusted.
 """

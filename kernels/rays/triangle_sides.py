@@ -9,7 +9,7 @@ from ..lang import array, cross, dot, float32, float64, func, int64, struct, vec
 from ..memory import empty
 
 UNSURE = 2
-ERROR_OF_THREE = 1e-15  # of the sum of absolute products; Shewchuk's (7 + 56 e) e is 7.8e-16
+ERROR_OF_THREE = 1e-15  # of the sum of absolute products. Shewchuk's (7 + 56 e) e is 7.8e-16
 ERROR_OF_TWO = 4e-16  # (3 + 16 e) e is 3.4e-16
 
 
@@ -20,7 +20,7 @@ def size_of(x: float64) -> float64:
 
 @func
 def sign_beyond(value: float64, bound: float64) -> int:
-    """Sign of a number with an error bound; 0 if both are zero, UNSURE within the bound."""
+    """Sign of a number with an error bound. 0 if both are zero, UNSURE within the bound."""
     sign = int(UNSURE)
     if value > bound:
         sign = 1

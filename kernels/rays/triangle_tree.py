@@ -1,7 +1,7 @@
 """Bounding-box tree over triangles, for rays, distances and intersections.
 
-Leaves are runs of LEAF triangles; level 0 nodes have FAN leaves, node k of level l has nodes FAN k .. FAN k + 7 of
-level l - 1. The record of a node is `levels[l] + k`; at `boxes[record * SIDES]` are its child boxes as in a PointTree
+Leaves are runs of LEAF triangles. Level 0 nodes have FAN leaves, node k of level l has nodes FAN k .. FAN k + 7 of
+level l - 1. The record of a node is `levels[l] + k`. At `boxes[record * SIDES]` are its child boxes as in a PointTree
 (low x of all eight, low y, ...). Missing children are empty boxes. A leaf's corners are interleaved (`leaf_corner`),
 and the last leaf is padded with its last triangle. Triangles with non-finite corners are skipped, degenerate ones stay.
 Boxes are exact float32 extremes.
@@ -43,7 +43,7 @@ class Extent:
 def trees_over(
     meshes: Sequence[tuple[Points, Triangles]], beside: Sequence[AnyArray] = ()
 ) -> tuple[list["TriangleTree"], list[np.ndarray]]:
-    """Trees of several meshes on one device, and other arrays as NumPy; one sync."""
+    """Trees of several meshes on one device, and other arrays as NumPy. One sync."""
     extents = [Extent(vertices, triangles) for vertices, triangles in meshes]
     found = read_together([*(extent.extremes for extent in extents), *beside])  # sync
     known = zip(extents, found, strict=False)
@@ -71,7 +71,7 @@ class TriangleTree:
         *,
         all_finite: bool = False,
     ) -> None:
-        """Build; one sync, none if all corners are known to be finite or the extent and its host values are given."""
+        """Build. One sync, none if all corners are known to be finite or the extent and its host values are given."""
         self.vertices, self.triangles, self.device = vertices, triangles, vertices.device
         extent = known[0] if known else Extent(vertices, triangles)
         self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
@@ -116,7 +116,7 @@ def middle_of(a: vec3, b: vec3, c: vec3) -> vec3:
 
 @kernel
 def find_middles_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), middles: array(dtype=vec3)):
-    """Center of each triangle; NaN for non-finite corners."""
+    """Center of each triangle. NaN for non-finite corners."""
     i = tid()
     t = triangles[i]
     a = vertices[t[0]]

@@ -1,6 +1,6 @@
 """Voxels touched by triangles: exact separating-axis tests in float64 (Akenine-Moller, "Fast 3D Triangle-Box Overlap
-Testing", Journal of Graphics Tools 6 (2001)). Triangles are split into voxel columns along the main axis of the normal;
-one thread per column, a counting and a writing pass. Contact within a billionth of an edge counts.
+Testing", Journal of Graphics Tools 6 (2001)). Triangles are split into voxel columns along the main axis of the normal.
+One thread per column, a counting and a writing pass. Contact within a billionth of an edge counts.
 """
 
 from collections.abc import Sequence
@@ -33,7 +33,7 @@ from ..lang import (
 )
 from ..memory import check_room, empty
 
-# Fraction of a voxel added to the tested range: more than any rounding; the cells are then tested exactly.
+# Fraction of a voxel added to the tested range: more than any rounding. The cells are then tested exactly.
 SLACK = 1.0e-3
 # Fraction of half an edge added to the box against rounding. Sufficient for triangles of 10^6 voxels.
 TOUCH = 1.0 + 1.0 / 1073741824.0
@@ -96,7 +96,7 @@ def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
 
 @func
 def main_axis(normal: vec3d, a: vec3d, b: vec3d, c: vec3d) -> int:
-    """Main axis of a normal; for a zero normal the longest axis of the box."""
+    """Main axis of a normal. For a zero normal the longest axis of the box."""
     best = 0
     most = float64(-1.0)
     has_normal = dot(normal, normal) > 0.0
@@ -118,7 +118,7 @@ def count_columns_kernel(
     upright: int,
     counts: array(dtype=int32),
 ):
-    """Count of voxel columns that each triangle may touch, or `upright` ones along z it may cross; at most 2^31 - 1."""
+    """Count of voxel columns that each triangle may touch, or `upright` ones along z it may cross. At most 2^31 - 1."""
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     count = int64(0)
@@ -281,7 +281,7 @@ class Columns:
 
 
 def settle(columns: Sequence[Columns]) -> None:
-    """Read the counts; one sync, rarely two. Raises ValueError for 2^31 columns, MemoryError without room."""
+    """Read the counts. One sync, rarely two. Raises ValueError for 2^31 columns, MemoryError without room."""
     left = list(columns)
     while left:
         found = iter(read_together([array for of in left for array in of.arrays]))  # sync

@@ -21,7 +21,7 @@ NO_REACH = -1.0  # of a missing child
 
 @func
 def solid_angle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> float64:
-    """Solid angle of a triangle, positive seen from behind; 0 in its plane."""
+    """Solid angle of a triangle, positive seen from behind. 0 in its plane."""
     u = a - p
     v = b - p
     w = c - p
@@ -72,7 +72,7 @@ def sum_node_moments_kernel(below: int, first: int, moments: array(dtype=float64
 
 @kernel
 def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
-    """Area center of a child and the radius of its box about it; NO_REACH if missing."""
+    """Area center of a child and the radius of its box about it. NO_REACH if missing."""
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
     reach = float64(NO_REACH)

@@ -129,7 +129,7 @@ def begin_star(a: int, first: int, stars: Stars, given: Predicates):
 
 @func
 def exchange_triangles(a: int, b: int, stars: Stars):
-    """Swap the corners of two triangles; the sphere of a is overwritten by that of b."""
+    """Swap the corners of two triangles. The sphere of a is overwritten by that of b."""
     for j in range(3):
         corner = stars.corners[3 * a + j]
         stars.corners[3 * a + j] = stars.corners[3 * b + j]
@@ -144,7 +144,7 @@ def exchange_triangles(a: int, b: int, stars: Stars):
 
 @func
 def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
-    """Number of spheres that may contain a point relative to the star's own; 0 is certain."""
+    """Number of spheres that may contain a point relative to the star's own. 0 is certain."""
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
     least = square - square * MARGIN
@@ -246,7 +246,7 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
 
 @func
 def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> int:
-    """Number of spheres that may contain a point of a box; 0 is certain."""
+    """Number of spheres that may contain a point of a box. 0 is certain."""
     x = larger(-low[0], high[0])
     y = larger(-low[1], high[1])
     z = larger(-low[2], high[2])
@@ -449,7 +449,7 @@ SCRATCH = 2**25  # scratch numbers per launch
 FACES_A_POINT = 6  # initial room: a surface has 4 per point, both sides counted
 TETRAHEDRA_A_POINT = 8  # a Delaunay triangulation of random points has 6.8
 WIDER = 2.001  # times alpha: search slightly more than necessary
-TOGETHER = 16  # alphas whose faces are counted in one sync; each takes a byte per face
+TOGETHER = 16  # alphas whose faces are counted in one sync. Each takes a byte per face
 GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an integer number of units
 
 

@@ -3,7 +3,7 @@
 Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", IEEE TVCG 1999. A triangle is found once,
 at its first corner in tree order. For each neighbor b, the centers of balls on both points form a circle. Every other
 neighbor removes an arc of it, and points that touch an end of a remaining arc are tested exactly. Arcs are kept too
-long rather than too short. At most about k^2 / 2 steps for k neighbors; 56 B of scratch memory per neighbor and 100 B
+long rather than too short. At most about k^2 / 2 steps for k neighbors. 56 B of scratch memory per neighbor and 100 B
 per point.
 
 The exact test uses float64 relative to the first corner. With edges B and C, N = B x C and a fourth point D, the center
@@ -47,7 +47,7 @@ from ..search.bucket_walk import points_in_reach
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
 
-ARCS = 8  # per circle; if there are more, one is not split, so that too much of it remains
+ARCS = 8  # per circle. If there are more, one is not split, so that too much of it remains
 SHARE = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
 LOSS = 1.0e-14  # of the lengths, which covers rounding
 NEAR = 2.0e-8  # of the lengths: five times the effect of SHARE, so that points touching an arc's end are found
@@ -258,7 +258,7 @@ def sign_of(x: float64, bound: float64) -> int:
 
 @func
 def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -> int:
-    """1 if D on the ball of A, B and C counts as inside, else -1; the lowest index with a coordinate != 0 decides."""
+    """1 if D on the ball of A, B and C counts as inside, else -1. The lowest index with a coordinate != 0 decides."""
     decided = 0
     passed = -1
     for turn in range(TAKEN):
@@ -309,7 +309,7 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
 def holds_point(
     b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, radius: float64, ia: int, ib: int, ic: int, at: int
 ) -> int:
-    """1 if the ball on 0, b and c contains d, else -1; ties by the indices of the four."""
+    """1 if the ball on 0, b and c contains d, else -1. Ties by the indices of the four."""
     n = cross(b, c)
     nn = dot(n, n)
     bb = dot(b, b)

@@ -295,7 +295,7 @@ def turned_first(t: vec3i) -> vec3i:
 
 @kernel
 def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dtype=vec3i), keys: array(dtype=int64)):
-    """Replace places by rows, the lowest first; the key is the first edge, which is unique."""
+    """Replace places by rows, the lowest first. The key is the first edge, which is unique."""
     i = tid()
     t = triangles[i]
     named = turned_first(vec3i(rows[t[0]], rows[t[1]], rows[t[2]]))

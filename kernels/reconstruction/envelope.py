@@ -80,7 +80,7 @@ def is_enclosed(p: vec3d, envelope: Envelope) -> int:
 def hold_outside_kernel(
     level: OctreeLevel, cube: Cube, envelope: Envelope, mask: array(dtype=uint8), values: array(dtype=float32)
 ):
-    """Set the function outside the envelope; values from the coarser level at the rim stay, for continuity."""
+    """Set the function outside the envelope. Values from the coarser level at the rim stay, for continuity."""
     i = tid()
     if mask[i] != 0:
         color = i // level.count

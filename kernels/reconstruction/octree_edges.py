@@ -1,7 +1,7 @@
 """Vertices on edges of undivided octree cells where a function on the corners crosses zero.
 
 One vertex per edge that no cell divides further. The function is linear along a coarse edge next to finer cells, so it
-crosses one half of the edge. One thread per block; 12 B per block and 4 B per slot.
+crosses one half of the edge. One thread per block. 12 B per block and 4 B per slot.
 """
 
 from ..algebra.transform import narrow, widen

@@ -81,7 +81,7 @@ def neighbor_slot(slot: int, x: int, y: int, z: int, level: OctreeLevel) -> int:
 
 @kernel
 def divide_around_kernel(wanted: array(dtype=int32), level: OctreeLevel):
-    """Divide the given cells (-1 for none) and their neighbors; all threads write 1."""
+    """Divide the given cells (-1 for none) and their neighbors. All threads write 1."""
     i = tid()
     n = int(3)
     if wanted[i] < 0:
@@ -178,7 +178,7 @@ def next_level(level: OctreeLevel, block_bytes: int, is_full: bool = False) -> O
 
 
 def divide(level: OctreeLevel, wanted: Integers | None) -> None:
-    """Mark cells (int32 slots, -1 for none) and their neighbors as divided; None for all cells."""
+    """Mark cells (int32 slots, -1 for none) and their neighbors as divided. None for all cells."""
     if wanted is None:
         launch(divide_all_kernel, SLOTS * level.count, [level])
     else:

@@ -1,4 +1,4 @@
-"""Crack-free isosurface of a function on the corners of an adaptive octree; bitwise reproducible.
+"""Crack-free isosurface of a function on the corners of an adaptive octree. Bitwise reproducible.
 
 Cells with undivided neighbors use marching cubes (Lorensen and Cline, SIGGRAPH 1987). A cell next to finer cells joins
 the contours of the finer faces to loops, triangulated as fans around a middle vertex (Kazhdan, Klein, Dalal and Hoppe,

@@ -1,7 +1,7 @@
 """Screened Poisson surface reconstruction (Kazhdan and Hoppe, ACM TOG 32(3), 2013).
 
 Levels are solved from coarse to fine by a fixed number of eight-colored Gauss-Seidel sweeps, independent of the thread
-order. Unknowns are corners inside eight existing cells; the others keep the coarser solution. Divided by the cell
+order. Unknowns are corners inside eight existing cells. The others keep the coarser solution. Divided by the cell
 width, the Laplacian is 8/3 at the corner, -1/6 at the 12 corners across a face and -1/12 at the 8 across a cell.
 Samples of a cell pull u to 0 at their mean. The sides of the cube have Neumann boundary conditions.
 """
@@ -152,7 +152,7 @@ def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]
 COARSE = 4  # levels up to this one are small and get more sweeps
 COARSE_SWEEPS = 10
 FULL_SWEEPS = 8  # of the last level that fills the cube; four leave its surface 10% less accurate
-SWEEPS = 4  # from the level above its solution; eight change no error by 1%
+SWEEPS = 4  # from the level above its solution. Eight change no error by 1%
 eight = vector(8, int32)
 
 
@@ -227,7 +227,7 @@ def _entry(kinds: Sequence[int], steps: Sequence[int] | tuple[int, int, int]) ->
 
 
 def _cell_entry(kinds: Sequence[int], corner: int) -> int:
-    """Table entry of the cell with the given corner; no block outside the cube."""
+    """Table entry of the cell with the given corner. No block outside the cube."""
     plain = [ODD if kind == ODD else EVEN for kind in kinds]
     return _entry(plain, [-(corner >> axis & 1) for axis in range(3)])
 
@@ -276,7 +276,7 @@ def renew_corners_kernel(
     pulls: SamplePulls,
     values: array(dtype=float32),
 ):
-    """One Gauss-Seidel step at the corners of a color; a cell of samples has one of them, so none is shared."""
+    """One Gauss-Seidel step at the corners of a color. A cell of samples has one of them, so none is shared."""
     i = tid()
     first = firsts[color]
     if first + i >= firsts[color + 1]:
@@ -324,7 +324,7 @@ def renew_corners_kernel(
 def weigh_values(
     cells: SampleCells, slots: array(dtype=int32), level: OctreeLevel, values: array(dtype=float32)
 ) -> vec2d:
-    """(weight * value, weight) at the samples of undivided cells; halo slots lack corners."""
+    """(weight * value, weight) at the samples of undivided cells. Halo slots lack corners."""
     i = tid()
     weight = float64(0.0)
     value = 0.0

@@ -38,7 +38,7 @@ eight = vector(8, float32)
 
 @func
 def level_share(local: float, depth: int) -> float:
-    """Fraction of a sample that is spread on the level where its tree ends; the rest goes to the level above."""
+    """Fraction of a sample that is spread on the level where its tree ends. The rest goes to the level above."""
     share = 1.0
     if depth > 1:
         share = min(max(1.0 - (float(depth) - local), 0.0), 1.0)
@@ -62,7 +62,7 @@ def sum_flux_kernel(
     flux: array(dtype=vec3),
     found: array(dtype=int32),
 ):
-    """Area times normal of each cell's samples on this level; all threads that write `found` write the same value."""
+    """Area times normal of each cell's samples on this level. All threads that write `found` write the same value."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
     if reach.states[i] == ENDS:
@@ -169,7 +169,7 @@ def spline_slope(k: int, at: int, width: int) -> float:
 
 @func
 def linear_mass(k: int, at: int, width: int) -> float:
-    """Integral within the cube of the functions of two corners k apart; the first is at `at`."""
+    """Integral within the cube of the functions of two corners k apart. The first is at `at`."""
     mass = 0.16666666666666666
     if k == 0:
         mass = 0.6666666666666666

@@ -88,7 +88,7 @@ def encode_samples_kernel(
 
 @kernel
 def count_cells_kernel(codes: array(dtype=int64), depth: int, counts: array(dtype=int32)):
-    """Count each sorted code at the coarsest level on which it begins a cell; sums, so the order does not matter."""
+    """Count each sorted code at the coarsest level on which it begins a cell. Sums, so the order does not matter."""
     i = tid()
     level = 0
     if i > 0:
@@ -120,7 +120,7 @@ def begin_cells_kernel(
     starts: array(dtype=int32),
     parents: array(dtype=int32),
 ):
-    """Code and first member of each cell; the cell of each member."""
+    """Code and first member of each cell. The cell of each member."""
     i = tid()
     cell = offsets[i] + heads[i] - 1
     parents[i] = cell
@@ -209,7 +209,7 @@ class SampleCells:
     weights: array(dtype=float32)
 
     def __init__(self, members: LongIntegers, shift: int, count: int | None) -> None:
-        """Cells of sorted, shifted codes; one sync if `count` is None."""
+        """Cells of sorted, shifted codes. One sync if `count` is None."""
         device, n = members.device, members.size
         heads = empty(n, int32, device)
         launch(mark_heads_kernel, n, [members, shift, heads])
@@ -238,7 +238,7 @@ def sample_rows(points: Points, normals: Vectors) -> Indices:
 
 
 def count_cells(codes: LongIntegers, depth: int) -> list[int | None]:
-    """Cells per level 0 .. depth (one sync); None on the CPU, where each level's scan counts."""
+    """Cells per level 0 .. depth (one sync). None on the CPU, where each level's scan counts."""
     device = codes.device
     if not device.is_cuda:
         return [None] * (depth + 1)

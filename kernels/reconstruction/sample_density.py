@@ -63,7 +63,7 @@ def fill_cells_kernel(slots: array(dtype=int32), cells_at: array(dtype=int32)):
 def gather_density_kernel(
     cells_at: array(dtype=int32), cells: SampleCells, unit: float, level: OctreeLevel, density: array(dtype=float32)
 ):
-    """Spline coefficients of the cells; none beyond the cube, where only its upper sides have slots."""
+    """Spline coefficients of the cells. None beyond the cube, where only its upper sides have slots."""
     i = tid()
     if is_beyond(slot_place(i, level), (1 << level.depth) - 1) == 1:
         density[i] = 0.0
@@ -154,7 +154,7 @@ class DensityPyramid:
         top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
         top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
         self.reaches: list[SampleReach] = [top]
-        self.cells_at: list[Any] = [None]  # by depth; None at 0
+        self.cells_at: list[Any] = [None]  # by depth. None at 0
         self.densities: list[Any] = [None]
         self.levels: list[Any] = [None]
 

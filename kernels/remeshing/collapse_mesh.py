@@ -19,13 +19,13 @@ from ..memory import clone, empty, fill, full, host_view, upload, zeros
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from .quadrics import quadric
 
-OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge; feature edge
+OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
 REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
 STALE_KEY = NO_KEY - 2  # of an edge whose cost must be computed
 
-# Record: remaining triangles; triangles and vertices including removed ones; edges considered, able to collapse at
-# once, and collapsing; the highest cost bin considered (-1 for none).
+# Record: remaining triangles. Triangles and vertices including removed ones. Edges considered, able to collapse at
+# once, and collapsing. The highest cost bin considered (-1 for none).
 TRIANGLES, SLOTS, VERTICES, EDGES, PICKED, CHOSEN, BIN = 0, 1, 2, 3, 4, 5, 6
 # Flags: triangles may flip, seams are features, compaction is due, all features must be found.
 BENDING, SEAMS, SQUEEZE, EVERY = 7, 8, 9, 10
@@ -104,7 +104,7 @@ class CollapseMesh:
             setattr(other, name, mine)
 
     def find_all_features(self) -> None:
-        """Flag all half-edges and classify all vertices if the record requests it; all edges then need a cost."""
+        """Flag all half-edges and classify all vertices if the record requests it. All edges then need a cost."""
         every, count = empty(0, int32, self.numbers.device), self.live(VERTICES, self.positions.size)
         self._find_features(every, count)
 
@@ -264,7 +264,7 @@ def edge_valence(mesh: CollapseMesh, a: int, b: int) -> int:
 
 @func
 def edge_flags(mesh: CollapseMesh, h: int, a: int, b: int, seams: int) -> int:
-    """Flags of a half-edge between a and b; the first half-edge of an edge owns it."""
+    """Flags of a half-edge between a and b. The first half-edge of an edge owns it."""
     v = a
     u = b
     if valence(mesh, b) < valence(mesh, a):
@@ -306,7 +306,7 @@ def row_at(mesh: CollapseMesh, i: int, rows: array(dtype=int32)) -> int:
 def flag_edges_kernel(
     mesh: CollapseMesh, rows: array(dtype=int32), flags: array(dtype=uint8), keys: array(dtype=int64)
 ):
-    """Flags of the half-edges from and to some vertices; of all without rows."""
+    """Flags of the half-edges from and to some vertices. Of all without rows."""
     i = tid()
     v = row_at(mesh, i, rows)
     if v < 0:
@@ -328,7 +328,7 @@ def flag_edges_kernel(
 
 @kernel
 def sort_vertices_kernel(mesh: CollapseMesh, rows: array(dtype=int32), kinds: array(dtype=uint8)):
-    """Classify vertices by their number of feature edges (0, 2, other); each edge is counted at its owner."""
+    """Classify vertices by their number of feature edges (0, 2, other). Each edge is counted at its owner."""
     i = tid()
     v = row_at(mesh, i, rows)
     if v < 0:

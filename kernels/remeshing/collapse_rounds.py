@@ -1,4 +1,4 @@
-"""Rounds of edge collapses until the target number of triangles; one CUDA graph, terminated by the device.
+"""Rounds of edge collapses until the target number of triangles. One CUDA graph, terminated by the device.
 
 A round computes missing costs, considers edges up to a histogram limit, selects an independent set (Luby, "A simple
 parallel algorithm for the maximal independent set problem", 1986, with costs for random numbers), and collapses the
@@ -388,7 +388,7 @@ def find_digit_kernel(
 def mark_cheapest_kernel(
     mesh: CollapseMesh, edges: array(dtype=int32), target: int, heads: array(dtype=int64), mask: array(dtype=uint8)
 ):
-    """1 for edges up to the key found; for all if that does not exceed the target."""
+    """1 for edges up to the key found. For all if that does not exceed the target."""
     i = tid()
     taken = 0
     if i < mesh.numbers[PICKED]:
@@ -425,7 +425,7 @@ class EdgeBins:
 def take_edges_kernel(
     mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), least: array(dtype=int64)
 ):
-    """Minimum key of the unblocked edges at each vertex; the minimum does not depend on the order."""
+    """Minimum key of the unblocked edges at each vertex. The minimum does not depend on the order."""
     i = tid()
     if i >= mesh.numbers[EDGES]:
         return
@@ -453,7 +453,7 @@ def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=i
 
 @func
 def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
-    """Block a vertex and its neighbors; all threads write the same value."""
+    """Block a vertex and its neighbors. All threads write the same value."""
     blocked[v] = 1
     for j in range(mesh.starts[v], mesh.starts[v + 1]):
         s = mesh.spokes[j]
@@ -531,7 +531,7 @@ def take_rows_kernel(
 
 @kernel
 def judge_round_kernel(mesh: CollapseMesh, ends_there: int, numbers: array(dtype=int32), running: array(dtype=int32)):
-    """Round outcome: if no edge can collapse, relax constraints; decide on compaction."""
+    """Round outcome: if no edge can collapse, relax constraints. Decide on compaction."""
     i = tid()
     left = mesh.starts[numbers[VERTICES]] // 3
     numbers[TRIANGLES] = left

@@ -1,7 +1,7 @@
 """Compaction of a mesh during edge collapse, if the record requests it.
 
 Triangles and vertices are marked and counted as one list. The rest is copied to the twin and, on CUDA, where the loop
-has fixed arrays, back again; about 400 B per triangle.
+has fixed arrays, back again. About 400 B per triangle.
 """
 
 from ..array_types import Integers
@@ -203,7 +203,7 @@ class Squeezing:
         )
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
-        """Compact; the counts in the record change at the end of the round."""
+        """Compact. The counts in the record change at the end of the round."""
         ranks: Integers = self.ranks
         slots, count = mesh.live(SLOTS, mesh.triangles.size), mesh.live(VERTICES, mesh.positions.size)
         launch(mark_left_kernel, slots + count, [mesh, ranks])

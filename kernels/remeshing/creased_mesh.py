@@ -2,7 +2,7 @@
 
 A crease is an edge without exactly two consistently oriented triangles, with a large dihedral angle, or that was one
 before. A vertex is free, on a line (two creases), or a corner, also if its line bends. About 200 B per triangle. On
-CUDA, removed triangles stay as three times the vertex count, so no sync is needed; their common edge comes last.
+CUDA, removed triangles stay as three times the vertex count, so no sync is needed. Their common edge comes last.
 """
 
 import math
@@ -57,7 +57,7 @@ def mixed_key(number: int, i: int) -> int64:
 
 @struct
 class CreasedMesh:
-    """A mesh between two steps; edges are padded until `count_edges`. `creases` flags half-edges, `fixed` vertices that
+    """A mesh between two steps. Edges are padded until `count_edges`. `creases` flags half-edges, `fixed` vertices that
     are always corners, `rims` those on boundary edges. Removed triangles have three vertices m."""
 
     vertices: array(dtype=vec3)
@@ -85,7 +85,7 @@ class CreasedMesh:
         return self.vertices.size << key_bits(self.vertices.size) | self.vertices.size
 
     def count_edges(self, *beside: Integers) -> list[Any]:
-        """Remove the padding of edges, and copy `beside` to NumPy; one sync."""
+        """Remove the padding of edges, and copy `beside` to NumPy. One sync."""
         if self.edges.told is None:
             return read_together(beside) if beside else []
         (count, low, high), *found = read_together([self.edges.told, *beside])  # sync
@@ -303,7 +303,7 @@ def list_segments_kernel(mesh: CreasedMesh, rows: array(dtype=int32), segments: 
 
 
 def crease_rows(mesh: CreasedMesh) -> Indices:
-    """Crease edges, int32; one sync."""
+    """Crease edges, int32. One sync."""
     mask = empty(mesh.edges.count, uint8, mesh.vertices.device)
     launch(mark_creased_kernel, mask.size, [mesh, mask])
     return positions_of(mask)
@@ -321,7 +321,7 @@ def crease_segments(mesh: CreasedMesh) -> Triangles:
 def end_rounds_kernel(
     told: array(dtype=int32), gone_edge: int64, few: float64, changed: array(dtype=int32), rounds: array(dtype=int32)
 ):
-    """Count a round, and end if it changed few edges; one thread. `rounds` is (1 if ended, count)."""
+    """Count a round, and end if it changed few edges. One thread. `rounds` is (1 if ended, count)."""
     i = tid()
     if rounds[i] == 0:
         edges = told[0]

@@ -39,7 +39,7 @@ def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
 
 @kernel
 def measure_lone_kernel(mesh: CollapseMesh, keys: array(dtype=int64)):
-    """Area and index key of each triangle without neighbors; NO_KEY for others."""
+    """Area and index key of each triangle without neighbors. NO_KEY for others."""
     i = tid()
     t = mesh.triangles[i]
     key = int64(NO_KEY)
@@ -99,7 +99,7 @@ class Decimation:
         return CollapseMesh(mesh.positions, gather_triangles(mesh.triangles, rows), uvs, materials, mesh.rows)
 
     def run(self) -> None:
-        """Collapse edges until the target is reached; if impossible without an error limit, give up texture seams, then
+        """Collapse edges until the target is reached. If impossible without an error limit, give up texture seams, then
         allow flips for one round at a time, and finally remove isolated triangles."""
         mesh = self.mesh
         if not mesh.triangles.size:
@@ -131,7 +131,7 @@ class Decimation:
             self.mesh.positions = positions
 
     def result(self) -> tuple[Triangles, list[Vectors], Array1[vec2] | None, Integers | None]:
-        """(triangles, per_vertex, uvs or None, materials or None); some vertices may be unused."""
+        """(triangles, per_vertex, uvs or None, materials or None). Some vertices may be unused."""
         mesh = self.mesh
         uvs, materials = mesh.uvs if mesh.has_uvs else None, mesh.materials if mesh.has_materials else None
         return mesh.triangles, [self.frame.unscaled(mesh.positions), *mesh.rows], uvs, materials

@@ -1,7 +1,7 @@
 """Cost, position, and validity of edge collapses.
 
 Quadrics sum the planes of triangles and perpendicular planes along features (Garland and Heckbert 1997, section 6).
-Corners stay; free vertices move to lines, and lines collapse along themselves. An edge may collapse if it satisfies the
+Corners stay. Free vertices move to lines, and lines collapse along themselves. An edge may collapse if it satisfies the
 link condition (Dey et al. 1999) and no adjacent triangle turns by more than 78 degrees or degenerates.
 """
 
@@ -55,7 +55,7 @@ def border_quadric(mesh: CollapseMesh, h: int, normal: vec3d, weight: float64) -
 
 @kernel
 def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: array(dtype=quadric)):
-    """Initial quadrics of vertices; degenerate or non-finite triangles are ignored."""
+    """Initial quadrics of vertices. Degenerate or non-finite triangles are ignored."""
     i = tid()
     total = quadric(0.0)
     p = mesh.positions[i]

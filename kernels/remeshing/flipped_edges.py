@@ -55,7 +55,7 @@ def agrees(n: vec3d, m: vec3d) -> int:
 
 @func
 def flip_gain(mesh: CreasedMesh, e: int) -> int:
-    """Decrease of the squared valence errors by a flip; 0 if not allowed."""
+    """Decrease of the squared valence errors by a flip. 0 if not allowed."""
     gain = 0
     whole = is_edge(mesh.edges, e)
     if whole == 1:

@@ -1,7 +1,7 @@
 """Multigrid preconditioner of graph Laplacians: aggregation of vertices to coarser levels.
 
 Notay, "An aggregation-based algebraic multigrid method", ETNA 37, 2010. Each level selects an independent set of free
-vertices by hash; others join the neighbor with the largest weight. Galerkin matrices in a fixed order; the coarsest is
+vertices by hash. Others join the neighbor with the largest weight. Galerkin matrices in a fixed order. The coarsest is
 inverted. A damped Jacobi sweep per level down and up, symmetric for conjugate gradients. About 60 B per neighbor.
 """
 
@@ -17,9 +17,9 @@ from ..memory import download, empty, full, zeros
 from ..meshes.mesh_edges import MeshEdges, split_edge_keys_kernel
 from ..meshes.vertex_neighbors import VertexNeighbors
 
-ROUNDS = 8  # of selection; vertices still undecided are then selected
-DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1; 0.7 takes a tenth more iterations
-STRETCH = 1.2  # of corrections, since the coarse system is stiffer than the error; 2 takes twice the iterations
+ROUNDS = 8  # of selection. Vertices still undecided are then selected
+DAMPING = 0.85  # of Jacobi sweeps, which are stable below 1. 0.7 takes a tenth more iterations
+STRETCH = 1.2  # of corrections, since the coarse system is stiffer than the error. 2 takes twice the iterations
 COARSEST = 100  # vertices of the inverted matrix: two launches of a loop per vertex, and 80 kB
 FLAT = 1.0e-14  # of its diagonal: rounding of a pivot that should be zero
 UNDECIDED, CHOSEN, JOINED = 0, 1, 2
@@ -98,7 +98,7 @@ def goes_before(i: int, j: int) -> int:
 
 @kernel
 def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, peaks: array(dtype=int32)):
-    """1 for undecided vertices with priority over their undecided neighbors; on the last pass for all undecided."""
+    """1 for undecided vertices with priority over their undecided neighbors. On the last pass for all undecided."""
     i = tid()
     rivals = 0
     for j in range(level.around.starts[i], level.around.starts[i + 1]):
@@ -138,7 +138,7 @@ def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
 def find_parents_kernel(
     level: Level, states: array(dtype=int32), places: array(dtype=int32), parents: array(dtype=int32)
 ):
-    """Coarse vertex of each vertex: that of the selected neighbor with the largest weight; the last index if fixed."""
+    """Coarse vertex of each vertex: that of the selected neighbor with the largest weight. The last index if fixed."""
     i = tid()
     parent = places[places.shape[0] - 1]
     if states[i] == CHOSEN:
@@ -170,7 +170,7 @@ def key_coarse_edges_kernel(
     bits: int,
     keys: array(dtype=int64),
 ):
-    """Coarse vertices at each edge, the lower first; a key above all unless they are two."""
+    """Coarse vertices at each edge, the lower first. A key above all unless they are two."""
     i = tid()
     a = parents[lows[i]]
     b = parents[highs[i]]
@@ -313,7 +313,7 @@ def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
 def eliminate_kernel(
     level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), turned: array(dtype=float64, ndim=2)
 ):
-    """Gauss-Jordan step, one thread per entry; a copy once all unknowns are done. Zeros for a zero pivot."""
+    """Gauss-Jordan step, one thread per entry. A copy once all unknowns are done. Zeros for a zero pivot."""
     i = tid()
     row = i // matrix.shape[0]
     column = i - row * matrix.shape[0]

@@ -112,7 +112,7 @@ def write_parts_kernel(
 def split_long_edges(
     mesh: CreasedMesh, longest: float, beside: Integers | None = None
 ) -> tuple[CreasedMesh, int, list[int]]:
-    """(mesh, number of edges split, the values `beside`); one sync."""
+    """(mesh, number of edges split, the values `beside`). One sync."""
     device, count = mesh.vertices.device, mesh.vertices.size
     marks = empty(mesh.edges.count, int32, device)
     launch(mark_long_kernel, marks.size, [mesh, longest * longest, marks])

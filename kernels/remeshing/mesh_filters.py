@@ -1,8 +1,8 @@
 """Smoothing and sharpening filters of vertex values along edges.
 
-Taubin, "A signal processing approach to fair surface design", SIGGRAPH 1995; weights as in Open3D. Each pass reads the
-previous one and sums over ascending neighbors in float64; only the result is rounded. Non-finite neighbors are ignored;
-non-finite or isolated vertices are unchanged.
+Taubin, "A signal processing approach to fair surface design", SIGGRAPH 1995. Weights as in Open3D. Each pass reads the
+previous one and sums over ascending neighbors in float64. Only the result is rounded. Non-finite neighbors are ignored.
+Non-finite or isolated vertices are unchanged.
 """
 
 from collections.abc import Iterable

@@ -1,6 +1,6 @@
 """Quadric error metrics: x' A x + 2 b' x + c as ten float64, and their minimum.
 
-Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, section 4; planes are weighted by
+Garland and Heckbert, "Surface simplification using quadric error metrics", 1997, section 4. Planes are weighted by
 triangle area, as in Open3D. The minimum is regularized instead of testing a determinant, which would depend on units: a
 fraction of the trace is added to A, with the edge midpoint as prior.
 """

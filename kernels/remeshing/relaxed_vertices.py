@@ -55,7 +55,7 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
 
 @kernel
 def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8)):
-    """1 for vertices of triangles that flip; all threads write the same value."""
+    """1 for vertices of triangles that flip. All threads write the same value."""
     i = tid()
     t = mesh.triangles[i]
     wrong = 0
@@ -73,7 +73,7 @@ def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(
 def take_back_kernel(
     before: array(dtype=vec3), back: array(dtype=uint8), moved: array(dtype=vec3), taken: array(dtype=int32)
 ):
-    """Restore marked vertices; the number that had moved is an integer sum."""
+    """Restore marked vertices. The number that had moved is an integer sum."""
     i = tid()
     if back[i] != 0:
         p = before[i]

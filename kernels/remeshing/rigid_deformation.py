@@ -1,8 +1,8 @@
 """As-rigid-as-possible deformation of a mesh with fixed vertices.
 
-Sorkine and Alexa, "As-rigid-as-possible surface modeling", SGP 2007, equations 5 to 9; smooth rotations by Levi and
+Sorkine and Alexa, "As-rigid-as-possible surface modeling", SGP 2007, equations 5 to 9. Smooth rotations by Levi and
 Gotsman, IEEE TVCG 21(2), 2014. Cotangent weights as in Open3D (mean over triangles, at least 0). The global step uses
-conjugate gradients with the preconditioner of graph_levels.py; a path of positive weights must connect each free vertex
+conjugate gradients with the preconditioner of graph_levels.py. A path of positive weights must connect each free vertex
 to a fixed one. Float64 in fixed orders. 250 B per vertex.
 """
 
@@ -84,7 +84,7 @@ class LaplacianSolver:
         self.descend()
 
     def begin(self, right: Positions) -> None:
-        """Initialize for right-hand sides vec3d [m]; launches on existing arrays only."""
+        """Initialize for right-hand sides vec3d [m]. Launches on existing arrays only."""
         launch(begin_residual_kernel, self.state.solution.size, [self.level, right, self.state])
         self._descent.begin()
 
@@ -120,7 +120,7 @@ def cotangent(a: vec3d, b: vec3d, tip: vec3d) -> float64:
 def weigh_edges_kernel(
     triangles: array(dtype=vec3i), edges: MeshEdges, rest: array(dtype=vec3d), weights: array(dtype=float64)
 ):
-    """Mean cotangent across each edge, at least 0; degenerate triangles are ignored."""
+    """Mean cotangent across each edge, at least 0. Degenerate triangles are ignored."""
     i = tid()
     a = edges.lows[i]
     b = edges.highs[i]
@@ -157,7 +157,7 @@ def hold_vertices_kernel(
     reached: array(dtype=int32),
     marks: array(dtype=int32),
 ):
-    """Place each fixed vertex and mark its set; all threads write the same mark."""
+    """Place each fixed vertex and mark its set. All threads write the same mark."""
     i = tid()
     v = held[i]
     places[v] = targets[i]
@@ -273,8 +273,8 @@ def deform_rigidly(
     vertices: Points, triangles: Triangles, held: Indices, targets: Positions, turns: int, likeness: float
 ) -> tuple[Positions, Array1[mat33d]]:
     """Deform a mesh so that distinct vertices `held` (int32 [h]) are at `targets` (vec3d [h]), in `turns` >= 1
-    iterations. `likeness` [m^2] weights similar rotations. Returns (positions vec3d [m], rotations mat33d [m]);
-    vertices not connected to a fixed one stay. Raises UnsolvedError without convergence."""
+    iterations. `likeness` [m^2] weights similar rotations. Returns (positions vec3d [m], rotations mat33d [m]).
+    Vertices not connected to a fixed one stay. Raises UnsolvedError without convergence."""
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync
     bending, weights = Bending(widen_rows(vertices)), empty(edges.count, float64, device)
@@ -298,7 +298,7 @@ def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
 
 
 class _Turn:
-    """Local and global step; on CUDA, the part before the solver loop is recorded once."""
+    """Local and global step. On CUDA, the part before the solver loop is recorded once."""
 
     def __init__(self, level: Level, bending: Bending, solver: LaplacianSolver, likeness: float) -> None:
         self.level, self.bending, self.solver, self.likeness = level, bending, solver, likeness

@@ -1,6 +1,6 @@
 """Collapse edges below a length in parallel where the surface stays valid.
 
-Free vertices move to a crease at the other end; otherwise to the midpoint; line vertices move to corners. Requires the
+Free vertices move to a crease at the other end. Otherwise to the midpoint; line vertices move to corners. Requires the
 link condition (Dey et al. 1999), triangles that turn by at most 60 degrees, and no edge above a length. Edges collapse
 whose key (length and hash) is minimal at all vertices around both ends, so no two share a triangle.
 """
@@ -257,7 +257,7 @@ def collapse_short_edges(
 
 
 def without_gone(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
-    """Remaining triangles and the flags of their half-edges; one sync."""
+    """Remaining triangles and the flags of their half-edges. One sync."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_left_kernel, mask.size, [triangles, mask])
     rows = positions_of(mask)  # sync

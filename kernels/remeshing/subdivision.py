@@ -1,7 +1,7 @@
 """Midpoint and Loop subdivision: each triangle becomes four.
 
-Loop, "Smooth subdivision surfaces based on triangles", master's thesis, University of Utah 1987, with Warren's weights;
-boundary edges after Hoppe et al., "Piecewise smooth surface reconstruction", SIGGRAPH 1994; non-manifold edges and
+Loop, "Smooth subdivision surfaces based on triangles", master's thesis, University of Utah 1987, with Warren's weights.
+Boundary edges after Hoppe et al., "Piecewise smooth surface reconstruction", SIGGRAPH 1994. Non-manifold edges and
 vertex order (by first half-edge) as in Open3D. Values are float64 between rounds, with sums in fixed orders. About 150
 B per triangle.
 """
@@ -111,7 +111,7 @@ def mask_edges_kernel(
     values: array(dtype=vec3d),
     out: array(dtype=vec3d),
 ):
-    """3/8 of each end plus 1/8 of each opposite vertex; the mean on boundary edges."""
+    """3/8 of each end plus 1/8 of each opposite vertex. The mean on boundary edges."""
     i = tid()
     a = split.edges.lows[i]
     b = split.edges.highs[i]
@@ -134,7 +134,7 @@ def mask_edges_kernel(
 def mask_vertices_kernel(
     around: VertexNeighbors, sharers: array(dtype=int32), values: array(dtype=vec3d), out: array(dtype=vec3d)
 ):
-    """Old vertex moved by its neighbors; only by those along boundary edges if there are at least two."""
+    """Old vertex moved by its neighbors. Only by those along boundary edges if there are at least two."""
     i = tid()
     everyone = vec3d(0.0, 0.0, 0.0)
     rim = vec3d(0.0, 0.0, 0.0)

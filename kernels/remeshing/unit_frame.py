@@ -13,7 +13,7 @@ from ..memory import empty
 
 @kernel
 def scale_points_kernel(points: array(dtype=vec3), center: vec3d, scale: float64, scaled: array(dtype=vec3d)):
-    """Scale points to the unit box; exact, since the scale is a power of two."""
+    """Scale points to the unit box. Exact, since the scale is a power of two."""
     i = tid()
     p = points[i]
     scaled[i] = (vec3d(float64(p[0]), float64(p[1]), float64(p[2])) - center) * scale

@@ -2,7 +2,7 @@
 
 Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993, with the mean of a
 voxel's vertices; or Lindstrom, "Out-of-core simplification of large polygonal models", 2000, with the point closest to
-the planes of their triangles. Sums in vertex order; about 150 B per triangle.
+the planes of their triangles. Sums in vertex order. About 150 B per triangle.
 """
 
 from collections.abc import Sequence
@@ -194,8 +194,8 @@ def mark_first_rows_kernel(groups: UniqueKeys, rows: array(dtype=int32), mask: a
 
 
 def join_triangles(triangles: Triangles, labels: Integers, count: int) -> Triangles:
-    """Distinct triangles between three of `count` voxels in order of first appearance, vec3i, lowest vertex first;
-    opposite orientations differ. Two syncs."""
+    """Distinct triangles between three of `count` voxels in order of first appearance, vec3i, lowest vertex first.
+    Opposite orientations differ. Two syncs."""
     device, bits = triangles.device, max(1, count.bit_length())
     relabeled, mask = empty(triangles.size, vec3i, device), empty(triangles.size, uint8, device)
     launch(relabel_triangles_kernel, triangles.size, [triangles, labels, relabeled, mask])

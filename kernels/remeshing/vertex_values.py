@@ -20,7 +20,7 @@ def narrow_rows_kernel(wide: array(dtype=vec3d), rows: array(dtype=vec3)):
 
 @kernel
 def narrow_directions_kernel(wide: array(dtype=vec3d), earlier: array(dtype=vec3), first: int, rows: array(dtype=vec3)):
-    """Unit rows from `first` on, earlier ones before; without a length the earlier one, else (0, 0, 1)."""
+    """Unit rows from `first` on, earlier ones before. Without a length the earlier one, else (0, 0, 1)."""
     i = tid()
     row = vec3(0.0, 0.0, 1.0)
     if i < earlier.shape[0]:

@@ -1,6 +1,6 @@
 """Coarse-to-fine RGB-D frame alignment in one device loop, and reliability statistics.
 
-Two launches per step; all levels share arrays, and results come with one sync. On CUDA the graph is reused for frames
+Two launches per step. All levels share arrays, and results come with one sync. On CUDA the graph is reused for frames
 of the same sizes (2.4 MB per VGA frame). Reliability uses the normal equations at a coarser level without gradients at
 noise level, since noise of normals and brightness looks like information.
 """
@@ -248,7 +248,7 @@ def learn_noise(total: row_sums, state: AlignmentState):
 def step_alignment_kernel(
     source: FrameLevels, rules: AlignmentRules, sums: array(dtype=row_sums), state: AlignmentState
 ):
-    """Move the pose; next level after a short step or enough steps. One thread."""
+    """Move the pose. Next level after a short step or enough steps. One thread."""
     i = tid()
     level = state.counts[i]
     total = sums[level]
@@ -354,7 +354,7 @@ def first_state(
 
 
 class Descent:
-    """Loop over the levels of two frames; with `is_kept` it copies frames into its own, reusing the CUDA graph."""
+    """Loop over the levels of two frames. With `is_kept` it copies frames into its own, reusing the CUDA graph."""
 
     def __init__(
         self,
@@ -382,7 +382,7 @@ class Descent:
     def run(
         self, source: "FrameLevels", target: "FrameLevels", begin: dict[str, tuple[np.ndarray, Any]], last: int
     ) -> None:
-        """Align a source to a target; the pose is in `state`."""
+        """Align a source to a target. The pose is in `state`."""
         if self._is_kept:
             self.kept.rewrite(begin)
             for levels, own in ((source, self.source), (target, self.target)):

@@ -1,6 +1,6 @@
 """Normal equations of frame alignment: point-to-plane (Chen and Medioni 1991) by projective association (Blais and
 Levine 1995) and bilinear brightness. Residuals are normalized by noise and weighted by a t distribution (Lange et al.
-1989; Kerl et al. 2013). Float32 rows, float64 sums; unknowns are rotation and translation on the target side.
+1989; Kerl et al. 2013). Float32 rows, float64 sums. Unknowns are rotation and translation on the target side.
 """
 
 from typing import Any
@@ -52,7 +52,7 @@ class AlignmentState:
 @struct
 class AlignmentRules:
     """Weights: `shift`: target level minus source level; shares of both terms; `reach` in noise deviations; finest
-    `first_level`; a `short_step` [px at 1 m] ends a level.
+    `first_level`. A `short_step` [px at 1 m] ends a level.
     """
 
     shift: int
@@ -78,7 +78,7 @@ class AlignmentRules:
 
 @func
 def sum_rows(g: row, j: row, r: float, h: row, k: row, s: float, extra: extra_sums) -> row_sums:
-    """Sums of two weighted rows: g = w j with residual r, h = w k with residual s; then extras."""
+    """Sums of two weighted rows: g = w j with residual r, h = w k with residual s. Then extras."""
     return row_sums(
         float64(g[0] * j[0] + h[0] * k[0]), float64(g[0] * j[1] + h[0] * k[1]),
         float64(g[0] * j[2] + h[0] * k[2]), float64(g[0] * j[3] + h[0] * k[3]),

@@ -1,5 +1,5 @@
 """Consistency statistics of a pose between two frames. A source pixel in front of the target's surface contradicts the
-pose; one behind it is occluded. Normals and brightness must agree where surfaces match.
+pose. One behind it is occluded. Normals and brightness must agree where surfaces match.
 """
 
 from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector

@@ -44,7 +44,7 @@ def encode_ferns_kernel(
     offset: int,
     codes: array(dtype=uint8),
 ):
-    """Code of a fern for the image from element `first` on; brightness below 0 without color."""
+    """Code of a fern for the image from element `first` on. Brightness below 0 without color."""
     i = tid()
     u = random_uniform(seed, i, PLACES)
     w = random_uniform(seed, i, SIZES)
@@ -66,7 +66,7 @@ def count_bits(value: int) -> int:
 
 @kernel
 def compare_codes_kernel(code: array(dtype=uint8), codes: array(dtype=uint8), counts: array(dtype=int32, ndim=2)):
-    """Common tests of a frame and a keyframe, and differing ones; one thread per keyframe."""
+    """Common tests of a frame and a keyframe, and differing ones. One thread per keyframe."""
     i = tid()
     common = 0
     different = 0

@@ -20,7 +20,7 @@ NEAREST = 0.1  # [m] in front of the earlier camera
 
 @kernel
 def least_about_kernel(levels: FrameLevels, least: array(dtype=float32)):
-    """Least depth of 3 x 3 pixels of the finest level; 0 if one is missing, and at the border."""
+    """Least depth of 3 x 3 pixels of the finest level. 0 if one is missing, and at the border."""
     i = tid()
     size = levels.layout[0]
     u = i % size[0]
@@ -95,7 +95,7 @@ def hide_moved_kernel(
     second: EarlierView,
     kept: array(dtype=float32),
 ):
-    """Depth without moving pixels; one thread per `side` x `side` pixels, 1 or 2."""
+    """Depth without moving pixels. One thread per `side` x `side` pixels, 1 or 2."""
     i = tid()
     columns = (width + side - 1) // side
     u = i % columns * side

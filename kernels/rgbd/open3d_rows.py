@@ -10,7 +10,7 @@ from ..array_types import Scalars, Vectors
 from ..lang import array, float32, float64, floor, func, isfinite, mat44d, reduction, struct, tid, vec3, vec3d, vector
 
 LEGACY, TENSOR = 0, 1
-COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # terms; PAIRS only counts pairs
+COLOR, HYBRID, PLANE, PAIRS = 0, 1, 2, 3  # terms. PAIRS only counts pairs
 SQUARES, COUNT, SOURCE_SHADE, TARGET_SHADE = 27, 28, 29, 30  # behind 21 of the matrix and 6 of the right side
 open3d_sums = vector(31, float64)
 SOBEL = 0.125
@@ -18,7 +18,7 @@ SOBEL = 0.125
 
 @struct
 class Open3DLevel:
-    """Frame level with NaN for no depth [m]; the gradients `along`, `down` of brightness are 8 times too large."""
+    """Frame level with NaN for no depth [m]. The gradients `along`, `down` of brightness are 8 times too large."""
 
     width: int
     height: int
@@ -53,7 +53,7 @@ class Open3DLevel:
 
 @struct
 class Open3DRules:
-    """Odometry variant: LEGACY or TENSOR; COLOR, HYBRID or PLANE; `reach` [m]; Huber limits; roots of term weights."""
+    """Odometry variant: LEGACY or TENSOR. COLOR, HYBRID or PLANE; `reach` [m]. Huber limits; roots of term weights."""
 
     form: int
     method: int
@@ -204,7 +204,7 @@ def sum_open3d_rows(
     pose: mat44d,
     rules: Open3DRules,
 ) -> open3d_sums:
-    """Source pixel's part; the source has the target's size and camera."""
+    """Source pixel's part. The source has the target's size and camera."""
     i = tid()
     total = open3d_sums(0.0)
     z = float64(source_depth[i])
@@ -236,7 +236,7 @@ def sum_open3d_rows(
     return total
 
 
-information_sums = vector(11, float64)  # pairs, sums of q and of its products above the diagonal; pixels with depth
+information_sums = vector(11, float64)  # pairs, sums of q and of its products above the diagonal. Pixels with depth
 
 
 @reduction

@@ -57,7 +57,7 @@ class FrameLevels:
 
 @func
 def nearest_depth(a: float, b: float, c: float, d: float) -> float:
-    """Least valid depth of four; NO_DEPTH without any."""
+    """Least valid depth of four. NO_DEPTH without any."""
     near = float(NO_DEPTH)
     if a > 0.0:
         near = min(near, a)
@@ -72,7 +72,7 @@ def nearest_depth(a: float, b: float, c: float, d: float) -> float:
 
 @func
 def halved_depth(a: float, b: float, c: float, d: float) -> float:
-    """Mean depth of the nearest surface among four; 0 without any."""
+    """Mean depth of the nearest surface among four. 0 without any."""
     near = nearest_depth(a, b, c, d)
     far = near * (1.0 + SAME_SURFACE)
     total = 0.0
@@ -97,7 +97,7 @@ def halved_depth(a: float, b: float, c: float, d: float) -> float:
 
 @func
 def halved_brightness(a: float, b: float, c: float, d: float) -> float:
-    """Mean of four; NO_COLOR if one has none."""
+    """Mean of four. NO_COLOR if one has none."""
     mean = (a + b + c + d) * 0.25
     if min(min(a, b), min(c, d)) < 0.0:
         mean = NO_COLOR
@@ -249,7 +249,7 @@ def fit_planes_kernel(radius: int, levels: FrameLevels, planes: array(dtype=vec4
 def take_normals_kernel(
     normals: array(dtype=vec3), depth: array(dtype=float32), lens: vec4, width: int, planes: array(dtype=vec4)
 ):
-    """Planes of given normals in the first level; zero where depth or normal is missing."""
+    """Planes of given normals in the first level. Zero where depth or normal is missing."""
     i = tid()
     z = depth[i]
     n = normals[i]

@@ -1,5 +1,5 @@
 """Projection of points to a frame, with rows of the surface residual (nearest pixel, Blais and Levine 1995) and the
-brightness residual (bilinear). Float32; unknowns are rotation and translation on the frame's side.
+brightness residual (bilinear). Float32. Unknowns are rotation and translation on the frame's side.
 """
 
 from ..lang import array, cross, float32, floor, func, vec3, vec4, vector
@@ -50,7 +50,7 @@ def seen_at(p: vec3, level: int, frame: FrameLevels) -> tuple[float, float, int]
 
 @func
 def seen_brightness(u: float, v: float, level: int, frame: FrameLevels) -> vec4:
-    """Bilinear brightness, its gradient [1 / px], and 1; zero if a pixel has none."""
+    """Bilinear brightness, its gradient [1 / px], and 1. Zero if a pixel has none."""
     size = frame.layout[level]
     left = int(floor(u))
     top = int(floor(v))

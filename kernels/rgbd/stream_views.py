@@ -31,12 +31,12 @@ CELLS = 80  # per view width: a cell of VGA is 8 x 8 pixels, so fast rotations m
 FULL = 0.75  # minimum fraction of a cell's pixels with depth
 stream_sums = vector(13, float64)
 BRIGHT, NEAR = 0, 5  # offsets of each image's sums: squared gradients u u, u v, v v, then u d, v d
-OTHER, MEASURED, SHADES = (10, 11, 12)  # cells whose nearness changed; cells with nearness; squared differences
+OTHER, MEASURED, SHADES = (10, 11, 12)  # cells whose nearness changed. Cells with nearness. Squared differences
 
 
 @struct
 class StreamView:
-    """Downsampled frame: mean `brightness`, below 0 without color; mean `nearness` 1 / z [1/m], 0 if sparse."""
+    """Downsampled frame: mean `brightness`, below 0 without color. Mean `nearness` 1 / z [1/m], 0 if sparse."""
 
     brightness: array(dtype=float32)
     nearness: array(dtype=float32)
@@ -57,7 +57,7 @@ def view_stream_kernel(
     brightness: array(dtype=float32),
     nearness: array(dtype=float32),
 ):
-    """A cell of a StreamView; its pixels are `side` x `side`."""
+    """A cell of a StreamView. Its pixels are `side` x `side`."""
     i = tid()
     first = i // columns * side * width + i % columns * side
     shade = 0.0
@@ -127,7 +127,7 @@ def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> 
 
 
 def view_stream(depth: Scalars, pixels: Array2[uint8] | None, width: int, height: int) -> StreamView:
-    """StreamView of a frame: depth [m] float32 (height * width), 0 for none; 8-bit colors (pixels, 3) or None."""
+    """StreamView of a frame: depth [m] float32 (height * width), 0 for none. 8-bit colors (pixels, 3) or None."""
     side = max(1, width // CELLS)
     view = StreamView(max(width // side, 1), max(height // side, 1), depth.device)
     shown = zeros((1, 3), uint8, depth.device) if pixels is None else pixels

@@ -20,7 +20,7 @@ LEVELS = DEPTH - NODE_BITS + 2  # from 0, the whole cube, to the last one for po
 
 SKIPPED = 0x7FFF_FFFF_FFFF_FFFF  # key of non-finite points, above all: no cell is the last on each axis
 LAST_CELL = (1 << DEPTH) - 2
-LOW_BITS = 32  # of a key, sorted first on the CPU; the other 31 also fit above a position
+LOW_BITS = 32  # of a key, sorted first on the CPU. The other 31 also fit above a position
 LOW_MASK = 0xFFFF_FFFF
 BLOCK = 64  # points, or minima, per minimum
 
@@ -69,7 +69,7 @@ def key_of_cell(x: int, y: int, z: int) -> int64:
 
 @func
 def morton_key(p: vec3, cube: Cube) -> int64:
-    """Bits of a point's finest cell; SKIPPED if it is not finite."""
+    """Bits of a point's finest cell. SKIPPED if it is not finite."""
     key = int64(SKIPPED)
     if isfinite(p):
         x = cell_along(float64(p[0]), cube, 0)
@@ -237,7 +237,7 @@ def find_levels(
     points: Points | Positions, corner: np.ndarray, side: float, numbers: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(keys, order, levels) of the finite points in a cube [m], in Morton order on the host. Use vec3d if float32 would
-    move points across cells. `numbers`: indices in a larger cloud; complete cells no smaller than a first-level voxel
+    move points across cells. `numbers`: indices in a larger cloud. Complete cells no smaller than a first-level voxel
     then get the levels of the whole.
     """
     keys, order = sort_by_cell(points, Cube(corner, side))

@@ -10,13 +10,13 @@ from ..memory import empty
 LOW_WORD = 0xFFFFFFFF
 MINUS_ZERO = 0x80000000
 MAGNITUDE = 0x7FFFFFFF
-INFINITE = 0x7F800000  # bits of infinity; NaN is above
+INFINITE = 0x7F800000  # bits of infinity. NaN is above
 WORD_BITS = 63  # of a sort key with its row index: sorted as one number
 
 
 @func
 def coordinate_bits(x: float) -> int64:
-    """Bits of a coordinate, equal for zero and minus zero; a float comparison might flush subnormals."""
+    """Bits of a coordinate, equal for zero and minus zero. A float comparison might flush subnormals."""
     bits = int64(float_bits(x)) & int64(LOW_WORD)
     return bits if bits != int64(MINUS_ZERO) else 0
 
@@ -53,7 +53,7 @@ def hash_points_kernel(points: array(dtype=vec3), bits: int, keys: array(dtype=i
 def mark_first_kernel(
     points: array(dtype=vec3), keys: array(dtype=int64), order: array(dtype=int32), mask: array(dtype=uint8)
 ):
-    """1 if no earlier point has the same coordinates; NaN equals none."""
+    """1 if no earlier point has the same coordinates. NaN equals none."""
     i = tid()
     p = points[order[i]]
     first = 1

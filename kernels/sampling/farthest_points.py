@@ -38,7 +38,7 @@ UNREACHED = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
 APART = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
 CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
 STEPS = 32  # choices per loop iteration: its end costs as much as one of them
-FEWEST = 2 * STEPS  # minimum choices for a loop; fewer are launched one by one
+FEWEST = 2 * STEPS  # minimum choices for a loop. Fewer are launched one by one
 LOOPED = 1 << 16  # choices per loop, a multiple of STEPS: a fraction of a second
 
 
@@ -69,7 +69,7 @@ class KeptDistances:
     running: array(dtype=int32)
 
     def __init__(self, tree: PointTree, sample_count: int, start: int, in_turn: bool) -> None:
-        """Initialize; the first choice is the point of index `start`."""
+        """Initialize. The first choice is the point of index `start`."""
         device, node_count = tree.device, tree.boxes.size // SIDES if in_turn else 0
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
         self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
@@ -99,7 +99,7 @@ def start_keys_kernel(kept: KeptDistances):
 
 @func
 def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
-    """Lower a leaf's keys to their distance to p; return the largest. Three loops that the CPU vectorizes."""
+    """Lower a leaf's keys to their distance to p. Return the largest. Three loops that the CPU vectorizes."""
     first = leaf * LEAF
     distances = box_distances(0.0)
     for j in range(LEAF):
@@ -121,7 +121,7 @@ def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
 
 @func
 def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
-    """Lower a bucket's keys to their distance to p where needed; return the largest."""
+    """Lower a bucket's keys to their distance to p where needed. Return the largest."""
     distances = measure_boxes(kept.tree.boxes, bucket, p, p)
     top = int64(0)
     for j in range(FAN):
@@ -137,7 +137,7 @@ def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
 
 @func
 def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
-    """Queue the nodes that may hold a point closer to p than to all chosen ones; returns the end of the buckets."""
+    """Queue the nodes that may hold a point closer to p than to all chosen ones. Returns the end of the buckets."""
     begin = 0
     end = 1
     kept.queue[0] = kept.tree.levels[kept.tree.root]
@@ -161,7 +161,7 @@ def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
 
 @func
 def approach_tree(p: vec3, kept: KeptDistances) -> int64:
-    """Lower all keys to their distance to p; return the largest."""
+    """Lower all keys to their distance to p. Return the largest."""
     end = list_buckets_near(p, kept)
     level = 0
     for step in range(end):  # from the last bucket back to the root: children before parents
@@ -200,7 +200,7 @@ def choose_at_once_kernel(step: int, kept: KeptDistances):
         key = kept.chosen[turn]
         if key >= int64(APART):
             top = approach_bucket(i, kept.points[index_of(key)], kept)
-            if top > kept.chosen[turn + 1]:  # saves most atomics; a stale value only adds one
+            if top > kept.chosen[turn + 1]:  # saves most atomics. A stale value only adds one
                 atomic_max(kept.chosen, turn + 1, top)  # resolves the race: the largest key
 
 
@@ -216,7 +216,7 @@ def largest_of_lanes(key: int64) -> int64:
 
 @choose_at_once_kernel.on_cuda
 def choose_by_leaves_kernel(step: int, kept: KeptDistances):
-    """CUDA variant, one thread per leaf, coalesced; a warp offers one key."""
+    """CUDA variant, one thread per leaf, coalesced. A warp offers one key."""
     i = tid()
     turn = kept.turn[0] + step
     top = int64(0)
@@ -236,7 +236,7 @@ def choose_by_leaves_kernel(step: int, kept: KeptDistances):
 
 @kernel
 def end_turn_kernel(limit: int, kept: KeptDistances):
-    """Continue after the iteration's choices while below the limit; one thread."""
+    """Continue after the iteration's choices while below the limit. One thread."""
     i = tid()
     turn = min(kept.turn[0] + STEPS, kept.last) + i
     kept.turn[0] = turn
@@ -247,8 +247,8 @@ def end_turn_kernel(limit: int, kept: KeptDistances):
 
 
 def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: bool | None = None) -> np.ndarray:
-    """Farthest point samples, int32 NumPy array in order of choice; one sync. Fewer than `sample_count` once all points
-    coincide with chosen ones. `at_once`: one launch per choice; None chooses by device.
+    """Farthest point samples, int32 NumPy array in order of choice. One sync. Fewer than `sample_count` once all points
+    coincide with chosen ones. `at_once`: one launch per choice. None chooses by device.
     """
     in_turn = not (tree.device.is_cuda if at_once is None else at_once)
     kept = KeptDistances(tree, sample_count, start, in_turn)

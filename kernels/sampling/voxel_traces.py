@@ -37,7 +37,7 @@ def trace_voxels_kernel(
     octants: array(dtype=int32),
     voxels: array(dtype=int32),
 ):
-    """Last point in each octant of each voxel, and the voxel of each point; others stay -1."""
+    """Last point in each octant of each voxel, and the voxel of each point. Others stay -1."""
     i = tid()
     for j in range(starts[i], starts[i + 1]):
         row = order[j]
@@ -117,7 +117,7 @@ def commonest_rows_kernel(
     scratch: array(dtype=int64),
     rows: array(dtype=int32),
 ):
-    """First row of each run with its most common key; ties to the lowest key."""
+    """First row of each run with its most common key. Ties to the lowest key."""
     i = tid()
     begin = starts[i]
     end = starts[i + 1]

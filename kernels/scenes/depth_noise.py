@@ -28,7 +28,7 @@ def measure_depth_kernel(
     incidence: array(dtype=float32),
     measured: array(dtype=float32),
 ):
-    """Measured depth [m] in whole millimeters; 0 where there is none."""
+    """Measured depth [m] in whole millimeters. 0 where there is none."""
     i = tid()
     z = depth[i]
     column = i % width

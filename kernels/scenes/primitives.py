@@ -183,7 +183,7 @@ def measure_distances_kernel(points: array(dtype=vec3d), solids: Solids, distanc
 
 
 def distance_to_solids(points: Positions, solids: Solids) -> Doubles:
-    """Signed distances, float64 (n) [m], of points vec3d (n) from a scene, negative inside; NaN if not finite."""
+    """Signed distances, float64 (n) [m], of points vec3d (n) from a scene, negative inside. NaN if not finite."""
     distances = empty(points.size, float64, points.device)
     launch(measure_distances_kernel, points.size, [points, solids, distances])
     return distances

@@ -142,7 +142,7 @@ def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
     return (AMBIENT + SKY * normal[2]) * openness + LAMP * lit * fall * (0.6 + 0.4 * openness)
 
 
-TILE = 16  # [px] smaller tiles list fewer solids, larger ones need fewer lists; 8 and 32 were slower
+TILE = 16  # [px] smaller tiles list fewer solids, larger ones need fewer lists. 8 and 32 were slower
 TILE_SIZE = float(TILE)
 PLAIN = 0
 CHECKER = 1

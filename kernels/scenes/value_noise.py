@@ -48,7 +48,7 @@ def lattice_row(x: int, y: int, z: int, fx: float, seed: int) -> float:
 
 @func
 def value_noise(p: vec3, seed: int) -> float:
-    """Value noise of unit lattice spacing, 0 to 1; the second derivative is discontinuous."""
+    """Value noise of unit lattice spacing, 0 to 1. The second derivative is discontinuous."""
     x = floor(p[0])
     y = floor(p[1])
     z = floor(p[2])

@@ -94,7 +94,7 @@ def children_in_reach(
     level: int,
     node: int,
 ) -> int:
-    """`children_within` for a node given by its level; the levels of its tree start at `first`."""
+    """`children_within` for a node given by its level. The levels of its tree start at `first`."""
     return children_within(boxes, levels[first + level] + node, a, b, bound)
 
 

@@ -12,7 +12,7 @@ from ..lang import WARP, array, float32, func, int32, int64, struct
 from ..memory import empty
 from .point_tree import BUCKET, LEAF
 
-CPU_RUN = 32  # groups per CPU thread; queries of the first have no previous group and traverse the tree
+CPU_RUN = 32  # groups per CPU thread. Queries of the first have no previous group and traverse the tree
 SCRATCH = 2**25  # scratch numbers of one kind per CPU launch
 SM_THREADS = 768  # per CUDA launch: a multiprocessor's capacity at 80 registers per thread
 MAX_LEAVES = 512  # measured by a warp, besides two per neighbor
@@ -104,5 +104,5 @@ def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
 
 
 def candidate_room(device: Device, k: int) -> int:
-    """Maximum candidates of a group; a longer list on CUDA, because a lane that searches alone is slower."""
+    """Maximum candidates of a group. A longer list on CUDA, because a lane that searches alone is slower."""
     return MAX_LEAVES + 2 * k if device.is_cuda else LEAF * max(64, 2 * k + 24)

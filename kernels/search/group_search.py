@@ -60,7 +60,7 @@ def gather_candidates(
     scratch: GroupScratch,
     base: int,
 ) -> int:
-    """Copy the points of leaves within reach of a box, padded with infinity; return the count, at most `gather` + 1."""
+    """Copy the points of leaves within reach of a box, padded with infinity. Return the count, at most `gather` + 1."""
     size = 0
     near = reach
     for first in leaves_in_reach(start, a, b, near, tree):
@@ -87,7 +87,7 @@ def gather_candidates(
 def gather_around_leaf(
     leaf: int, reach: float, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, base: int
 ) -> int:
-    """gather_candidates for a leaf; none if there is no room or the reach is infinite."""
+    """gather_candidates for a leaf. None if there is no room or the reach is infinite."""
     gathered = scratch.gather + 1
     if scratch.gather > 0 and reach < BOUNDLESS:
         at = (leaf // FAN) * SIDES + leaf % FAN
@@ -99,7 +99,7 @@ def gather_around_leaf(
 
 @func
 def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, reach: float) -> int:
-    """Write the keys of candidates within squared distance `reach` to keys[base:]; return the count."""
+    """Write the keys of candidates within squared distance `reach` to keys[base:]. Return the count."""
     held = 0
     sqdists = eight(0.0)
     for chunk in range((size + LEAF - 1) // LEAF):
@@ -118,7 +118,7 @@ def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int
 
 @func
 def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int:
-    """Remove the largest keys until k are left, unsorted; return the count."""
+    """Remove the largest keys until k are left, unsorted. Return the count."""
     left = held
     while left > k:
         largest = keys[base]
@@ -147,7 +147,7 @@ def search_member(
     reach: float,
     sort: int,
 ) -> int:
-    """Write the keys of the k nearest points within reach to keys[base:]; return the count. `gathered` candidates cover
+    """Write the keys of the k nearest points within reach to keys[base:]. Return the count. `gathered` candidates cover
     the squared distance `covered`, unless there are more than `gather`.
     """
     size = -1
@@ -169,7 +169,7 @@ def search_member(
 
 @func
 def farthest_key(scratch: GroupScratch, base: int, size: int) -> float:
-    """Largest squared distance among a thread's keys; 0 if there are none."""
+    """Largest squared distance among a thread's keys. 0 if there are none."""
     largest = int64(0)
     for j in range(size):
         largest = max(largest, held_key(scratch, base, j))
@@ -218,7 +218,7 @@ def nearest_of_lanes(
     reach: float,
     sort: int,
 ) -> tuple[int, int, int]:
-    """CUDA variant, one position per lane; the label is the position. The reach follows the warp's previous group."""
+    """CUDA variant, one position per lane. The label is the position. The reach follows the warp's previous group."""
     guess = -1.0
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):

@@ -90,7 +90,7 @@ def cell_on_axis(coordinate: float, low: float, scale: float, levels: int) -> in
 
 @func
 def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
-    """Code of a point; points outside the box take the nearest cell."""
+    """Code of a point. Points outside the box take the nearest cell."""
     x = lanes(cell_on_axis(p[0], curve.low[0], curve.scale, curve.levels))
     y = lanes(cell_on_axis(p[1], curve.low[1], curve.scale, curve.levels))
     z = lanes(cell_on_axis(p[2], curve.low[2], curve.scale, curve.levels))
@@ -100,7 +100,7 @@ def locate_on_curve(p: vec3, curve: HilbertCurve) -> int64:
 
 @func
 def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale: float, levels: int, codes: SortKeys):
-    """Codes of eight points, `step` positions apart; non-finite points come last."""
+    """Codes of eight points, `step` positions apart. Non-finite points come last."""
     last = points.shape[0] - 1
     x = lanes(0)
     y = lanes(0)
@@ -150,21 +150,21 @@ def _threads_of_eight(points: Points) -> tuple[int, int, int]:
 
 
 def order_in_box(points: Points, levels: int) -> Integers:
-    """Order along the curve through the points' box, int32 (n), as of `argsort_along`; no sync."""
+    """Order along the curve through the points' box, int32 (n), as of `argsort_along`. No sync."""
     codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
     launch(encode_in_box_kernel, threads, [points, find_box(points), levels, apart, step, codes])
     return codes.sort(3 * levels + 1)[1]
 
 
 def encode_points(points: Points, curve: HilbertCurve) -> SortKeys:
-    """Codes of points on a curve, as SortKeys; 8^levels for non-finite points."""
+    """Codes of points on a curve, as SortKeys. 8^levels for non-finite points."""
     codes, (threads, apart, step) = SortKeys(points.size, points.device), _threads_of_eight(points)
     launch(encode_points_kernel, threads, [points, curve, apart, step, codes])
     return codes
 
 
 def argsort_along(points: Points, curve: HilbertCurve) -> tuple[LongIntegers, Integers]:
-    """Sorted codes int64 (n) and order int32 (n) along a curve; non-finite points last."""
+    """Sorted codes int64 (n) and order int32 (n) along a curve. Non-finite points last."""
     return encode_points(points, curve).sort(curve.code_bits)
 
 

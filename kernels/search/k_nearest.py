@@ -20,7 +20,7 @@ def offer_bucket(
     reach: float,
     limit: int64,
 ) -> int:
-    """Append the keys of a bucket's points up to `limit` and `reach`, branch-free; return the count of keys."""
+    """Append the keys of a bucket's points up to `limit` and `reach`, branch-free. Return the count of keys."""
     size = held
     distances = measure_boxes(tree.boxes, bucket, p, p)
     for leaf in range(FAN):
@@ -88,7 +88,7 @@ def search_k_nearest(
     room: int,
     reach: float,
 ) -> int:
-    """Write the k nearest points with squared distance <= reach as sorted keys from `base` on; return the count."""
+    """Write the k nearest points with squared distance <= reach as sorted keys from `base` on. Return the count."""
     bound = reach
     # The last key that may still be a result: of many points at one distance only those of low index.
     limit = key_limit(reach)

@@ -1,8 +1,8 @@
 """Neighbors of the 32 queries of a CUDA warp: one traversal lists leaves, then each lane measures their points.
 
 Lanes read the same eight points together and keep keys within reach. The k smallest keys are found by counting against
-interpolated limits (neighbor_keys.limit_nearest), without a quadratic pass. The reach is widened or narrowed as needed;
-a lane that does not converge searches alone. Scratch memory is reused so that it stays in the L2 cache.
+interpolated limits (neighbor_keys.limit_nearest), without a quadratic pass. The reach is widened or narrowed as needed.
+A lane that does not converge searches alone. Scratch memory is reused so that it stays in the L2 cache.
 """
 
 from ..algebra.plain_min_max import larger
@@ -52,7 +52,7 @@ def point_of_lane(p: vec3, owner: int) -> vec3:
 
 @cuda_func
 def nearby_children(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
-    """`children_within` with one child per lane; bits are set for children near any group of eight lanes."""
+    """`children_within` with one child per lane. Bits are set for children near any group of eight lanes."""
     sqdist = measure_box(boxes, node, lane() & (FAN - 1), a, b)
     near = ballot(1 if sqdist <= bound else 0)
     near = near | (near >> (2 * FAN))
@@ -70,7 +70,7 @@ def nearby_nodes(
     level: int,
     node: int,
 ) -> int:
-    """`nearby_children` for a node given by its level; the levels of its tree start at `first`."""
+    """`nearby_children` for a node given by its level. The levels of its tree start at `first`."""
     return nearby_children(boxes, levels[first + level] + node, a, b, bound)
 
 
@@ -81,7 +81,7 @@ def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, tree: Point
 
 @cuda_func
 def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
-    """List the leaves near the lanes' points by boxes of eight lanes; return the count, partial beyond `gather`."""
+    """List the leaves near the lanes' points by boxes of eight lanes. Return the count, partial beyond `gather`."""
     a = low_of_eight(p)
     b = high_of_eight(p)
     widest = most_of_eight(reach)
@@ -108,7 +108,7 @@ def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
 
 @cuda_func
 def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int) -> int:
-    """Store the keys within squared distance `reach`, above positions; return the count, partial above room - LEAF."""
+    """Store the keys within squared distance `reach`, above positions. Return the count, partial above room - LEAF."""
     at = base
     last = base + (scratch.room - LEAF) * scratch.stride
     lacking = 0
@@ -232,7 +232,7 @@ def search_lanes(
     reach: float,
     in_places: int,
 ) -> vec2i:
-    """Store keys of the k nearest points within the squared distance `reach` of each lane's query, unordered; the
+    """Store keys of the k nearest points within the squared distance `reach` of each lane's query, unordered. The
     nearby bucket `start` and first squared distance `guess` are uniform. Returns count and bits of a bounding distance.
     """
     listing = (thread // WARP) * scratch.gather

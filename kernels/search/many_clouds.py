@@ -63,7 +63,7 @@ class ManyClouds:
             self.codes = keys
 
     def _sort(self, points: Points, sizes: np.ndarray) -> tuple[LongIntegers, int, Integers]:
-        """(keys, code bits, rows) of all points along one curve, cloud by cloud; counts the finite ones."""
+        """(keys, code bits, rows) of all points along one curve, cloud by cloud. Counts the finite ones."""
         device, count = self.device, len(sizes)
         low, high, finite = bound_points(points)  # sync
         self.low, self.high = low, high
@@ -101,7 +101,7 @@ def mark_segments_kernel(starts: array(dtype=int32), bits: int, codes: SortKeys)
 
 @kernel
 def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bits: int, counts: array(dtype=int32)):
-    """Count the finite points of each segment by bisection; the others are last."""
+    """Count the finite points of each segment by bisection. The others are last."""
     i = tid()
     limit = (int64(i) << int64(bits)) | (1 << int64(bits - 1))
     a = starts[i]

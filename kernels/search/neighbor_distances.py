@@ -69,7 +69,7 @@ def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
 
 @kernel
 def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: array(dtype=uint8)):
-    """1 where a value is at most the threshold; 0 for NaN."""
+    """1 where a value is at most the threshold. 0 for NaN."""
     i = tid()
     kept = 0
     if values[i] <= threshold:
@@ -93,7 +93,7 @@ def root_distances_kernel(
 
 
 def average_distances(tree: PointTree, k: int) -> Doubles:
-    """Mean distance [m] to the k nearest points including itself, float64 (n); NaN for non-finite points."""
+    """Mean distance [m] to the k nearest points including itself, float64 (n). NaN for non-finite points."""
     points, device = tree.source, tree.device
     means = full(points.size, NAN, float64, device)
     if tree.count == 0:
@@ -111,7 +111,7 @@ def nearest_distances(tree: PointTree, queries: Points, *, others: bool = False,
 
 
 def mean_and_deviation(values: Doubles) -> tuple[int, float, float]:
-    """(count, mean, sample deviation) of the finite values of a float64 device array; two syncs."""
+    """(count, mean, sample deviation) of the finite values of a float64 device array. Two syncs."""
     n, total = download(reduce(sum_finite, values.size, [values]))[0].tolist()  # sync
     if n == 0:
         return 0, NAN, NAN

@@ -112,7 +112,7 @@ def limit_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
 @limit_nearest.on_cuda
 def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int64:
-    """CUDA variant in three or four passes; the k-th distance is in [least, largest], ties by bisection."""
+    """CUDA variant in three or four passes. The k-th distance is in [least, largest], ties by bisection."""
     low = 0.0
     least = 0.0
     largest = reach
@@ -157,7 +157,7 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
 @func
 def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
-    """Move the keys up to a limit to the front in their order; return the count."""
+    """Move the keys up to a limit to the front in their order. Return the count."""
     size = 0
     for j in range(held):
         key = keys[base + j * stride]
@@ -169,7 +169,7 @@ def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limi
 
 @func
 def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
-    """Sort and keep the k smallest keys by counting smaller ones, fast up to MANY keys; return the count."""
+    """Sort and keep the k smallest keys by counting smaller ones, fast up to MANY keys. Return the count."""
     left = min(held, k)
     if held > MANY:
         sort_keys(keys, base, stride, held)
@@ -203,7 +203,7 @@ def pick_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k:
 
 @func
 def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int:
-    """Drop far keys, keeping at least k, by three guesses of the k-th distance; return the count."""
+    """Drop far keys, keeping at least k, by three guesses of the k-th distance. Return the count."""
     left = held
     if held > k + k // SLIGHT and reach < BOUNDLESS:
         share = reach * (float(k) / float(held))

@@ -81,7 +81,7 @@ def gather_group(
     scratch: GroupScratch,
     listing: int,
 ) -> int:
-    """Copy the points within reach of the box of a query group; return the count, or gather + 1 if there are more."""
+    """Copy the points within reach of the box of a query group. Return the count, or gather + 1 if there are more."""
     size = scratch.gather + 1
     if scratch.gather > 0:
         a = tree.points[ranks[head]]
@@ -176,9 +176,9 @@ def find_limits_of_lanes_kernel(
 
 @struct
 class Neighborhood:
-    """The neighbors of each point of a tree within a radius, a count or both, without lists; ties go to the first on
+    """The neighbors of each point of a tree within a radius, a count or both, without lists. Ties go to the first on
     the curve. `radius` [m] is exclusive; `max_nn` includes the point itself; `ranks`: positions computed first.
-    `limits` (tree.count); maximum squared distance `reach` [m^2].
+    `limits` (tree.count). Maximum squared distance `reach` [m^2].
     """
 
     tree: PointTree
@@ -244,7 +244,7 @@ def members_of(
 def hold_members(
     thread: int, group: int, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> int:
-    """Store the keys of all neighbors of each lane's query; return the count, -1 if they do not fit."""
+    """Store the keys of all neighbors of each lane's query. Return the count, -1 if they do not fit."""
     last = ranks.shape[0] - 1
     rank = ranks[min(group * WARP + lane(), last)]
     p = neighborhood.tree.points[rank]
@@ -283,7 +283,7 @@ def neighbors_of(rank: int, neighborhood: Neighborhood) -> tuple[int, float]:
 
 @kernel
 def mark_neighbors_kernel(ranks: array(dtype=int32), neighborhood: Neighborhood, marks: array(dtype=int32)):
-    """Flag some points and their neighbors; all writers write 1."""
+    """Flag some points and their neighbors. All writers write 1."""
     i = tid()
     rank = ranks[i]
     atomic_max(marks, rank, 1)

@@ -61,14 +61,14 @@ class PointForest:
 
 @kernel
 def bound_forest_leaves_kernel(points: array(dtype=vec3), boxes: array(dtype=float32)):
-    """Leaf boxes; empty, which no query reaches, for leaves without points."""
+    """Leaf boxes. Empty, which no query reaches, for leaves without points."""
     i = tid()
     bound_leaf(i, points, points.shape[0], boxes)
 
 
 @kernel
 def bound_forest_nodes_kernel(trees: int, level: int, forest: PointForest):
-    """Copy the node boxes of the level below into their parents; missing nodes get empty boxes."""
+    """Copy the node boxes of the level below into their parents. Missing nodes get empty boxes."""
     i = tid()
     record = forest.levels[level] + i // FAN
     a = 0

@@ -91,7 +91,7 @@ def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
 
 
 def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: int) -> None:
-    """Copy node boxes into the level above, from level `known` upwards; two levels per launch on CUDA."""
+    """Copy node boxes into the level above, from level `known` upwards. Two levels per launch on CUDA."""
     for level in range(known + 1, len(sizes), 2 if boxes.device.is_cuda else 1):
         if not boxes.device.is_cuda:
             threads = sizes[level] * FAN
@@ -104,7 +104,7 @@ def bound_levels(levels: Integers, sizes: Sequence[int], boxes: Scalars, known: 
 
 @func
 def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dtype=float32)):
-    """Write the box of a leaf's finite points; an empty one, which no query reaches, if there are none."""
+    """Write the box of a leaf's finite points. An empty one, which no query reaches, if there are none."""
     a = vec3(INFINITY, INFINITY, INFINITY)
     b = vec3(-INFINITY, -INFINITY, -INFINITY)
     for j in range(leaf * LEAF, min((leaf + 1) * LEAF, count)):
@@ -120,7 +120,7 @@ def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dt
 
 @kernel
 def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
-    """Store and bound the points of a leaf, with unreachable padding; the first of a bucket stores its code."""
+    """Store and bound the points of a leaf, with unreachable padding. The first of a bucket stores its code."""
     i = tid()
     if i % FAN == 0:
         tree.codes[i // FAN] = codes[i * LEAF] if i * LEAF < tree.count else 0
@@ -145,7 +145,7 @@ def lowest_of_lanes(p: vec3, first: int, last: int) -> vec3:
 
 @cuda_func
 def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=float32)):
-    """Write a box, one number per lane; an indexed vector would be in local memory."""
+    """Write a box, one number per lane. An indexed vector would be in local memory."""
     x = high[0] if lane == 3 else low[0]
     y = high[1] if lane == 4 else low[1]
     z = high[2] if lane == 5 else low[2]
@@ -156,7 +156,7 @@ def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=flo
 
 @place_leaves_kernel.on_cuda
 def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
-    """CUDA variant: one warp per bucket, two points per lane, coalesced; also bounds the bucket."""
+    """CUDA variant: one warp per bucket, two points per lane, coalesced. Also bounds the bucket."""
     i = tid()
     bucket = i // WARP
     lane = i % WARP
@@ -206,7 +206,7 @@ def highest_corner(node: int, boxes: array(dtype=float32)) -> vec3:
 
 @kernel
 def bound_nodes_kernel(level: int, levels: array(dtype=int32), boxes: array(dtype=float32)):
-    """Copy the node boxes of the level below into their parents; missing nodes get empty boxes."""
+    """Copy the node boxes of the level below into their parents. Missing nodes get empty boxes."""
     i = tid()
     below = levels[level - 1]
     a = vec3(INFINITY, INFINITY, INFINITY)

@@ -49,7 +49,7 @@ def write_row(
     distances: array(dtype=float32),
     counts: array(dtype=int32),
 ):
-    """Write a query's sorted keys as its row; missing neighbors are -1 at infinite distance."""
+    """Write a query's sorted keys as its row. Missing neighbors are -1 at infinite distance."""
     first = row * scratch.k
     for j in range(size):
         key = scratch.keys[base + j * stride]

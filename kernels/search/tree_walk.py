@@ -39,7 +39,7 @@ def record_of(levels: array(dtype=int32), level: int, node: int) -> int:
 
 @func
 def walk_place(level: int) -> int64:
-    """Shift of a level's byte in the pending mask; leaves and buckets need none."""
+    """Shift of a level's byte in the pending mask. Leaves and buckets need none."""
     return byte_place(level - 1)
 
 
@@ -51,7 +51,7 @@ def begin_walk(level: int, node: int) -> walk:
 
 @func
 def put_off(step: walk, children: int) -> walk:
-    """Mark children as pending; for nodes above the buckets."""
+    """Mark children as pending. For nodes above the buckets."""
     return walk(step[0], step[1], step[2], step[3] | (int64(children) << walk_place(int(step[1]))))
 
 
@@ -90,7 +90,7 @@ def own_child(leaf: int, level: int) -> int:
 
 @func
 def other_children(leaf: int, height: int, level: int) -> int:
-    """Bit mask of the children of a node that the traversal did not come from; for its own bucket all."""
+    """Bit mask of the children of a node that the traversal did not come from. For its own bucket all."""
     others = int(BYTE)
     if level > 1 and level == height:
         others = BYTE - (1 << own_child(leaf, level))
@@ -108,7 +108,7 @@ def later_children(leaf: int, height: int, level: int) -> int:
 
 @loop
 def nodes_after(start: int, leaf: int, near: int, tree: PointTree) -> tuple[int, int, int]:
-    """Nodes after a leaf's ancestor at level `start`; the body sets the children `near` and processes buckets."""
+    """Nodes after a leaf's ancestor at level `start`. The body sets the children `near` and processes buckets."""
     step = next_node(begin_walk(start, leaf >> (FAN_BITS * start)), tree.root + 1)
     while int(step[0]) <= tree.root + 1:
         height = int(step[0])
@@ -131,7 +131,7 @@ def leaves_of(bucket: int, children: int, tree: PointTree) -> tuple[int, int]:
 
 @loop
 def points_of(leaf: int, tree: PointTree) -> tuple[int, vec3]:
-    """Points of a leaf with their lanes; the last leaf may be short."""
+    """Points of a leaf with their lanes. The last leaf may be short."""
     for lane in range(LEAF):
         if leaf * LEAF + lane < tree.count:
             p = tree.points[leaf * LEAF + lane]
@@ -199,7 +199,7 @@ def lower_numbers_kernel(below: int, first: int, lowest: array(dtype=int32)):
 
 
 class NodeNumbers:
-    """Minimum over leaves of a number, for each tree node, at record * FAN + child; NO_NUMBER if none."""
+    """Minimum over leaves of a number, for each tree node, at record * FAN + child. NO_NUMBER if none."""
 
     def __init__(self, tree: PointTree) -> None:
         self.tree, self.top = tree, tree.root + 1

@@ -1,7 +1,7 @@
 """Cluster labels from disjoint sets of core points: numbering, border points, sizes.
 
 Clusters are numbered by their first core in cloud order. A border point, within the radius of a core, takes the lowest
-label of those cores; the tree traversal skips nodes without a lower label.
+label of those cores. The tree traversal skips nodes without a lower label.
 """
 
 from ..array_types import Integers
@@ -26,7 +26,7 @@ from ..search.tree_walk import (
 from .core_sets import Cores
 
 NOISE = -1
-RUN = 64  # labels per thread; neighbors on the curve mostly have equal ones, so a run needs one atomic
+RUN = 64  # labels per thread. Neighbors on the curve mostly have equal ones, so a run needs one atomic
 
 
 @kernel
@@ -175,7 +175,7 @@ def label_borders_kernel(cores: Cores, labels: array(dtype=int32)):
 
 @kernel
 def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtype=int32)):
-    """Count each label; integers, so the order of the atomics does not matter."""
+    """Count each label. Integers, so the order of the atomics does not matter."""
     i = tid()
     label = int(NOISE)
     held = 0
@@ -240,7 +240,7 @@ def label_borders(cores: Cores, labels: Integers) -> None:
 
 
 def rank_by_size(labels: Integers, cluster_count: int, least: int, most: int) -> None:
-    """Renumber clusters by decreasing size in place, ties in order; NOISE for sizes outside `least`..`most`."""
+    """Renumber clusters by decreasing size in place, ties in order. NOISE for sizes outside `least`..`most`."""
     device = labels.device
     counts, keys = zeros(cluster_count, int32, device), empty(cluster_count, int64, device)
     launch(count_labels_kernel, -(-labels.size // RUN), [RUN, labels, counts])

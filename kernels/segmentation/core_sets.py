@@ -48,7 +48,7 @@ class Cores:
 
 @func
 def dense_ancestor(leaf: int, cores: Cores) -> int:
-    """Level of the highest ancestor whose points are all within the radius of each other; 0 if none."""
+    """Level of the highest ancestor whose points are all within the radius of each other. 0 if none."""
     level = 0
     climbing = 1
     while climbing == 1 and level < cores.tree.root:
@@ -165,6 +165,6 @@ def unite_cores_kernel(cores: Cores):
 
 
 def unite_cores(cores: Cores) -> None:
-    """Unite all cores within the radius of each other; each then stores the lowest core of its set."""
+    """Unite all cores within the radius of each other. Each then stores the lowest core of its set."""
     launch(unite_cores_kernel, cores.leaf_count, [cores])
     launch(flatten_sets_kernel, cores.tree.count, [cores.owners])

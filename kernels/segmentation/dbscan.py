@@ -1,6 +1,6 @@
 """DBSCAN with O(n) memory by tree traversals per leaf and disjoint sets.
 
-Ester et al., KDD 1996; Prokopenko et al., "Fast tree-based algorithms for DBSCAN for low-dimensional data on GPUs",
+Ester et al., KDD 1996. Prokopenko et al., "Fast tree-based algorithms for DBSCAN for low-dimensional data on GPUs",
 ICPP 2023. Counting stops once all points of a leaf are cores. Nodes with a diagonal within the radius contain one set
 of cores, so one link suffices. A cluster's number is that of its first core in the cloud. 14 B per point beside the
 tree, 22 B on CUDA.
@@ -28,7 +28,7 @@ from ..search.tree_walk import (
 from .cluster_labels import NOISE, label_borders, label_cores
 from .core_sets import Cores, unite_cores
 
-MANY = 2**30  # counts saturate here per lane; LLVM would vectorize a plain sum over the points instead
+MANY = 2**30  # counts saturate here per lane. LLVM would vectorize a plain sum over the points instead
 
 
 @func

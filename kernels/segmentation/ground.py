@@ -42,7 +42,7 @@ DIAGONAL = 1 - math.sqrt(0.5)  # half length of the diagonal segments of a regul
 
 @struct
 class Cells:
-    """Grid of cells with lowest corner and cell size [m]; cell (x, y) has index x * rows + y."""
+    """Grid of cells with lowest corner and cell size [m]. Cell (x, y) has index x * rows + y."""
 
     x0: float64
     y0: float64
@@ -57,7 +57,7 @@ class Cells:
 
 @kernel
 def keep_lowest_kernel(points: array(dtype=vec3), cells: Cells, heights: array(dtype=float32)):
-    """Lowest point of each cell; the minimum does not depend on the order."""
+    """Lowest point of each cell. The minimum does not depend on the order."""
     i = tid()
     p = points[i]
     if isfinite(p):
@@ -78,7 +78,7 @@ def clear_cells_kernel(unwanted: array(dtype=uint8), heights: array(dtype=float3
 
 @kernel
 def average_cells_kernel(heights: array(dtype=float32), columns: int, rows: int, coarse: array(dtype=float32)):
-    """Mean of the known cells under each coarse cell; NaN if none."""
+    """Mean of the known cells under each coarse cell. NaN if none."""
     i = tid()
     coarse_rows = (rows + 1) // 2
     x = 2 * (i // coarse_rows)
@@ -101,7 +101,7 @@ def clamp_cell(x: float, size: int) -> float:
 
 @func
 def interpolate(heights: array(dtype=float32), columns: int, rows: int, x: float, y: float) -> float:
-    """Bilinear height at a position in cells; cell centers are integers."""
+    """Bilinear height at a position in cells. Cell centers are integers."""
     u = clamp_cell(x, columns)
     v = clamp_cell(y, rows)
     a = min(int(u), max(columns - 2, 0))
@@ -132,7 +132,7 @@ def fill_cells_kernel(
 def pull_cells_kernel(
     known: array(dtype=float32), heights: array(dtype=float32), columns: int, rows: int, out: array(dtype=float32)
 ):
-    """Replace unknown cells by the mean of their neighbors; the edge repeats the cell itself."""
+    """Replace unknown cells by the mean of their neighbors. The edge repeats the cell itself."""
     i = tid()
     height = known[i]
     if not isfinite(height):
@@ -229,7 +229,7 @@ class HeightGrid:
     """Heights (float32, y fastest; NaN or inf if unknown): lowest points, then the ground."""
 
     def __init__(self, points: Points, corner: np.ndarray, cell: float, columns: int, rows: int) -> None:
-        """Lowest finite point of each cell; all points must be in the grid."""
+        """Lowest finite point of each cell. All points must be in the grid."""
         self.points, self.device = points, points.device
         self.cells = Cells(corner, cell, columns, rows)
         self.cell, self.columns, self.rows, self.size = float(cell), columns, rows, columns * rows
@@ -311,7 +311,7 @@ class HeightGrid:
 
 
 def reaches(half: int) -> list[int]:
-    """Distances of successive passes for a segment of this half length; each triples it."""
+    """Distances of successive passes for a segment of this half length. Each triples it."""
     steps, length = [], 0
     while length < half:
         steps.append(min(2 * length + 1, half - length))

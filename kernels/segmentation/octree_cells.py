@@ -32,7 +32,7 @@ def encode_cells_kernel(
 
 @kernel
 def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(dtype=int32)):
-    """Deepest level of a cell with enough points; the integer maximum does not depend on the order."""
+    """Deepest level of a cell with enough points. The integer maximum does not depend on the order."""
     i = tid()
     differing = codes[i] ^ codes[i + fewest - 1]
     level = int(LEVELS)
@@ -70,7 +70,7 @@ def cell_of(marks: array(dtype=int32), offsets: array(dtype=int32), i: int) -> i
 def find_covered_kernel(
     covered: array(dtype=uint8), marks: array(dtype=int32), offsets: array(dtype=int32), flat: array(dtype=int32)
 ):
-    """1 for cells that contain a flat cell; all threads write the same value."""
+    """1 for cells that contain a flat cell. All threads write the same value."""
     i = tid()
     if covered[i] != 0:
         atomic_max(flat, cell_of(marks, offsets, i), 1)

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from .planar_patches import Runs
 
 
-DIRECTIONS = 45  # of a box's first side over a quarter turn; a second pass subdivides a step
+DIRECTIONS = 45  # of a box's first side over a quarter turn. A second pass subdivides a step
 SLICES = 32  # threads per patch and direction
 
 
@@ -179,7 +179,7 @@ def offer_patches_kernel(
     offers: array(dtype=int32),
     going: array(dtype=int32),
 ):
-    """Offer the patch of each marked frontier point to its neighbors; an atomic minimum of ranks decides."""
+    """Offer the patch of each marked frontier point to its neighbors. An atomic minimum of ranks decides."""
     i = tid()
     if i == 0:
         going[0] = 0
@@ -206,7 +206,7 @@ def take_offers_kernel(
     mask: array(dtype=uint8),
     going: array(dtype=int32),
 ):
-    """Accept the best offer; all threads that set `going` write 1."""
+    """Accept the best offer. All threads that set `going` write 1."""
     i = tid()
     taken = 0
     if offers[i] < NO_OFFER:

@@ -1,7 +1,7 @@
 """Seeds of planar patches: octree cells whose points pass a robust planarity test.
 
 Araujo and Oliveira, Pattern Recognition 100, 2020, sections 3.1 and 3.2. The smallest cells with enough points come
-first; cells with flat descendants are skipped. Planes are medians, tolerances are based on the median absolute
+first. Cells with flat descendants are skipped. Planes are medians, tolerances are based on the median absolute
 deviation (MAD). Eleven sorts per level (run_medians.py).
 """
 

@@ -1,8 +1,8 @@
 """RANSAC plane fit: samples are scored, and the best is refitted, on the device.
 
-Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks; blocks
+Fischler and Bolles, "Random sample consensus", CACM 1981. A thread scores GROUP planes on a run of blocks. Blocks
 beyond the threshold are skipped. Planes (a, b, c, d) are relative to the center, computed in float64 and scored in
-float32; integer counts do not depend on the threads. The most inliers win, then the smallest sum of distances, then the
+float32. Integer counts do not depend on the threads. The most inliers win, then the smallest sum of distances, then the
 first plane. A GPU needs one sync per batch.
 """
 
@@ -50,7 +50,7 @@ RECORD = 6
 
 @kernel
 def find_top_kernel(counts: array(dtype=int32), top: array(dtype=int32)):
-    """Maximum inlier count; it does not depend on the order."""
+    """Maximum inlier count. It does not depend on the order."""
     i = tid()
     atomic_max(top, 0, counts[i])
 
@@ -135,7 +135,7 @@ class BestPlane:
         self.plane, self.count, self.inliers = np.zeros(4), 0, 0
 
     def offer(self, planes: Array1[vec4d], counts: Integers) -> None:
-        """Update the best plane from planes and their inlier counts; one sync."""
+        """Update the best plane from planes and their inlier counts. One sync."""
         search, blocks, size, device = self._search, self._search.blocks, planes.size, self._search.device
         top, sums = zeros(1, int32, device), empty(size, float64, device)
         launch(find_top_kernel, size, [counts, top])
@@ -172,7 +172,7 @@ def score_planes_kernel(
     reach: float,
     counts: array(dtype=int32),
 ):
-    """Inlier counts of planes; integer sums, so the order of the atomics does not matter."""
+    """Inlier counts of planes. Integer sums, so the order of the atomics does not matter."""
     i = tid()
     groups = (plane_count + GROUP - 1) // GROUP
     head = (i // groups) * run
@@ -280,7 +280,7 @@ class PlaneSearch:
     """Search for the plane with the most inliers. Planes are relative to the center of the points' box, float64 [3]."""
 
     def __init__(self, points: Points, rows: Indices, box: tuple[np.ndarray, np.ndarray] | None = None) -> None:
-        """Prepare a search among finite `points[rows]`; one sync if no box is given."""
+        """Prepare a search among finite `points[rows]`. One sync if no box is given."""
         self.points, self.rows, self.device = points, rows, points.device
         low, high = box if box is not None else bound_points(gather_rows(points, rows))[:2]  # sync
         self._inliers: int | None = None
@@ -321,7 +321,7 @@ class PlaneSearch:
     def _find_on_device(
         self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int
     ) -> np.ndarray | None:
-        """`find` with selection on the GPU; one sync per batch."""
+        """`find` with selection on the GPU. One sync per batch."""
         best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(most)
         while done < min(most, needed):
             size = int(min(batch, most - done, math.ceil(needed) - done))
@@ -341,7 +341,7 @@ class PlaneSearch:
         return mask, positions_of(mask, self._inliers)
 
     def refit(self, plane: np.ndarray, rows: Indices) -> np.ndarray:
-        """Least-squares plane of some points; the old one if they span none. One sync."""
+        """Least-squares plane of some points. The old one if they span none. One sync."""
         if rows.size < TRIANGLE:
             return plane
         mean, packed = empty(1, vec3d, self.device), empty(9, float64, self.device)

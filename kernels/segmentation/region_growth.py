@@ -28,7 +28,7 @@ def begin_sets_kernel(
 def join_neighbors_kernel(
     normals: array(dtype=vec3), neighbors: array(dtype=int32, ndim=2), cosine: float, parents: array(dtype=int32)
 ):
-    """Unite neighbors with similar normals; the sets do not depend on the order."""
+    """Unite neighbors with similar normals. The sets do not depend on the order."""
     i = tid()
     if parents[i] >= 0:
         for k in range(neighbors.shape[1]):

@@ -93,7 +93,7 @@ def count_band_kernel(
 
 
 def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance: float, cosine: float) -> Integers:
-    """Numbers of a `Band` among the searched points; no sync."""
+    """Numbers of a `Band` among the searched points. No sync."""
     counts, shape, frame = zeros(4, int32, search.device), found.fit.shape, frame_of(found.fit.shape[3:6])
     arguments = [search.points, search.normals, search.rows, vec3d(*search.center), found.kind, vec3d(*shape[:3])]
     arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), box]
@@ -114,7 +114,7 @@ class RivalStarts:
         self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
 
     def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
-        """Best shape of each other kind, from the arrays of `unread`; support is counted in `every`; two syncs."""
+        """Best shape of each other kind, from the arrays of `unread`; support is counted in `every`. Two syncs."""
         kinds, starts = [self.found.kind], [self.found.fit.shape]
         for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
             kinds += [kind] * len(shapes[:STARTS])

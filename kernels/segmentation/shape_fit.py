@@ -103,18 +103,18 @@ class ShapeFitter:
     def __init__(
         self, points: Points, center: NDArray[np.float64], size: float, weights: Doubles | None = None
     ) -> None:
-        """`size` [m] is the extent of the points around `center`; weights have a mean of one."""
+        """`size` [m] is the extent of the points around `center`. Weights have a mean of one."""
         self.points, self.center, self.size, self.weights = points, center, size, weights
 
     def fit(self, kind: int, shape: NDArray[np.float64], rows: Indices) -> ShapeFit:
-        """Least-squares fit to `points[rows]` from an initial shape; one sync. Planes and cylinders are centered
+        """Least-squares fit to `points[rows]` from an initial shape. One sync. Planes and cylinders are centered
         first."""
         return self.fit_all([kind], [shape], rows, EXACT)[0]
 
     def fit_all(
         self, kinds: ArrayLike, shapes: Shapes, rows: Indices, gain: float = ROUGHLY, hopeless: float = 0.0
     ) -> list[ShapeFit]:
-        """Fits to the same rows from several shapes; one sync. Stops those with an rms above `hopeless` [m] (0:
+        """Fits to the same rows from several shapes. One sync. Stops those with an rms above `hopeless` [m] (0:
         none)."""
         found = self._run(kinds, shapes, rows, None, gain, hopeless)
         return [
@@ -125,7 +125,7 @@ class ShapeFitter:
     def refine_all(
         self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGHLY
     ) -> list[tuple[ShapeFit, int] | None]:
-        """Fit each shape to its inliers among `rows` while these increase; one sync: (fit, inlier count), or None."""
+        """Fit each shape to its inliers among `rows` while these increase. One sync: (fit, inlier count), or None."""
         found = self._run(kinds, shapes, rows, chosen, gain)
         each = zip(found["kinds"], found["bests"], found["best_sums"], found["best_counts"], strict=True)
         return [
@@ -134,7 +134,7 @@ class ShapeFitter:
         ]
 
     def fit_plane(self, rows: Indices) -> FlatFit:
-        """Unweighted least-squares plane of `points[rows]`; one sync."""
+        """Unweighted least-squares plane of `points[rows]`. One sync."""
         return flat_fit(download(self.add_places(rows)), rows.size)  # sync
 
     def add_places(self, rows: Indices) -> Array1[Any]:

@@ -76,7 +76,7 @@ def stretch_reach_kernel(
 def reach_across(
     points: Points, labels: NDArray[np.int32], places: NDArray[np.float64], normals: NDArray[np.float64], step: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Minimum and maximum height [m] of each plane's points (row; label -1: none) above each plane; one sync."""
+    """Minimum and maximum height [m] of each plane's points (row; label -1: none) above each plane. One sync."""
     count, device = len(places), points.device
     low, high = full((count, count), MAX_STEPS, int32, device), full((count, count), -MAX_STEPS, int32, device)
     there = [upload(labels, int32, device), upload(places, vec3d, device), upload(normals, vec3d, device)]
@@ -119,7 +119,7 @@ def largest_part(points: Points, rows: Indices, reach: float) -> Indices:
 
 
 def rows_labeled(labels: Integers, rows: Indices, label: int) -> Indices:
-    """Rows with a label, in order; one sync."""
+    """Rows with a label, in order. One sync."""
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_label_kernel, rows.size, [labels, rows, label, mask])
     return gather_rows(rows, positions_of(mask))

@@ -34,7 +34,7 @@ def mark_rows_kernel(rows: array(dtype=int32), mask: array(dtype=uint8)):
 
 
 def usable_in_order(tree: PointTree, points: Points, normals: Vectors) -> Indices:
-    """Rows of finite points with finite normals in tree order; one sync."""
+    """Rows of finite points with finite normals in tree order. One sync."""
     mask = zeros(tree.order.size, uint8, points.device)
     launch(mask_ordered_kernel, tree.count, [points, normals, tree.order, mask])
     return gather_rows(tree.order, positions_of(mask))
@@ -59,7 +59,7 @@ def mask_weight_kernel(weights: array(dtype=float64), rows: array(dtype=int32), 
 
 
 def rows_of_weight(weights: Doubles, rows: Indices) -> Indices:
-    """Rows with a positive weight, in order; one sync."""
+    """Rows with a positive weight, in order. One sync."""
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_weight_kernel, rows.size, [weights, rows, mask])
     return gather_rows(rows, positions_of(mask))

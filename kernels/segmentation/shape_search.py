@@ -216,7 +216,7 @@ def torus_about(
 
 @func
 def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z: vec3d, n: vec3d) -> eight:
-    """Torus through four points whose axis meets their normals; the better of the two axes."""
+    """Torus through four points whose axis meets their normals. The better of the two axes."""
     f = meeting_terms(q - p, k, j, o - p, m)
     g = meeting_terms(q - p, k, j, z - p, n)
     a2 = g[1] * f[3] - f[1] * g[3]
@@ -281,7 +281,7 @@ def draw_shapes_kernel(
     shapes: array(dtype=float64, ndim=2),
     kinds: array(dtype=int32),
 ):
-    """Shape of each sample, or none; independent of the batch."""
+    """Shape of each sample, or none. Independent of the batch."""
     i = tid()
     number = first + i
     at = random_below(random_bits(seed, number, 1), cloud.count)
@@ -586,7 +586,7 @@ class ShapeSearch:
     """Search among oriented points. Shapes are relative to the box center; `size` is half its longest side [m]."""
 
     def __init__(self, points: Points, normals: Vectors, rows: Indices, of: "ShapeSearch | None" = None) -> None:
-        """Search among finite `points[rows]` in tree order. `of`: a larger search with center, size; else one sync."""
+        """Search among finite `points[rows]` in tree order. `of`: a larger search with center, size. Else one sync."""
         self.points, self.normals, self.rows, self.device = points, normals, rows, points.device
         if of is None:
             low, high = bound_points(gather_rows(points, rows))[:2] if rows.size else (np.zeros(3), np.zeros(3))  # sync
@@ -608,7 +608,7 @@ class ShapeSearch:
         return self.draw_each([(kind, count, first)], seed, limits)[0]
 
     def draw_each(self, samples: Sequence[tuple[int, int, int]], seed: int, limits: ShapeLimits) -> list[Drawn]:
-        """`draw` for several (kind, count, first); one sync: (float64 [m, 8], int64 [m]), m <= PROMISING, sorted."""
+        """`draw` for several (kind, count, first). One sync: (float64 [m, 8], int64 [m]), m <= PROMISING, sorted."""
         there = [self.draw_unread(*one, seed, limits) for one in samples]
         return drawn_of(read_together([values for one in there for values in one]))  # sync
 
@@ -628,7 +628,7 @@ class ShapeSearch:
         return [best, near, score_shapes(self.cloud, best, of, limits.distance, limits.cosine)]
 
     def score(self, shapes: NDArray[np.float64], kinds: NDArray, limits: ShapeLimits) -> NDArray[np.int64]:
-        """Inlier counts of shapes; one sync."""
+        """Inlier counts of shapes. One sync."""
         if not len(shapes):
             return np.zeros(0, np.int64)
         there, of = upload(shapes, float64, self.device), upload(kinds.astype(np.int32), int32, self.device)
@@ -656,7 +656,7 @@ class ShapeSearch:
         return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
 
     def _part_search(self) -> "ShapeSearch | None":
-        """Search among every n-th point; None if there are few."""
+        """Search among every n-th point. None if there are few."""
         if self.rows.size <= FITTED_PART:
             return None
         step = -(-self.rows.size // FITTED_PART)
@@ -665,7 +665,7 @@ class ShapeSearch:
     def refine_all(
         self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits, gain: float = ROUGHLY
     ) -> list[tuple[ShapeFit, int] | None]:
-        """Shapes refitted while their inliers increase, with counts; None without inliers; one sync."""
+        """Shapes refitted while their inliers increase, with counts. None without inliers. One sync."""
         chosen = Selection(
             self.normals, limits.distance, limits.cosine, limits.smallest, limits.largest, MAX_FITS
         )  # fmt: skip
@@ -680,7 +680,7 @@ class ShapeSearch:
         ]
 
     def on(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits, count: int | None = None) -> Indices:
-        """Inlier rows of a shape; one sync if their number is unknown."""
+        """Inlier rows of a shape. One sync if their number is unknown."""
         return gather_rows(self.rows, positions_of(self.mask(kind, shape, limits), count))
 
     def mask(self, kind: int, shape: NDArray[np.float64], limits: ShapeLimits) -> Mask:
@@ -696,7 +696,7 @@ class ShapeSearch:
         return out
 
     def spread_unread(self, found: Found) -> tuple[Integers, Array1[float32], Integers]:
-        """Device input of `spread_of` for a shape's points, and their box in its frame; no sync."""
+        """Device input of `spread_of` for a shape's points, and their box in its frame. No sync."""
         shape, turned = found.fit.shape, self.turned(found.fit.shape, found.rows)
         extremes, box = find_extremes(turned), empty(6, float32, self.device)
         launch(fold_box_kernel, 6, [extremes, box])

@@ -130,7 +130,7 @@ def entry_at(row: int, column: int) -> int:
 
 @func
 def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> seven:
-    """Step of the damped system, as lengths; zero for undetermined unknowns."""
+    """Step of the damped system, as lengths. Zero for undetermined unknowns."""
     h = seven_square(0.0)
     x = seven(0.0)
     trace = float64(0.0)
@@ -146,7 +146,7 @@ def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> s
                 h[7 * j + i] = h[7 * i + j]
         x[i] = -sums[entry_at(i, 7)] / scale_of(kind, i, size)
         h[7 * i + i] = h[7 * i + i] + damping * (h[7 * i + i] + 1.0e-12 * max(trace, float64(1.0e-300)))
-    for i in range(n):  # LDL^T; fixed unknowns, or those lost to rounding, stay unchanged
+    for i in range(n):  # LDL^T. Fixed unknowns, or those lost to rounding, stay unchanged
         pivot = h[7 * i + i]
         for j in range(i):
             pivot -= h[7 * i + j] * h[7 * i + j] * h[7 * j + j]
@@ -176,7 +176,7 @@ def damped_step(kind: int, sums: fit_sums, damping: float64, size: float64) -> s
 
 @func
 def offer_step(kind: int, k: int, x: seven, size: float64, fits: ShapeFits) -> float64:
-    """Propose the accepted shape plus a step; returns the longest component."""
+    """Propose the accepted shape plus a step. Returns the longest component."""
     old = axis_in(fits.shapes, k)
     a = third_of(old, kind)
     u = first_across(a, kind)
@@ -247,7 +247,7 @@ def end_round(k: int, count: int, fits: ShapeFits) -> int:
 
 @func
 def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> int:
-    """Accept the trial if it is no worse; 1 if the fit has ended."""
+    """Accept the trial if it is no worse. 1 if the fit has ended."""
     ended = 0
     short = fits.longest[k] <= float64(SETTLED) * rules.size
     proper = is_proper(fits.kinds[k], fits.offers, k)

@@ -15,7 +15,7 @@ MIN_LEFT = 1.0e-4  # transmittance at which blending stops
 
 @struct
 class SplatSurface:
-    """Pixels of splats: transmittance `left`; mean `depths`; `medians` at half transmittance; unit `normals`."""
+    """Pixels of splats: transmittance `left`. Mean `depths`; `medians` at half transmittance. Unit `normals`."""
 
     colors: array(dtype=vec3)
     left: array(dtype=float32)

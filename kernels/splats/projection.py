@@ -45,8 +45,8 @@ REACH = 3.0  # standard deviations along the ray, beyond which a splat is not hi
 
 @struct
 class SplatColumns:
-    """Splats as in files: logit `opacities`; logarithmic `scales`; quaternions w, x, y, z; harmonics `first` (n, 3) and
-    `rest` (n, 3 (K - 1)), red, green, blue; their factors `sizes` (K).
+    """Splats as in files: logit `opacities`; logarithmic `scales`. Quaternions w, x, y, z; harmonics `first` (n, 3) and
+    `rest` (n, 3 (K - 1)), red, green, blue. Their factors `sizes` (K).
     """
 
     points: array(dtype=vec3)
@@ -279,7 +279,7 @@ def project_splats_kernel(
 def project_splats(
     splats: SplatColumns, view: View, eye: np.ndarray, near: float, share: float, *, surfaces: bool
 ) -> tuple[ProjectedSplats, Integers]:
-    """Project splats; returns them and their tile counts. `share`: opacity factor; `surfaces`: prepare `meet_splat`."""
+    """Project splats. Returns them and their tile counts. `share`: opacity factor; `surfaces`: prepare `meet_splat`."""
     count, device = splats.points.size, splats.points.device
     projected = ProjectedSplats(count, device, surfaces=surfaces)
     counts = empty(count, int32, device)

@@ -16,7 +16,7 @@ SAME_SURFACE = 0.02  # relative difference of neighboring pixels of one surface:
 AROUND = 2  # window radius of supporting pixels
 NEIGHBORS = 24  # in total
 GRAZING = 1.0e-3  # cosine below which the plane's slope is meaningless
-meeting = vector(4, float64)  # source surface projected back: column, row, inverse depth (0 for none); source pixel
+meeting = vector(4, float64)  # source surface projected back: column, row, inverse depth (0 for none). Source pixel
 
 
 @struct
@@ -37,7 +37,7 @@ class Pair:
 
 @func
 def project_to_pixel(p: vec3d, camera: Camera) -> vec3d:
-    """Column, row and inverse depth of a camera-frame point; inverse depth 0 outside."""
+    """Column, row and inverse depth of a camera-frame point. Inverse depth 0 outside."""
     seen = vec3d(0.0, 0.0, 0.0)
     if p[2] > 0.0:
         u = camera.fx * p[0] / p[2] + camera.cx
@@ -51,7 +51,7 @@ def project_to_pixel(p: vec3d, camera: Camera) -> vec3d:
 
 @func
 def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float32)) -> vec3d:
-    """Column, row and inverse depth of the surface at a position, bilinear within one surface; 0 if none."""
+    """Column, row and inverse depth of the surface at a position, bilinear within one surface. 0 if none."""
     iu = int(floor(u + 0.5))
     iv = int(floor(v + 0.5))
     d = depth[iv * camera.width + iu]
@@ -91,7 +91,7 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
 
 @func
 def meet(x: int, y: int, d: float, pair: Pair, source_depth: array(dtype=float32)) -> meeting:
-    """Back-projected (column, row, inverse depth or 0) of a pixel at depth d by the source; its nearest pixel."""
+    """Back-projected (column, row, inverse depth or 0) of a pixel at depth d by the source. Its nearest pixel."""
     met = meeting(0.0)
     seen = project_to_pixel(transform_point(unproject_pixel(x, y, d, pair.reference), pair.there), pair.source)
     if seen[2] > 0.0:
@@ -150,7 +150,7 @@ def keep_depth_kernel(
     min_confidence: float,
     kept: array(dtype=float32),
 ):
-    """Depth from the mean inverse depth of the pixel and agreeing sources; 0 if too few agree."""
+    """Depth from the mean inverse depth of the pixel and agreeing sources. 0 if too few agree."""
     i = tid()
     d = depth[i]
     mean = 0.0
@@ -168,7 +168,7 @@ def support_depth_kernel(
     least: int,
     supported: array(dtype=float32),
 ):
-    """Depth of pixels whose plane is supported by enough neighbors, else 0; no normal faces the camera."""
+    """Depth of pixels whose plane is supported by enough neighbors, else 0. No normal faces the camera."""
     i = tid()
     x = i % camera.width
     y = i // camera.width

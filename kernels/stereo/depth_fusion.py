@@ -174,7 +174,7 @@ def gather_pixels(
 def make_points(
     own: DepthPixels, camera: CameraLike, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
 ) -> tuple[list[Scalars | Integers | Points], Bytes]:
-    """(arrays, kept): points, normals, colors 0..1, confidence (float32), views (int32) per pixel; mask `kept`."""
+    """(arrays, kept): points, normals, colors 0..1, confidence (float32), views (int32) per pixel. Mask `kept`."""
     count, device = own.depth.size, own.depth.device
     arrays = [empty(count, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]
     kept = empty(count, uint8, device)

@@ -1,5 +1,5 @@
 """Planes as inverse depths, linear in the image: w + gx (q.x - p.x) + gy (q.y - p.y) about pixel p. A hypothesis is a
-vec4 of w [1 / pose unit], gx, gy [1 / (unit px)] and cost; a lens is fx, fy, cx, cy [px]. Normals point away.
+vec4 of w [1 / pose unit], gx, gy [1 / (unit px)] and cost. A lens is fx, fy, cx, cy [px]. Normals point away.
 """
 
 from ..lang import array, dot, func, kernel, normalize, tid, vec2, vec3, vec4

@@ -28,7 +28,7 @@ eight_places = vector(LANES, int32)
 
 @struct
 class Reference:
-    """Reference image at one size; inverse depth `limits`; `pixels_per`: source displacement per unit of it [px]."""
+    """Reference image at one size. Inverse depth `limits`; `pixels_per`: source displacement per unit of it [px]."""
 
     width: int
     height: int
@@ -56,7 +56,7 @@ class Reference:
 
 
 def patch_on(pattern: np.ndarray, device: Device) -> Scalars:
-    """Patch from integer sample offsets (n, 2) [px]: columns, rows, then distance weights; zero-padded."""
+    """Patch from integer sample offsets (n, 2) [px]: columns, rows, then distance weights. Zero-padded."""
     near = 1 / (1 + (pattern**2).sum(1) / SPACE_SCALE)
     columns = np.column_stack([pattern, near])
     return upload(np.pad(columns, ((0, -len(pattern) % LANES), (0, 0))).T.ravel(), float32, device)
@@ -212,7 +212,7 @@ def patch_cost(
     reference: Reference,
     sources: Sources,
 ) -> float:
-    """1 - weighted correlation of a slanted patch with a source, 0 to 2; BAD if not visible."""
+    """1 - weighted correlation of a slanted patch with a source, 0 to 2. BAD if not visible."""
     A = sources.there[s]
     b = sources.shift[s]
     there = sources.layout[s]

@@ -54,7 +54,7 @@ def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs:
 
 @func
 def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> eight:
-    """Value of each source for pixel i; 0 beyond the count."""
+    """Value of each source for pixel i. 0 beyond the count."""
     worths = eight(0.0)
     for s in range(count):
         worths[s] = worth_of(i, s, count, near, good, costs)
@@ -63,7 +63,7 @@ def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(
 
 @func
 def order_of(worths: eight, count: int) -> eight_places:
-    """Sources by descending value; the first of equal ones."""
+    """Sources by descending value. The first of equal ones."""
     order = eight_places(0)
     for s in range(count):
         rank = int(s)
@@ -223,7 +223,7 @@ def start_planes_kernel(
 
 @func
 def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Turn, reference: Reference) -> vec4:
-    """A perturbed or random plane; the cost is not set."""
+    """A perturbed or random plane. The cost is not set."""
     u = random_uniform(turn.seed, pixel, 1 + turn.number * TRIALS + trial)
     n = normal_of(plane, x, y, reference.lens)
     w = plane[0]
@@ -253,7 +253,7 @@ def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
 def hypothesis(
     k: int, x: int, y: int, plane: vec4, near: eight_places, planes: array(dtype=vec4), turn: Turn, reference: Reference
 ) -> vec4:
-    """Candidate plane: of a region, or perturbed; the fourth number is 1 if it may be better."""
+    """Candidate plane: of a region, or perturbed. The fourth number is 1 if it may be better."""
     found = vec4(0.0, 0.0, 0.0, 0.0)
     if k >= turn.regions:
         found = changed_plane(plane, x, y, y * reference.width + x, k - turn.regions, turn, reference)
@@ -270,7 +270,7 @@ def hypothesis(
 
 @func
 def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tuple[eight, int, float]:
-    """Weights of the best sources by rank; their count and sum."""
+    """Weights of the best sources by rank. Their count and sum."""
     weight = eight(0.0)
     for k in range(count):
         weight[k] = worths[order[k]]
@@ -317,7 +317,7 @@ def ways_of(
 def spread_planes_kernel(
     turn: Turn, reference: Reference, sources: Sources, planes: array(dtype=vec4), costs: array(dtype=float32)
 ):
-    """Pixels of one color test candidates; they read only the other color."""
+    """Pixels of one color test candidates. They read only the other color."""
     i = tid()
     half = (reference.width + 1) // 2
     y = i // half
@@ -383,7 +383,7 @@ def start_planes(
     geometric: float,
     chosen: int,
 ) -> Scalars:
-    """Initialize `planes` unless given, and their costs; returns the costs per source, (pixels * sources)."""
+    """Initialize `planes` unless given, and their costs. Returns the costs per source, (pixels * sources)."""
     count = reference.width * reference.height
     costs = empty(count * sources.count, float32, planes.device)
     launch(start_planes_kernel, count, [seed, int(is_given), geometric, chosen, reference, sources, planes, costs])

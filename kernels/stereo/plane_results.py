@@ -20,7 +20,7 @@ def finish_planes_kernel(
     normals: array(dtype=vec3),
     confidence: array(dtype=float32),
 ):
-    """Depth, normal toward the camera, and confidence of each pixel; zero without depth."""
+    """Depth, normal toward the camera, and confidence of each pixel. Zero without depth."""
     i = tid()
     x = i % reference.width
     y = i // reference.width

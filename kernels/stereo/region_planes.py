@@ -1,10 +1,10 @@
 """Plane priors of textureless regions.
 
-RANSAC (Fischler and Bolles 1981) for all regions in parallel, over reliable pixels in and around each; the best plane
+RANSAC (Fischler and Bolles 1981) for all regions in parallel, over reliable pixels in and around each. The best plane
 is refitted twice, its pixels are removed, and so on. Each region pixel takes the plane of the nearest assigned pixel,
 unless the images clearly contradict it, by a cost difference that grows with the lack of texture (idea: Xu and Tao
 2020, "Planar prior assisted PatchMatch multi-view stereo", whose likelihoods are not bitwise reproducible). Fixed-order
-float64 sums; random numbers depend on seed, region and trial.
+float64 sums. Random numbers depend on seed, region and trial.
 """
 
 from ..array_types import Array1, Scalars
@@ -281,7 +281,7 @@ def sum_moments_kernel(places: Places, planes: array(dtype=vec4), state: Consens
 
 @kernel
 def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
-    """Least-squares plane; none for collinear or too few pixels."""
+    """Least-squares plane. None for collinear or too few pixels."""
     k = tid()
     if state.alive[k] == 0:
         return
@@ -332,7 +332,7 @@ def take_support_kernel(round: int, places: Places, planes: array(dtype=vec4), s
 
 @func
 def nearest_round(i: int, k: int, places: Places, state: Consensus) -> int:
-    """Round of the plane of the nearest sampled pixel; the first of equal ones."""
+    """Round of the plane of the nearest sampled pixel. The first of equal ones."""
     found = int(0)
     least = int64(0x7FFFFFFFFFFFFFFF)
     first = places.firsts[k]

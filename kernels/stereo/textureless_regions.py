@@ -159,7 +159,7 @@ def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), la
 
 
 def find_places(judged: Array1[vec2], width: int) -> Places | None:
-    """Textureless regions from `judged` (pixels); None if none is large enough or has reliable pixels (two syncs)."""
+    """Textureless regions from `judged` (pixels). None if none is large enough or has reliable pixels (two syncs)."""
     device, size = judged.device, judged.size
     labels, areas = empty(size, int32, device), zeros(size, int32, device)
     launch(label_plain_kernel, size, [judged, labels])

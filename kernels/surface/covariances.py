@@ -19,7 +19,7 @@ LIST_ENTRIES = 2**24  # list entries in memory
 
 @func
 def write_covariance(m: moments, row: int, covariances: array(dtype=float32, ndim=2)):
-    """Store the nine entries; the identity for fewer than three points."""
+    """Store the nine entries. The identity for fewer than three points."""
     C = covariance_of(m)
     few = m[0] < float64(MIN_NEIGHBORS)
     for a in range(3):
@@ -69,7 +69,7 @@ def fill_missing_covariances_kernel(points: array(dtype=vec3), covariances: arra
 
 
 def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, radius: float) -> Array2[float32]:
-    """Covariances [m^2] of the neighbors of a tree's points, float32 (n, 9); limits as of `estimate_normals`."""
+    """Covariances [m^2] of the neighbors of a tree's points, float32 (n, 9). Limits as of `estimate_normals`."""
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
         reach = reach_of(radius)

@@ -67,7 +67,7 @@ class Cylinder:
 
 @struct
 class Changes:
-    """Per core point [m]: `distances` first to second cloud, 95 % detection `limits`, standard deviations; counts."""
+    """Per core point [m]: `distances` first to second cloud, 95 % detection `limits`, standard deviations. Counts."""
 
     distances: array(dtype=float64)
     limits: array(dtype=float64)
@@ -93,7 +93,7 @@ def find_flattest_kernel(
     directions: array(dtype=vec3),
     scales: array(dtype=int32),
 ):
-    """Oriented normal and index of the scale with the highest planarity; NaN and -1 if no scale has a plane."""
+    """Oriented normal and index of the scale with the highest planarity. NaN and -1 if no scale has a plane."""
     t = tid()
     i = order[t]
     p = cores[i]
@@ -232,7 +232,7 @@ def squares_of(sums: place_sums) -> float64:
 
 @func
 def variance_of(sums: place_sums, step: float64) -> float64:
-    """Sample variance [m^2]; NaN for fewer than two points."""
+    """Sample variance [m^2]. NaN for fewer than two points."""
     variance = float64(NAN)
     count = float64(sums[0])
     total = float64(sums[1])
@@ -254,7 +254,7 @@ def compare_sums_kernel(
     registration_error: float64,
     changes: Changes,
 ):
-    """Distance, limit, spreads and counts of each core point; NaN where a cylinder is empty."""
+    """Distance, limit, spreads and counts of each core point. NaN where a cylinder is empty."""
     i = tid()
     a = first[i]
     b = second[i]
@@ -280,7 +280,7 @@ def scale_of(length: float) -> float:
 def find_flattest(
     tree: PointTree, cores: Points, radii: np.ndarray, orientation: np.ndarray
 ) -> tuple[Vectors, Integers]:
-    """Oriented directions and scale indices of highest planarity at core points; NaN and -1 without a plane."""
+    """Oriented directions and scale indices of highest planarity at core points. NaN and -1 without a plane."""
     reaches: Scalars = upload(np.array([reach_of(radius) for radius in radii], np.float32), float32, cores.device)
     directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
     around = [cores, order_along_curve(tree, cores), tree, reaches, vec3(*orientation.tolist())]

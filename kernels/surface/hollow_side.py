@@ -56,7 +56,7 @@ class Surface:
     """Points with valid normals: `points`, `normals` (vec3, in the cloud's order, no NaN), and their `tree`."""
 
     def __init__(self, points: Points, narrow: float, wide: float) -> None:
-        """Select the points of a device array of vec3; radii [m] as of `find_sides`."""
+        """Select the points of a device array of vec3. Radii [m] as of `find_sides`."""
         normals = find_sides(PointTree(points), narrow, wide)
         rows = positions_of(mask_finite(normals, 1, 1))
         self._keep(gather_rows(points, rows), gather_rows(normals, rows))

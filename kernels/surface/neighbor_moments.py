@@ -57,7 +57,7 @@ def sum_moments_kernel(
 
 
 def sum_neighbor_moments(neighborhood: Neighborhood) -> Array1[Any]:
-    """Moments of each point's neighbors about the point, in tree order; see algebra.moments."""
+    """Moments of each point's neighbors about the point, in tree order. See algebra.moments."""
     tree = neighborhood.tree
     sums = empty(tree.count, moments, tree.device)
     neighborhood.visit(sum_moments_kernel, neighborhood.places, [sums])

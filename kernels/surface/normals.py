@@ -42,7 +42,7 @@ def fit_normals_nearest_kernel(
     reach: float,
     normals: array(dtype=vec3),
 ):
-    """Normals from the k nearest points within reach; keys hold tree positions."""
+    """Normals from the k nearest points within reach. Keys hold tree positions."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
@@ -71,7 +71,7 @@ def align_normals_kernel(references: array(dtype=vec3), normals: array(dtype=vec
 def orient_normals_kernel(
     points: array(dtype=vec3), normals: array(dtype=vec3), to_point: int, reference: vec3, oriented: array(dtype=vec3)
 ):
-    """Orient normals to a direction or a point; a zero normal becomes the reference direction."""
+    """Orient normals to a direction or a point. A zero normal becomes the reference direction."""
     i = tid()
     n = normals[i]
     toward = reference + vec3(0.0, 0.0, 0.0)

@@ -47,8 +47,8 @@ EMPTY = -2  # owner of an empty node
 
 @struct
 class Bridges:
-    """Shortest bridges between components. `owners`: component of a node, or MIXED or EMPTY; by root: squared lengths
-    `reaches`, ends `lows` and `highs`; by rank: `ways`, squared length above the end.
+    """Shortest bridges between components. `owners`: component of a node, or MIXED or EMPTY. By root: squared lengths
+    `reaches`, ends `lows` and `highs`. By rank: `ways`, squared length above the end.
     """
 
     tree: PointTree
@@ -232,7 +232,7 @@ def settle_highs_kernel(bridges: Bridges):
 
 @kernel
 def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3), going: array(dtype=int32)):
-    """Hook each component to the target of its bridge; of a mutual pair the lower stays. All writers write 1."""
+    """Hook each component to the target of its bridge. Of a mutual pair the lower stays. All writers write 1."""
     i = tid()
     c = bridges.forest.roots[i]
     near = bridges.lows[c]
@@ -248,7 +248,7 @@ def hook_bridges_kernel(bridges: Bridges, normals: array(dtype=vec3), going: arr
 
 
 def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None:
-    """Join the components of a Forest (in place) by their shortest bridges; unit normals by tree rank."""
+    """Join the components of a Forest (in place) by their shortest bridges. Unit normals by tree rank."""
     if forest.roots.size < 2:
         return
     bridges = Bridges(tree, forest)
@@ -286,7 +286,7 @@ FENCE = 1.5  # interquartile ranges beyond the quartile of an outlier (Tukey)
 
 @func
 def unit_vector(v: vec3) -> vec3:
-    """Unit vector; zero stays zero."""
+    """Unit vector. Zero stays zero."""
     w = widen(v)
     size = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2])
     unit = v + vec3(0.0, 0.0, 0.0)
@@ -394,7 +394,7 @@ def turn_normals_kernel(
     lowest: array(dtype=int64),
     oriented: array(dtype=vec3),
 ):
-    """Apply the signs so that the normal of the lowest point looks down; zero normals stay."""
+    """Apply the signs so that the normal of the lowest point looks down. Zero normals stay."""
     i = tid()
     row = rows[i]
     low = int(lowest[0] & int64(MAGNITUDE))
@@ -422,7 +422,7 @@ def flip_vectors(vectors: Vectors) -> Vectors:
 def drop_neighbors(
     parts: Sequence[tuple[int, Integers]], k: int, tree: "PointTree", units: Vectors, steepest: float, outliers: bool
 ) -> None:
-    """Remove edges of a neighbor graph in place; see drop_neighbors_kernel."""
+    """Remove edges of a neighbor graph in place. See drop_neighbors_kernel."""
     rows = max(1, HEIGHT_ENTRIES // k)
     heights = empty(rows * k, float32, tree.device)
     for begin, lists in parts:
@@ -441,7 +441,7 @@ def orient_consistently(
     steepest: float = 1.0,
     outliers: bool = False,
 ) -> Vectors:
-    """Orient normals of the `usable_rows`; the normal of the lowest point looks down. Edges above the cosine `steepest`
+    """Orient normals of the `usable_rows`. The normal of the lowest point looks down. Edges above the cosine `steepest`
     to a normal and, with `outliers`, of outlying height are removed.
     """
     device = points.device

@@ -119,7 +119,7 @@ def smooth_nearest_kernel(
     reach: float,
     rule: SmoothingPass,
 ):
-    """Smooth by the k nearest points within reach; keys hold tree positions."""
+    """Smooth by the k nearest points within reach. Keys hold tree positions."""
     i = tid()
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
@@ -203,7 +203,7 @@ def project_to_planes(
 def average_by_sides(
     tree: PointTree, normals: Vectors, max_nn: int | None, radius: float, sigma_s: float, sigma_r: float
 ) -> Points:
-    """Bilateral mean of the neighbors, deviations [m] in distance and height; points without a normal stay."""
+    """Bilateral mean of the neighbors, deviations [m] in distance and height. Points without a normal stay."""
     rule = SmoothingPass(tree.source, normals, spatial=falloff_of(sigma_s), ranged=falloff_of(sigma_r))
     return _smooth(tree, max_nn, radius, rule).moved
 

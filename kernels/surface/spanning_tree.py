@@ -30,7 +30,7 @@ from ..lang import (
 )
 from ..memory import copy, download, empty, fill, full, zeros
 
-ENTRY_BITS = 33  # of a key, for the list entry; the weight 0..1 has the 30 bits above
+ENTRY_BITS = 33  # of a key, for the list entry. The weight 0..1 has the 30 bits above
 ENTRY_MASK = 0x1_FFFF_FFFF
 MAX_VERTICES = 2**30  # a word has a root and a sign in 31 bits
 HOPS = 64  # links followed per pass: nearly all chains are shorter
@@ -101,7 +101,7 @@ class Forest:
 
 @struct
 class GraphPart:
-    """Edges of consecutive vertices from `begin`, `k` each; an entry of `lists` equal to its vertex is no edge."""
+    """Edges of consecutive vertices from `begin`, `k` each. An entry of `lists` equal to its vertex is no edge."""
 
     begin: int
     k: int
@@ -199,7 +199,7 @@ def reset_hooks_kernel(forest: Forest):
 
 @kernel
 def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: Forest, keys: array(dtype=int64)):
-    """Hook each component along its edge if the edge is in this part; of a mutual pair the lower stays a root."""
+    """Hook each component along its edge if the edge is in this part. Of a mutual pair the lower stays a root."""
     i = tid()
     c = forest.roots[i]
     key = keys[c]
@@ -217,7 +217,7 @@ def hook_components_kernel(part: GraphPart, normals: array(dtype=vec3), forest: 
 
 @kernel
 def shorten_hooks_kernel(forest: Forest, shorter: array(dtype=int32), unfinished: array(dtype=int32)):
-    """Follow links up to HOPS times; count those that have not reached a root."""
+    """Follow links up to HOPS times. Count those that have not reached a root."""
     i = tid()
     word = forest.hooks[forest.roots[i]]
     hop = 0
@@ -256,8 +256,8 @@ def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
 
 
 def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int, normals: Vectors | None) -> None:
-    """Join a forest (in place) along minimum spanning trees with weights 1 - |n . n'|. `parts` as of `list_neighbors`;
-    an entry equal to its vertex is no edge. Raises ValueError for 2^33 entries or more.
+    """Join a forest (in place) along minimum spanning trees with weights 1 - |n . n'|. `parts` as of `list_neighbors`.
+    An entry equal to its vertex is no edge. Raises ValueError for 2^33 entries or more.
     """
     if forest.count * k > ENTRY_MASK:
         raise ValueError(f"{forest.count} points with {k} neighbors each are more than 2^33; lower k")

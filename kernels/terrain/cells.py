@@ -16,7 +16,7 @@ HIGHEST, LOWEST, COUNT, MEAN = 0, 1, 2, 3
 
 @struct
 class FixedCells:
-    """Grid window: grid origin `x0`, `y0`; `cell` size; lowest cell `column0`, `row0`; `columns`, `rows`."""
+    """Grid window: grid origin `x0`, `y0`; `cell` size. Lowest cell `column0`, `row0`; `columns`, `rows`."""
 
     x0: float64
     y0: float64
@@ -83,7 +83,7 @@ class CellGroups:
         find_key_starts(sorted_keys, self.starts)
 
     def measure(self, values: Doubles, kind: int) -> Doubles:
-        """HIGHEST, LOWEST, COUNT or MEAN of finite values per cell, float64; NaN (count 0) if empty."""
+        """HIGHEST, LOWEST, COUNT or MEAN of finite values per cell, float64. NaN (count 0) if empty."""
         out = empty(self.cells.size, float64, self.points.device)
         launch(measure_cells_kernel, self.cells.size, [self, values, kind, out])
         return out

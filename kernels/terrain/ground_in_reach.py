@@ -1,7 +1,7 @@
 """Ground filter (SMRF, as `segmentation/ground.py`) whose result depends only on points within a finite radius.
 
 On cells with a fixed origin, with these changes: gaps are filled from up to `levels` coarse levels with few relaxation
-passes, so wider gaps stay unknown; unknown cells are ignored by openings; each window opens the original surface (up to
+passes, so wider gaps stay unknown. Unknown cells are ignored by openings. Each window opens the original surface (up to
 some corner cells the same); beyond the outermost points the surface continues as at a gap.
 """
 
@@ -121,7 +121,7 @@ def pass_over_kernel(heights: array(dtype=float32), value: float, out: array(dty
 def grade_cells_kernel(
     heights: array(dtype=float32), columns: int, rows: int, cell: float, slopes: array(dtype=float32)
 ):
-    """Slope of each cell from known neighbors; 0 without any."""
+    """Slope of each cell from known neighbors. 0 without any."""
     i = tid()
     slopes[i] = sqrt(
         squared_grade(heights, i, rows, i // rows, columns, cell) + squared_grade(heights, i, 1, i % rows, rows, cell)

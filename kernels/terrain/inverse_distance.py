@@ -22,7 +22,7 @@ def height_near(
     window: FixedCells,
     groups: CellGroups,
 ) -> float64:
-    """Height at a position; NaN if no point is within reach."""
+    """Height at a position. NaN if no point is within reach."""
     total = float64(0.0)
     weights = float64(0.0)
     here = float64(0.0)  # of coincident points
@@ -94,7 +94,7 @@ def interpolate_places_kernel(
     groups: CellGroups,
     heights: array(dtype=float64),
 ):
-    """Height of each point above the interpolated surface; NaN if unknown."""
+    """Height of each point above the interpolated surface. NaN if unknown."""
     i = tid()
     p = points[i]
     height = float64(NAN)

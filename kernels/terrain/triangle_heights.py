@@ -1,5 +1,5 @@
 """Heights of triangles at cell centers, and raster rows (north first). The lowest triangle containing a center wins
-(atomic minimum); edges are evaluated from their lower vertex, so no center falls between two.
+(atomic minimum). Edges are evaluated from their lower vertex, so no center falls between two.
 """
 
 import numpy as np
@@ -141,7 +141,7 @@ def weigh_corners_kernel(
 
 
 def triangle_heights(points: Points, triangles: Triangles, cells: FixedCells, longest: float) -> Doubles:
-    """Heights of triangles at cell centers, float64, NaN for none; edges above `longest` in plan are skipped."""
+    """Heights of triangles at cell centers, float64, NaN for none. Edges above `longest` in plan are skipped."""
     owners: Indices = full(cells.size, NOBODY, int32, points.device)
     launch(claim_cells_kernel, triangles.size, [points, triangles, longest, cells, owners])
     heights = empty(cells.size, float64, points.device)

@@ -80,7 +80,7 @@ def side_of(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
 
 @kernel
 def count_rows_kernel(atlas: Atlas, counts: array(dtype=int32)):
-    """Rows of texels that each triangle may cover; none without area."""
+    """Rows of texels that each triangle may cover. None without area."""
     i = tid()
     a, b, c = texel_corners(atlas, i)
     count = 0

@@ -1,5 +1,5 @@
 """Texels of a chart atlas, sampled from each chart's image and shifted to agree at seams. A texel belongs to the
-triangle with its center; two rings around charts extend a neighbor's plane for bilinear sampling.
+triangle with its center. Two rings around charts extend a neighbor's plane for bilinear sampling.
 """
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""Charts: edge-connected triangles with the same image, cut out of it. Bounding boxes are integer atomics; the host
+"""Charts: edge-connected triangles with the same image, cut out of it. Bounding boxes are integer atomics. The host
 packs them. Triangles without image share a plain spot, or have a cell each for vertex colors.
 """
 
@@ -61,7 +61,7 @@ class Charts:
         self.views = zeros(count, int32, device)
 
     def boxes(self) -> np.ndarray:
-        """First column and row, and size, of each chart: int64 (c, 4); two syncs."""
+        """First column and row, and size, of each chart: int64 (c, 4). Two syncs."""
         low = download(self.lows).reshape(-1, 2).astype(np.int64)  # sync
         high = download(self.highs).reshape(-1, 2).astype(np.int64)  # sync
         return np.concatenate([low, high - low + 1], 1)
@@ -159,7 +159,7 @@ def find_twins(triangles: Triangles, vertex_count: int) -> Indices:
 def cut_charts(
     vertices: Points, triangles: Triangles, twins: Indices, views: Indices, pictures: PosedPictures
 ) -> Charts:
-    """Charts of triangles with images `views`, int32 (t), -1 for none; one sync."""
+    """Charts of triangles with images `views`, int32 (t), -1 for none. One sync."""
     device, count = triangles.device, triangles.size
     parents, chosen = positions(count, device), empty(count, uint8, device)
     launch(unite_alike_kernel, 3 * count, [twins, views, parents, chosen])

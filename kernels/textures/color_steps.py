@@ -62,7 +62,7 @@ def average_brightness_kernel(
     warps: Warps,
     proxies: array(dtype=float64),
 ):
-    """Mean brightness of a vertex over its images; 0 without any."""
+    """Mean brightness of a vertex over its images. 0 without any."""
     i = tid()
     total = float64(0.0)
     count = float64(0.0)
@@ -77,7 +77,7 @@ def average_brightness_kernel(
 
 @func
 def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
-    """Row of an image and a vertex; zero if the vertex is outside or in the margin."""
+    """Row of an image and a vertex. Zero if the vertex is outside or in the margin."""
     row = pair_row(0.0)
     place = project_vertex(p, image, pictures)
     if place[2] > 0.0:
@@ -207,7 +207,7 @@ def step_poses_kernel(state: SearchState, best_sums: array(dtype=pose_sums), pos
 
 
 class ColorSearch:
-    """Arrays and iterations of a pose search over `pictures`, whose poses change; vertices about their origin."""
+    """Arrays and iterations of a pose search over `pictures`, whose poses change. Vertices about their origin."""
 
     def __init__(
         self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, most_turns: int

@@ -3,7 +3,7 @@
 Least squares on log colors plus gain + bend r^2 (r = 1 at the corners) over image pairs at shared triangles (Brown and
 Lowe, "Automatic Panoramic Image Stitching using Invariant Features", IJCV 2007, section 6, for gains). Nearly black or
 clipped colors are skipped. Gains are regularized to 1, bends to their mean. Sums are integers, so atomics are
-order-independent; the system is solved on the host.
+order-independent. The system is solved on the host.
 """
 
 import math
@@ -104,7 +104,7 @@ def measure_reaches_kernel(
 
 @func
 def logarithm(share: float64, table: array(dtype=int32)) -> int64:
-    """Log color as an integer; 0 if invalid."""
+    """Log color as an integer. 0 if invalid."""
     level = min(max(int(as_whole(share)), 0), LEVELS)
     return int64(table[level])
 
@@ -143,7 +143,7 @@ def plain_exposures(pictures: PosedPictures) -> Exposures:
 
 
 def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pictures: PosedPictures) -> Exposures:
-    """Exposures that make images agree on shared triangles; one sync."""
+    """Exposures that make images agree on shared triangles. One sync."""
     device, n = vertices.device, pictures.count
     levels = np.arange(LEVELS + 1)
     tells = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)

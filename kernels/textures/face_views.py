@@ -50,7 +50,7 @@ PLAIN = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform t
 
 @struct
 class FaceViews:
-    """Candidate images per triangle: `starts` (t + 1); ascending `views`, `qualities`, mean `colors` 0..1 (k)."""
+    """Candidate images per triangle: `starts` (t + 1). Ascending `views`, `qualities`, mean `colors` 0..1 (k)."""
 
     starts: array(dtype=int32)
     views: array(dtype=int32)
@@ -71,7 +71,7 @@ def place_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec
 
 @func
 def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
-    """Cosine between a triangle's normal and the direction to the eye; 0 without area."""
+    """Cosine between a triangle's normal and the direction to the eye. 0 without area."""
     a, b, c = widened_corners(vertices, t)
     n = cross(b - a, c - a)
     way = eye - (a + b + c) / 3.0
@@ -239,7 +239,7 @@ def copy_kept_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceVie
 
 
 class FaceLooks:
-    """Visibility of a mesh's triangles image by image; points beyond `farthest` [m] are not visible."""
+    """Visibility of a mesh's triangles image by image. Points beyond `farthest` [m] are not visible."""
 
     def __init__(
         self, vertices: Points, triangles: Triangles, pictures: PosedPictures, trees: SceneTrees, farthest: float
@@ -264,7 +264,7 @@ class FaceLooks:
         return mask
 
     def views(self, say: Callable[[int], None]) -> FaceViews:
-        """Images of all triangles; reports progress to `say`. A few syncs."""
+        """Images of all triangles. Reports progress to `say`. A few syncs."""
         sightings = list_sightings(self._masks(say))  # sync
         device, count = self.vertices.device, sightings.count
         views, qualities = empty(count, int32, device), empty(count, float64, device)
@@ -280,7 +280,7 @@ class FaceLooks:
 
 
 def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
-    """Select pairs by a mask uint8 (k); one sync."""
+    """Select pairs by a mask uint8 (k). One sync."""
     faces, device = views.starts.size - 1, views.device
     counts = empty(faces, int32, device)
     launch(count_kept_kernel, faces, [views.starts, keep, counts])

@@ -15,7 +15,7 @@ SHORT = 0.999  # fraction of the ray that must be free
 
 @kernel
 def aim_pixels_kernel(image: int, pictures: PosedPictures, rays: array(dtype=float32)):
-    """Ray through each pixel's center; its parameter is the depth."""
+    """Ray through each pixel's center. Its parameter is the depth."""
     i = tid()
     eye = camera_place(image, pictures)
     T = pictures.poses[image]
@@ -44,7 +44,7 @@ def aim_rays_kernel(
     seen: array(dtype=uint8),
     rays: array(dtype=float32),
 ):
-    """Ray from the camera to each vertex; zero-length where not needed."""
+    """Ray from the camera to each vertex. Zero-length where not needed."""
     i = tid()
     eye = camera_place(image, pictures)
     way = vec3(0.0, 0.0, 0.0)
@@ -70,7 +70,7 @@ def plant_trees(vertices: Points, triangles: Triangles) -> SceneTrees:
 
 
 def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scalars:
-    """Depth of the mesh in an image, float32 (pixels); 0 if empty."""
+    """Depth of the mesh in an image, float32 (pixels). 0 if empty."""
     width, height, _ = pictures.layout[image].tolist()
     rays = empty(6 * width * height, float32, pictures.device)
     launch(aim_pixels_kernel, width * height, [image, pictures, rays])

@@ -89,7 +89,7 @@ class Warps:
 def smooth_brightness_kernel(
     pixels: array(dtype=uint8, ndim=2), first: int, width: int, height: int, brightness: array(dtype=float32)
 ):
-    """Smoothed brightness of one image; the border is replicated."""
+    """Smoothed brightness of one image. The border is replicated."""
     i = tid()
     u = i % width
     v = i // width
@@ -109,7 +109,7 @@ def smooth_brightness_kernel(
 
 @func
 def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
-    """Column, row and depth of a point; depth -1 behind the camera, or NaN."""
+    """Column, row and depth of a point. Depth -1 behind the camera, or NaN."""
     T = pictures.poses[image]
     lens = pictures.lenses[image]
     x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
@@ -198,7 +198,7 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
 
 @func
 def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
-    """Warp shift and its derivatives; zero without a warp."""
+    """Warp shift and its derivatives. Zero without a warp."""
     grid = warps.grids[image]
     result = warp_place(0.0)
     if grid[1] > 0:
@@ -222,7 +222,7 @@ def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
 
 @func
 def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> pixel:
-    """Warped image position of a point; depth -1 if it is not visible."""
+    """Warped image position of a point. Depth -1 if it is not visible."""
     place = project_vertex(p, image, pictures)
     if place[2] > 0.0:
         warp = warp_at(place[0], place[1], image, warps)

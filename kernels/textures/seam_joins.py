@@ -89,7 +89,7 @@ def side_places(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, 
 
 @kernel
 def count_places_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
-    """Samples of each half-edge; only on seams, at the lower half-edge."""
+    """Samples of each half-edge. Only on seams, at the lower half-edge."""
     i = tid()
     count = 0
     seam = is_seam(i, seams)
@@ -184,7 +184,7 @@ def change_joined_kernel(places: SeamPlaces, solution: array(dtype=vec3d), color
 
 
 def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
-    """Correct colors, 0..255, in place; no sync besides the solve."""
+    """Correct colors, 0..255, in place. No sync besides the solve."""
     device, count = colors.device, places.count
     if not count:
         return

@@ -78,7 +78,7 @@ class Seams:
 def list_node_keys_kernel(
     triangles: array(dtype=vec3i), views: array(dtype=int32), bits: int, keys: array(dtype=int64)
 ):
-    """Vertex of each corner above its image; 0 for none."""
+    """Vertex of each corner above its image. 0 for none."""
     i = tid()
     keys[i] = (int64(corner_vertex(triangles, i)) << int64(bits)) | int64(views[i // 3] + 1)
 
@@ -244,7 +244,7 @@ class SeamLevels:
         self.turns = int(download(state.turns)[0])  # sync
 
     def mean_step(self) -> float | None:
-        """Mean step across seams, 0..255; None without seams. One sync."""
+        """Mean step across seams, 0..255. None without seams. One sync."""
         given = [self.vertices, self.seams, self.pictures, self.exposures, self.shifts]
         count, total, _ = download(reduce(sum_steps, 3 * self.seams.triangles.size, given))[0].tolist()  # sync
         return total / count if count else None

@@ -59,7 +59,7 @@ def mean_at_vertices_kernel(
     shifts: array(dtype=vec3d),
     means: array(dtype=vec3d),
 ):
-    """Mean color of a vertex over its images, with shifts. One thread per unknown; the first of a vertex writes."""
+    """Mean color of a vertex over its images, with shifts. One thread per unknown. The first of a vertex writes."""
     i = tid()
     v = corner_vertex(seams.triangles, seams.corners[seams.starts[i]])
     first = 1
@@ -268,7 +268,7 @@ def blend_strips(
     exposures: Exposures,
     shifts: Array1[vec3d],
 ) -> None:
-    """Blend the colors of texels near seams; a few syncs."""
+    """Blend the colors of texels near seams. A few syncs."""
     device, count = vertices.device, texels.size * texels.size
     changes, free = empty(count, vec3d, device), zeros(count, uint8, device)
     means: Positions = zeros(vertices.size, vec3d, device)

@@ -170,7 +170,7 @@ def mark_shown_kernel(sums: array(dtype=vec4d), shown: array(dtype=int32)):
 
 
 class SurfaceTexels:
-    """Texels that belong to triangles: `owners` or NO_TRIANGLE; ascending `texels`; surface `points`, `normals`."""
+    """Texels that belong to triangles: `owners` or NO_TRIANGLE. Ascending `texels`. Surface `points`, `normals`."""
 
     def __init__(self, vertices: Points, triangles: Triangles, uvs: Array1[vec2], size: int) -> None:
         device, count = vertices.device, size * size
@@ -201,7 +201,7 @@ class SurfaceTexels:
         return sums
 
     def share_shown(self, sums: Array1[vec4d]) -> float:
-        """Fraction of texels visible in an image; one sync."""
+        """Fraction of texels visible in an image. One sync."""
         shown = empty(sums.size, int32, sums.device)
         launch(mark_shown_kernel, sums.size, [sums, shown])
         return sum_counts(shown) / sums.size  # sync

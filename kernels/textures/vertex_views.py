@@ -91,7 +91,7 @@ def depth_at(u: int, v: int, width: int, height: int, depth: array(dtype=float32
 
 @kernel
 def mark_jumps_kernel(depth: array(dtype=float32), width: int, height: int, jump: float, marks: array(dtype=uint8)):
-    """1 where the Sobel gradient of the depth exceeds a limit; missing depth counts as 0, which marks its boundary."""
+    """1 where the Sobel gradient of the depth exceeds a limit. Missing depth counts as 0, which marks its boundary."""
     i = tid()
     u = i % width
     v = i // width

@@ -2,7 +2,7 @@
 
 Integer energy, bitwise reproducible. Damped parallel min-sum belief propagation (odd iterations round up, even ones
 down), then parallel greedy moves in which no neighbors change together. Waechter, Moehrle and Goesele 2014, section
-3.2; Felzenszwalb and Huttenlocher, "Efficient Belief Propagation for Early Vision", IJCV 2006.
+3.2. Felzenszwalb and Huttenlocher, "Efficient Belief Propagation for Early Vision", IJCV 2006.
 """
 
 from ..array_types import Indices, Integers
@@ -194,7 +194,7 @@ def name_views_kernel(views: array(dtype=int32), labels: array(dtype=int32), nam
 
 
 def cost_views(views: FaceViews) -> Integers:
-    """Costs of all pairs, int32 (k); one sync."""
+    """Costs of all pairs, int32 (k). One sync."""
     costs = empty(views.count, int32, views.device)
     best = quantiles_of(views.qualities, [BEST])[0] if views.count else 0.0  # sync
     launch(cost_views_kernel, views.count, [views.qualities, best, costs])
@@ -202,7 +202,7 @@ def cost_views(views: FaceViews) -> Integers:
 
 
 def energy_of(graph: LabelGraph, labels: Indices) -> int:
-    """Energy of a labeling; one sync."""
+    """Energy of a labeling. One sync."""
     energies = empty(graph.count, int32, graph.device)
     launch(count_energy_kernel, graph.count, [graph, labels, energies])
     return int(sum_counts(energies))  # sync
@@ -222,7 +222,7 @@ def improve(graph: LabelGraph, labels: Indices) -> None:
 
 
 def choose_labels(graph: LabelGraph, turns: int = TURNS) -> Indices:
-    """Low-energy candidate per triangle, int32 (t), -1 if it has none; no single change improves it."""
+    """Low-energy candidate per triangle, int32 (t), -1 if it has none. No single change improves it."""
     pairs, device = graph.views.size, graph.device
     messages, told, beliefs = (
         zeros(3 * pairs, int32, device),

@@ -74,7 +74,7 @@ def number_cells_kernel(
     cell_count: int,
     keys: array(dtype=int64),
 ):
-    """Cell of each pair, as its first anchor; the last number if it does not count."""
+    """Cell of each pair, as its first anchor. The last number if it does not count."""
     i = tid()
     image = sightings.images[i]
     row = measure_pair(vertices[sightings.vertices[i]], image, 0.0, pictures, warps)
@@ -232,7 +232,7 @@ def clear_band_kernel(band: array(dtype=float64, ndim=2)):
 
 @func
 def factor_band(first: int, count: int, system: WarpSystem):
-    """Cholesky factor of an image's band in place; a non-positive pivot drops its unknown."""
+    """Cholesky factor of an image's band in place. A non-positive pivot drops its unknown."""
     last = system.width - 1
     for r in range(count):
         row = first + r
@@ -350,7 +350,7 @@ class WarpSearch(ColorSearch):
         self.keys = empty(sightings.count, int64, vertices.device)
 
     def turn(self) -> bool:
-        """One iteration; False after the last (one sync)."""
+        """One iteration. False after the last (one sync)."""
         warps, system = self.warps, self.system
         self.measure()
         launch(sum_ties_kernel, self.pictures.count, [warps, system, self.ties])

@@ -1,6 +1,6 @@
 """Bit sets of samples along grid rows, 32 per int32 word, with shifts between neighbors.
 
-A row has `width` words; bits beyond its end are zero. Right shifts of int32 copy the sign bit, so arithmetic on the
+A row has `width` words. Bits beyond its end are zero. Right shifts of int32 copy the sign bit, so arithmetic on the
 highest bit goes through uint32.
 """
 
@@ -13,7 +13,7 @@ LOW_31 = 0x7FFF_FFFF  # clears the sign bits of a right shift
 
 @func
 def lowest_bit(word: int) -> int:
-    """Index of the lowest bit set; the word is not zero."""
+    """Index of the lowest bit set. The word is not zero."""
     w = uint32(word)
     return bit_count(int((w & (~w + 1)) - 1))
 

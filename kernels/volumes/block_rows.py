@@ -37,13 +37,13 @@ class SeenBlocks:
 
 
 class BlockNeighbors:
-    """Cached neighbors of a volume's blocks, extended as it grows; the first `count` blocks are complete."""
+    """Cached neighbors of a volume's blocks, extended as it grows. The first `count` blocks are complete."""
 
     def __init__(self, changes: "Changes", device: Device) -> None:
         self.changes, self.listed, self.count = changes, empty(0, int32, device), 0
 
     def update(self, blocks: VoxelBlocks) -> Integers:
-        """Complete the neighbors of all blocks; a repetition after an interruption writes the same values."""
+        """Complete the neighbors of all blocks. A repetition after an interruption writes the same values."""
         count, known = blocks.count, self.count
         if count > known:
             listed = self.listed
@@ -65,7 +65,7 @@ def neighbors_of(blocks: VoxelBlocks) -> Indices:
 
 @kernel
 def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtype=int32)):
-    """The 27 blocks around each new block including itself, or -1; known blocks get new neighbors."""
+    """The 27 blocks around each new block including itself, or -1. Known blocks get new neighbors."""
     i = tid()
     position = known + i // AROUND
     block = key_block(blocks.keys[position])
@@ -127,7 +127,7 @@ def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, se
 
 @func
 def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
-    """A voxel's bits in a word; it is valid if its weight exceeds the threshold."""
+    """A voxel's bits in a word. It is valid if its weight exceeds the threshold."""
     word = 0
     if float(seen.blocks.weights[voxel]) > seen.threshold:
         word = 1 << (place + VALID)

@@ -42,7 +42,7 @@ class BlockSigns:
         self.signs, self.cells, self.parts = (empty(0, t, device) for t in (int64, int64, int32))
 
     def update(self, blocks: VoxelBlocks) -> None:
-        """Update the bits; a repetition after an interruption writes the same values."""
+        """Update the bits. A repetition after an interruption writes the same values."""
         count, number = blocks.count, blocks.frame_count
         voxels = (blocks.distances, blocks.weights)
         is_same = len(self._voxels) == 2 and all(a() is b for a, b in zip(self._voxels, voxels, strict=True))
@@ -132,7 +132,7 @@ def parts_of(word: int64) -> int:
 def find_cells_with_signs_kernel(
     neighbors: array(dtype=int32), signs: array(dtype=int64), cells: array(dtype=int64), parts: array(dtype=int32)
 ):
-    """Cells of a block with a corner behind a surface; cells of the last slices use the blocks above."""
+    """Cells of a block with a corner behind a surface. Cells of the last slices use the blocks above."""
     i = tid()
     first = i * AROUND + MIDDLE
     word = spread_slice(first, 0, neighbors, signs)

@@ -83,7 +83,7 @@ class BlockSurface:
 
 @kernel
 def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
-    """Cut cells of each row; their triangle counts go to the second half of `counts`."""
+    """Cut cells of each row. Their triangle counts go to the second half of `counts`."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE
@@ -135,7 +135,7 @@ def cells_beside(block: int, x: int, y: int, surface: BlockSurface) -> int:
 
 @kernel
 def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtype=int32)):
-    """Edges of each row with a vertex (`need_cells`: of cells with triangles); counts go to the first half."""
+    """Edges of each row with a vertex (`need_cells`: of cells with triangles). Counts go to the first half."""
     i = tid()
     block = i // ROWS
     x = i // SIDE % SIDE

@@ -1,6 +1,6 @@
 """The 256 cases of marching cubes (Lorensen and Cline, SIGGRAPH 1987), derived at import time.
 
-Corner c of a cell is at (c & 1, (c >> 1) & 1, (c >> 2) & 1) = (x, y, z); bit c of a case is set if its value is below
+Corner c of a cell is at (c & 1, (c >> 1) & 1, (c >> 2) & 1) = (x, y, z). Bit c of a case is set if its value is below
 the level (inside). Edge e = axis * 4 + k starts at its lower corner `EDGE_CORNER[e]`. Ambiguous faces separate inside
 corners (Montani, Scateni and Scopigno, The Visual Computer 10, 1994). No diagonal of a triangulation is in a face,
 since the neighbor could have the same one. Triangles are counter-clockwise seen from outside.

@@ -82,7 +82,7 @@ def greatest_of(i: int, values: array(dtype=int32)) -> int:
 
 @greatest_of.on_cuda
 def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
-    """Each lane of a warp reads some; all 32 lanes must be active."""
+    """Each lane of a warp reads some. All 32 lanes must be active."""
     most = 0
     k = i % WARP
     while k < values.shape[0]:
@@ -113,7 +113,7 @@ def mark_touched_kernel(
     slots: int,
     grid: array(dtype=uint8),
 ):
-    """Mark the blocks around the depth of a ray; one thread per ray, rounded up to complete warps."""
+    """Mark the blocks around the depth of a ray. One thread per ray, rounded up to complete warps."""
     i = tid()
     stride = stride_of(greatest_of(i, largest), camera, block_size)
     columns = (camera.width + stride - 2) // stride + 1
@@ -152,7 +152,7 @@ def cell_key(cell: int, record: array(dtype=float64)) -> int64:
 def count_touched_kernel(
     record: array(dtype=float64), table: HashTable, groups: int, grid: array(dtype=uint8), sizes: array(dtype=int32)
 ):
-    """Touched cells of each group, followed by the number of missing blocks; integer sums."""
+    """Touched cells of each group, followed by the number of missing blocks. Integer sums."""
     i = tid()
     if grid[i] != 0:
         atomic_add(sizes, i // GROUP, 1)
@@ -195,7 +195,7 @@ def list_touched_kernel(
 
 @kernel
 def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
-    """Insert the keys of new blocks; the number of threads is an upper bound."""
+    """Insert the keys of new blocks. The number of threads is an upper bound."""
     i = tid()
     if i < counts[MISSING]:
         insert_key(keys[counts[COUNTED] + i], table)
@@ -203,7 +203,7 @@ def insert_new_kernel(counts: array(dtype=int32), keys: array(dtype=int64), tabl
 
 @kernel
 def store_all_positions_kernel(counts: array(dtype=int32), keys: array(dtype=int64), table: HashTable):
-    """Store each key's position, since insertion moves keys; the number of threads is an upper bound."""
+    """Store each key's position, since insertion moves keys. The number of threads is an upper bound."""
     i = tid()
     if i < counts[COUNTED] + counts[MISSING]:
         table.positions[find_slot(keys[i], table)] = i

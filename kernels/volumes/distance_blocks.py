@@ -2,7 +2,7 @@
 
 Blocks within the distance limit of an occupied block along each axis are created; those without any known distance are
 then removed. A dense box has all its blocks. 8 B per voxel (squared distance and index), 16 B more during construction,
-24 B if signed; 32 to 56 B per block.
+24 B if signed. 32 to 56 B per block.
 """
 
 import math
@@ -61,7 +61,7 @@ def reach_of_box(shape: tuple[int, int, int]) -> Reach:
 
 @struct
 class DistanceBlocks:
-    """Squared distances [voxels^2] at the voxels of blocks with ascending int64 keys. `sqdists` are FAR if unknown; if
+    """Squared distances [voxels^2] at the voxels of blocks with ascending int64 keys. `sqdists` are FAR if unknown. If
     signed, occupied voxels have the negative distance to the nearest free one. `nearest` is the row of the nearest
     occupied voxel, undefined if unknown. `occupied` are sorted by block."""
 
@@ -103,7 +103,7 @@ def find_voxel(cell: vec3i, table: HashTable) -> int:
 
 @kernel
 def find_block_keys_kernel(cells: array(dtype=vec3i), largest: int, keys: array(dtype=int64), far: array(dtype=int32)):
-    """Key of each voxel's block; NO_KEY for NOWHERE and beyond the limit, which sets the flag."""
+    """Key of each voxel's block. NO_KEY for NOWHERE and beyond the limit, which sets the flag."""
     i = tid()
     cell = cells[i]
     key = int64(NO_KEY)

@@ -15,7 +15,7 @@ WIDEST = 2.0**29
 
 @func
 def cell_number(x: float64) -> int:
-    """Voxel coordinate along an axis; BEYOND if it exceeds int32."""
+    """Voxel coordinate along an axis. BEYOND if it exceeds int32."""
     number = BEYOND
     if abs(x) < WIDEST:
         number = int(floor(x))
@@ -24,7 +24,7 @@ def cell_number(x: float64) -> int:
 
 @kernel
 def find_cells_kernel(points: array(dtype=vec3), shift: vec3d, voxel_size: float64, cells: array(dtype=vec3i)):
-    """Voxel of each point; NOWHERE if it is not finite."""
+    """Voxel of each point. NOWHERE if it is not finite."""
     i = tid()
     p = points[i]
     cell = vec3i(NOWHERE, NOWHERE, NOWHERE)
@@ -44,14 +44,14 @@ def find_set_cells_kernel(rows: array(dtype=int32), size: vec3i, cells: array(dt
 
 
 def find_cells(points: Points, shift: tuple[float, float, float], voxel_size: float) -> Cells:
-    """Voxels that contain points; coordinates start at -shift."""
+    """Voxels that contain points. Coordinates start at -shift."""
     cells = empty(points.size, vec3i, points.device)
     launch(find_cells_kernel, points.size, [points, vec3d(*shift), voxel_size, cells])
     return cells
 
 
 def find_set_cells(occupied: Mask, shape: tuple[int, int, int]) -> Cells:
-    """Occupied voxels of a dense box, uint8, z fastest; one sync."""
+    """Occupied voxels of a dense box, uint8, z fastest. One sync."""
     rows = positions_of(occupied)  # sync
     cells = empty(rows.size, vec3i, rows.device)
     launch(find_set_cells_kernel, rows.size, [rows, vec3i(*shape), cells])

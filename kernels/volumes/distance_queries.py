@@ -129,7 +129,7 @@ def distance_at(voxel: int, grid: DistanceGrid) -> float64:
 
 @func
 def interpolate(q: vec3d, grid: DistanceGrid) -> float64:
-    """Trilinear distance [m] at a position; NaN if one of the eight voxels is unknown."""
+    """Trilinear distance [m] at a position. NaN if one of the eight voxels is unknown."""
     base = vec3d(floor(q[0] - 0.5), floor(q[1] - 0.5), floor(q[2] - 0.5))
     t = vec3d(q[0] - 0.5 - base[0], q[1] - 0.5 - base[1], q[2] - 0.5 - base[2])
     low = cell_at(base)
@@ -202,7 +202,7 @@ def find_distances_kernel(
 
 @kernel
 def find_gradients_kernel(points: array(dtype=vec3d), grid: DistanceGrid, gradients: array(dtype=vec3)):
-    """Gradient at each point; NaN if a voxel around it is unknown."""
+    """Gradient at each point. NaN if a voxel around it is unknown."""
     i = tid()
     q = grid_place(points[i], grid)
     g = vec3d(NAN, NAN, NAN)
@@ -286,7 +286,7 @@ def list_distances_kernel(
 
 @kernel
 def list_sqdists_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, sqdists: array(dtype=int32)):
-    """Squared distances of a box of voxels [voxels^2]; FAR if unknown."""
+    """Squared distances of a box of voxels [voxels^2]. FAR if unknown."""
     i = tid()
     voxel = lattice_voxel(i, low, size, grid)
     sqdist = int(FAR)
@@ -327,7 +327,7 @@ def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Pos
 
 
 def find_hits(centers: Positions, radii: Doubles, grid: DistanceGrid) -> Mask:
-    """1 for each sphere that is not certainly free; one radius, or one for each."""
+    """1 for each sphere that is not certainly free. One radius, or one for each."""
     hits = empty(centers.size, uint8, grid.device)
     launch(find_room_kernel, centers.size, [centers, radii, grid, hits])
     return hits

@@ -1,8 +1,8 @@
 """Exact squared Euclidean distance transform, axis by axis along lines of blocks.
 
-Meijster, Roerdink and Hesselink, "A general algorithm for computing distance transforms in linear time", 2000;
+Meijster, Roerdink and Hesselink, "A general algorithm for computing distance transforms in linear time", 2000.
 Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012: a forward scan builds the lower envelope of parabolas on a
-stack, a backward scan reads it. Integers; ties go to the first site along x, then y, then z. 8 B per voxel and axis, up
+stack, a backward scan reads it. Integers. Ties go to the first site along x, then y, then z. 8 B per voxel and axis, up
 to 16 B of stack.
 """
 
@@ -50,7 +50,7 @@ class BlockLines:
     starts: array(dtype=int32)
 
     def __init__(self, keys: Keys, axis: int) -> None:
-        """From ascending keys, none at the limit of the key range; one sync."""
+        """From ascending keys, none at the limit of the key range. One sync."""
         device = keys.device
         self.axis = axis
         if axis == 2:
@@ -160,7 +160,7 @@ def sweep_lines_kernel(
 
 def sweep_blocks(keys: Keys, reach: int, limit: int, sqdists: Integers, nearest: Integers) -> None:
     """Propagate distances and seeds in place. `keys` are ascending blocks up to `reach` voxels (at most LONGEST) around
-    each seed; squared distances beyond `limit` (below FAR) become FAR. `sqdists` starts as 0 at seeds and FAR
+    each seed. Squared distances beyond `limit` (below FAR) become FAR. `sqdists` starts as 0 at seeds and FAR
     elsewhere, `nearest` as the seed indices."""
     if not keys.size:
         return

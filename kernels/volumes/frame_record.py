@@ -18,7 +18,7 @@ class FrameRecord:
 
     def __init__(self, device: Device, counted: int = 0) -> None:
         self.values, self.counts = zeros(LENGTH, float64, device), zeros(3, int32, device)
-        self._host = np.zeros(LENGTH)  # next record to write; offsets of both poses
+        self._host = np.zeros(LENGTH)  # next record to write. Offsets of both poses
         self._poses = [
             (self._host[at : at + 9].reshape(3, 3), self._host[at + 9 : at + 12]) for at in (INTO_VOLUME, INTO_CAMERA)
         ]

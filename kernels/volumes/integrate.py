@@ -35,7 +35,7 @@ from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE
 from .voxel_blocks import COLOR_SCALE, VoxelBlocks
 
 CPU_RUN = 8  # rows per thread: the pose is applied once per 64 voxels
-CUDA_GROUPS = 264  # groups of 512 threads: capacity of 132 SMs; each processes several blocks of a frame
+CUDA_GROUPS = 264  # groups of 512 threads: capacity of 132 SMs. Each processes several blocks of a frame
 MAX_WEIGHT = 65535.0
 NEAREST = 1.0e-6  # [m] keeps the division finite for voxels behind the camera, which are not used
 UNSEEN = -2.0  # below every truncated distance
@@ -213,7 +213,7 @@ def integrate_voxels_kernel(
 
 
 def launch_integration(touched: Integers, count: int, frame: Frame, blocks: VoxelBlocks) -> None:
-    """Integrate a frame into `count` blocks; on CUDA into blocks.record.counts."""
+    """Integrate a frame into `count` blocks. On CUDA into blocks.record.counts."""
     stride, threads = CPU_RUN, count * ROWS // CPU_RUN
     if touched.device.is_cuda:
         stride, threads = CUDA_GROUPS, CUDA_GROUPS * BLOCK_VOXELS

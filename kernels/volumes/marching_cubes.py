@@ -1,7 +1,7 @@
 """Marching cubes on a dense field (Lorensen and Cline, SIGGRAPH 1987).
 
-Row passes after Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015: the field is [rows, nz], y fastest over rows;
-signs along z are packed into 32-bit words. 28 B per word, one sync, no atomics: bitwise reproducible. Cells with a
+Row passes after Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015: the field is [rows, nz], y fastest over rows.
+Signs along z are packed into 32-bit words. 28 B per word, one sync, no atomics: bitwise reproducible. Cells with a
 non-finite corner have no triangles. Samples at the level count as above it, which may give zero-area triangles.
 """
 
@@ -84,7 +84,7 @@ class SignGrid:
 
 @kernel
 def pack_signs_kernel(field: SampledField, grid: SignGrid):
-    """One thread per word; bits beyond the row are zero."""
+    """One thread per word. Bits beyond the row are zero."""
     i = tid()
     row = i // grid.width
     first = (i - row * grid.width) * WORD
@@ -145,7 +145,7 @@ def finite_pairs(row: int, w: int, grid: SignGrid) -> int:
 
 @kernel
 def find_whole_cells_kernel(grid: SignGrid):
-    """Cells with eight finite corners; one thread per row. No effect if the field is finite."""
+    """Cells with eight finite corners. One thread per row. No effect if the field is finite."""
     i = tid()
     if grid.has_gaps[0] == 0:
         return
@@ -285,7 +285,7 @@ def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges
 
 @func
 def crossing_place(a: float, b: float, level: float) -> float:
-    """Fraction between a and b of the level; in float64, since b - a may overflow float32."""
+    """Fraction between a and b of the level. In float64, since b - a may overflow float32."""
     return float((float64(level) - float64(a)) / (float64(b) - float64(a)))
 
 
@@ -346,7 +346,7 @@ def vertices_before(word: vec4i, j: int) -> vec3i:
 
 @kernel
 def write_triangles_kernel(grid: SignGrid, edges: SurfaceEdges, tables: CubeTables, triangles: array(dtype=vec3i)):
-    """Triangles of a row of cells, by z, then table order; a cell's vertices are numbered at once from four rows."""
+    """Triangles of a row of cells, by z, then table order. A cell's vertices are numbered at once from four rows."""
     i = tid()
     first = edges.offsets[grid.rows + i]
     n = first - edges.offsets[grid.rows]

@@ -185,7 +185,7 @@ def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
 
 @func
 def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
-    """Log odds of a voxel; UNKNOWN without a block."""
+    """Log odds of a voxel. UNKNOWN without a block."""
     position = find_position(block_key(x >> 3, y >> 3, z >> 3), blocks.table)
     value = float(UNKNOWN)
     if position >= 0:
@@ -195,7 +195,7 @@ def odds_at(x: int, y: int, z: int, blocks: OddsBlocks) -> float:
 
 @kernel
 def look_up_kernel(points: array(dtype=vec3), shift: vec3d, blocks: OddsBlocks, out: array(dtype=float32)):
-    """Log odds at each point; UNKNOWN if it is out of range or not finite."""
+    """Log odds at each point. UNKNOWN if it is out of range or not finite."""
     i = tid()
     p = narrow(widen(points[i]) + shift)
     value = float(UNKNOWN)
@@ -248,7 +248,7 @@ def cast_rays_kernel(
     distances: array(dtype=float64),
     voxels: array(dtype=vec3i),
 ):
-    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none; distance and voxel."""
+    """First non-free voxel on each ray: 1 occupied, -1 unknown, 0 none. Distance and voxel."""
     i = tid()
     state = int(0)
     distance = float64(0.0)

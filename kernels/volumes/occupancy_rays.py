@@ -1,7 +1,7 @@
 """Voxel traversal of range scans, identical to OctoMap's `OcTreeBaseImpl::computeRayKeys`.
 
-Hornung et al., "OctoMap", Autonomous Robots 34, 2013; after Amanatides and Woo, "A fast voxel traversal algorithm",
-Eurographics 1987. Positions and directions are float32, crossings float64 sums; at equal crossings z goes before y
+Hornung et al., "OctoMap", Autonomous Robots 34, 2013. After Amanatides and Woo, "A fast voxel traversal algorithm",
+Eurographics 1987. Positions and directions are float32, crossings float64 sums. At equal crossings z goes before y
 before x. The first pass marks blocks, the second voxels (1 B each).
 """
 
@@ -86,7 +86,7 @@ def stride_of(d: float, lattice: Lattice) -> float64:
 
 @loop
 def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[int, int, int, float64]:
-    """Voxels from a to b with their entry distances [m]; the last one only if `with_end` is 1."""
+    """Voxels from a to b with their entry distances [m]. The last one only if `with_end` is 1."""
     way = b - a
     u = unit_of(way)
     reach = float64(span_of(way))
@@ -134,7 +134,7 @@ def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[in
 
 @struct
 class ScanRays:
-    """Rays relative to the grid's origin; one start if `shared`. `ends` are NaN and `kinds` NO_RAY for none."""
+    """Rays relative to the grid's origin. One start if `shared`. `ends` are NaN and `kinds` NO_RAY for none."""
 
     lattice: Lattice
     starts: array(dtype=vec3)

@@ -33,7 +33,7 @@ from .voxel_samples import (
 
 @struct
 class RayImages:
-    """Rendered images [h * w]; images not requested have one element. `depth` is along z [m], 0 without a hit, `met`
+    """Rendered images [h * w]. Images not requested have one element. `depth` is along z [m], 0 without a hit, `met`
     the block of the hit. `points` and `normals` are NaN, `colors` and `intensities` (0..1) 0 without a hit. `shares`
     are the weights of red, green and blue in intensity; `in_camera` selects the frame of normals."""
 
@@ -76,14 +76,14 @@ class RayImages:
 
 @func
 def side_distance(block: int, x: int, y: int, z: int, seen: SeenBlocks) -> float:
-    """Distance at a voxel next to a cell, coordinates in -8..15; UNSEEN if not observed often enough."""
+    """Distance at a voxel next to a cell, coordinates in -8..15. UNSEEN if not observed often enough."""
     return seen_distance(voxel_around(block, x, y, z, seen), seen)
 
 
 @func
 def slope_along(low: float, high: float, beyond: float, middle: float, share: float, is_up: int) -> float:
     """Slope over one voxel, centered at a fraction `share` between two planes with distances `low` and `high`. `beyond`
-    is the third plane's distance (above if `is_up`); if UNSEEN, the slope over the other half voxel is used."""
+    is the third plane's distance (above if `is_up`). If UNSEEN, the slope over the other half voxel is used."""
     slope = float(UNSEEN)
     if is_up == 1:
         before = between(low, high, share - 0.5)
@@ -100,7 +100,7 @@ def slope_along(low: float, high: float, beyond: float, middle: float, share: fl
 
 @func
 def mean_of_four(a: float, b: float, c: float, d: float, fu: float, fv: float) -> float:
-    """Bilinear interpolation, v fastest; UNSEEN if one value is."""
+    """Bilinear interpolation, v fastest. UNSEEN if one value is."""
     mean = between(between(a, b, fv), between(c, d, fv), fu)
     if max(max(a, b), max(c, d)) >= UNSEEN:
         mean = float(UNSEEN)

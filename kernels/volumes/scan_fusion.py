@@ -2,7 +2,7 @@
 
 Truncated distance along the ray ("simple" integrator of Oleynikova et al., "Voxblox", IROS 2017, section IV; Vizzo et
 al., "VDBFusion", Sensors 2022, section 3.2). A voxel's mean over a scan counts as one frame. Integer sums, so the order
-does not matter; 12 B per voxel of touched blocks, 44 B with color. One launch writes the volume.
+does not matter. 12 B per voxel of touched blocks, 44 B with color. One launch writes the volume.
 """
 
 import numpy as np
@@ -42,7 +42,7 @@ from .scan_rays import (
 from .tsdf_blocks import BLOCK_VOXELS, blocks_on_way, voxel_in_block
 from .voxel_blocks import VoxelBlocks
 
-STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution; sums stay exact for 2^38 rays
+STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution. Sums stay exact for 2^38 rays
 SHADES = 65535.0
 SURFACE_SHADE = 65536  # weight of a color at its point, over that of 1 in the free space before it
 
@@ -83,7 +83,7 @@ def shade_steps(shade: float) -> int64:
 def add_value(
     i: int, slot: int, x: int, y: int, z: int, reach: float64, d: vec3d, o: vec3d, rays: ScanRays, sums: ScanSums
 ):
-    """Add a ray's value at a voxel; integer sums do not depend on the order."""
+    """Add a ray's value at a voxel. Integer sums do not depend on the order."""
     to_voxel = vec3d(float64(x), float64(y), float64(z)) * rays.voxel_size - o
     value = (reach - dot(to_voxel, d)) / rays.truncation
     if value > -1.0:
@@ -147,7 +147,7 @@ def fold_sums_kernel(
     sums: ScanSums,
     blocks: VoxelBlocks,
 ):
-    """Fold a scan's means into the touched blocks; one thread per voxel."""
+    """Fold a scan's means into the touched blocks. One thread per voxel."""
     i = tid()
     note_frame(i, counts, record, blocks)
     rays = sums.counts[i]

@@ -1,7 +1,7 @@
 """LiDAR rays through volume blocks: required blocks, and blocks passed.
 
 The end of a ray, the truncation before and behind the point, traverses all voxel cells (Amanatides and Woo, "A fast
-voxel traversal algorithm", Eurographics 1987) in float64; the scan requires their blocks. Before that, only existing
+voxel traversal algorithm", Eurographics 1987) in float64. The scan requires their blocks. Before that, only existing
 blocks are marked. Cells are centered at multiples of the voxel size.
 """
 
@@ -45,7 +45,7 @@ RAYS_AT_A_TIME = 1 << 20  # blocks listed together
 @struct
 class ScanRays:
     """Rays from scanners to points relative to a volume's origin. `step` is 1 if each point has its own scanner, else
-    0. `least` and `most` are the valid ranges [m]; a longer ray passes space and has no end."""
+    0. `least` and `most` are the valid ranges [m]. A longer ray passes space and has no end."""
 
     points: array(dtype=vec3d)
     scanners: array(dtype=vec3d)
@@ -101,7 +101,7 @@ def ray_range(i: int, rays: ScanRays) -> float64:
 
 @func
 def cell_at(reach: float64, direction: vec3d, scanner: vec3d, rays: ScanRays) -> vec3d:
-    """Position in cells at a range along a ray; voxels are at cell centers."""
+    """Position in cells at a range along a ray. Voxels are at cell centers."""
     return (scanner + direction * reach) / rays.voxel_size + vec3d(0.5, 0.5, 0.5)
 
 
@@ -112,7 +112,7 @@ def voxel_block_key(x: int, y: int, z: int) -> int64:
 
 @kernel
 def find_faults_kernel(rays: ScanRays, limit: float64, faults: array(dtype=int32)):
-    """First infinite point, and the first beyond the limit; NaN is neither."""
+    """First infinite point, and the first beyond the limit. NaN is neither."""
     i = tid()
     p = rays.points[i]
     o = rays.scanners[i * rays.step]

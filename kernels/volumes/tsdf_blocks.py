@@ -233,7 +233,7 @@ def ray_slots(camera: CameraLike, truncation: float, voxel_size: float) -> int:
 def _corner_rays(
     width: int, height: int, fx: float, fy: float, cx: float, cy: float
 ) -> tuple[NDArray[np.float64], float]:
-    """Rays through the image corners at depth 1 and the camera, float64 [5, 3]; the length of the longest."""
+    """Rays through the image corners at depth 1 and the camera, float64 [5, 3]. The length of the longest."""
     corners = np.array([[u, v, 1.0] for u in (0, width - 1) for v in (0, height - 1)])
     corners = (corners - [cx, cy, 0]) / [fx, fy, 1]
     return np.vstack([corners, np.zeros((1, 3))]), float(np.linalg.norm(corners, axis=1).max())

@@ -2,8 +2,8 @@
 
 One thread per pixel, tile by tile. Rays start at the tile's depth bound (camera_rays.py) and skip blocks, 4^3 parts and
 cells without a corner behind a surface (block_signs.py). Elsewhere, the zero of the trilinear distance is found by
-regula falsi; next to unobserved corners the nearest voxels are used. Amanatides and Woo, Eurographics 1987; Newcombe et
-al., "KinectFusion", ISMAR 2011, section 3.4; Parker et al., IEEE Visualization 1998. Positions are relative to the
+regula falsi. Next to unobserved corners the nearest voxels are used. Amanatides and Woo, Eurographics 1987. Newcombe et
+al., "KinectFusion", ISMAR 2011, section 3.4. Parker et al., IEEE Visualization 1998. Positions are relative to the
 camera's voxel for float32.
 """
 
@@ -169,7 +169,7 @@ def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray:
 def cast_rays_kernel(
     rays: CameraRays, seen: SeenBlocks, signs: BlockSigns, depth: array(dtype=float32), met: array(dtype=int32)
 ):
-    """One ray; the parameter is depth along z [m]. Threads go tile by tile to read the same voxels."""
+    """One ray. The parameter is depth along z [m]. Threads go tile by tile to read the same voxels."""
     i = tid()
     tile = i // (TILE * TILE)
     column = tile % rays.columns * TILE + i % TILE

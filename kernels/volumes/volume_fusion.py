@@ -1,8 +1,8 @@
 """Fusion of rigidly moved volumes into one, by trilinear resampling.
 
 Each voxel of the result reads distance, weight and color at its position in each volume, if all contributing voxels are
-observed; a coincident voxel copies its bits. Weighted running mean in float64. Curless and Levoy, SIGGRAPH 1996,
-section 3.3; Kaehler, Prisacariu and Murray, ECCV 2016.
+observed. A coincident voxel copies its bits. Weighted running mean in float64. Curless and Levoy, SIGGRAPH 1996,
+section 3.3. Kaehler, Prisacariu and Murray, ECCV 2016.
 """
 
 import itertools
@@ -105,7 +105,7 @@ def share_of(f: float64, side: int) -> float64:
 
 @func
 def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
-    """Trilinear mean at a position in a block; weight 0 if a contributing voxel is unobserved."""
+    """Trilinear mean at a position in a block. Weight 0 if a contributing voxel is unobserved."""
     x = int(floor(q[0]))
     y = int(floor(q[1]))
     z = int(floor(q[2]))
@@ -179,7 +179,7 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
 @struct
 class BlockReach:
     """Mapping of a moved volume's blocks to those of the result: `R`, `t` to the result's voxels, `R_back`, `t_back`
-    from them; half sizes of the bounding boxes [voxels]; maximum `slots` per axis."""
+    from them. Half sizes of the bounding boxes [voxels]. Maximum `slots` per axis."""
 
     R: mat33d
     t: vec3d
@@ -283,7 +283,7 @@ def fuse_moved(
     has_color: bool,
     device: Device,
 ) -> VoxelBlocks:
-    """Fuse volumes with poses `backs` (voxels of the result to those of each); their order affects the last bits.
+    """Fuse volumes with poses `backs` (voxels of the result to those of each). Their order affects the last bits.
     `colored` selects the volumes whose colors are merged. Raises ValueError for more blocks than int32 can index."""
     reached = [reached_blocks(blocks, back) for blocks, back in zip(volumes, backs, strict=True)]
     keys = _distinct(reached, device)

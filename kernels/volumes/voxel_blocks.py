@@ -1,7 +1,7 @@
 """TSDF voxels in hashed blocks of 8^3.
 
 4 B of distance, 2 B of weight (at most 65535 frames), and optionally 6 B of 16-bit color per voxel, since an 8-bit
-running mean would stall; 32 to 56 B per block. Memory at least doubles when it grows, and nothing is moved. Frames are
+running mean would stall. 32 to 56 B per block. Memory at least doubles when it grows, and nothing is moved. Frames are
 integrated atomically (arrays/atomic_changes.py): new blocks do not count before the launch that writes them.
 """
 

@@ -14,7 +14,7 @@ CELL = 6  # texels per side of an unseen triangle: 3 for its legs, the rest padd
 SPOT = 4  # texels per side of the cell shared by all unseen triangles
 MAX_CELLS = 0.5  # maximum fraction of the texture for such triangles; beyond, all share one cell
 STEP = 64  # texels: automatic sizes are multiples of it
-FINER, TRIES = 0.5**7, 40  # precision of the scale; maximum number of scales tried
+FINER, TRIES = 0.5**7, 40  # precision of the scale. Maximum number of scales tried
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def _largest_scale(extents: NDArray[np.int64], blind: int, has_colors: bool, pad
 def _pack(
     extents: NDArray[np.int64], blind: int, has_colors: bool, padding: int, size: int, scale: float
 ) -> Packing | None:
-    """Rows of charts at a scale; None if they do not fit."""
+    """Rows of charts at a scale. None if they do not fit."""
     cells, floor = _cells(blind, has_colors, padding, size)
     sides = np.ceil((extents - 1) * scale).astype(np.int64) + 1 + 2 * padding
     if (sides > size).any() or float(sides.prod(axis=1).sum()) > size * floor:

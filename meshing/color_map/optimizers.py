@@ -56,7 +56,7 @@ def run_rigid_optimizer(
     Zhou and Koltun, "Color map optimization for 3D reconstruction with consumer depth cameras", SIGGRAPH 2014.
 
     Args:
-        mesh: The mesh; its colors are replaced, all else is kept.
+        mesh: The mesh. Its colors are replaced, all else is kept.
         images_rgbd: RGBDImages with colors, or images uint8 (h, w, 3) without depth.
         camera_trajectory: T_world_camera of each image.
         option: None for the defaults, which move no pose.
@@ -103,7 +103,7 @@ def run_non_rigid_optimizer(
 ) -> ColorMapResult:
     """Color a mesh from posed images with refined poses and a bilinear warp of each image.
 
-    As `run_rigid_optimizer`; a grid of anchors per image also compensates lens distortion and mesh errors. Bitwise
+    As `run_rigid_optimizer`. A grid of anchors per image also compensates lens distortion and mesh errors. Bitwise
     reproducible on one device. Additionally 100 B per image-vertex pair and 8 (2 rows + 12) B per anchor unknown.
 
     Args:

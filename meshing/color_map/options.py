@@ -15,13 +15,13 @@ class RigidOptimizerOption:
     """Options of `run_rigid_optimizer`. Open3D's `debug_output_dir` is not supported.
 
     Args:
-        maximum_iteration: Maximum; stops below a gain of 1e-6. 0 (Open3D's default) moves no pose; 50 usually suffice.
+        maximum_iteration: Maximum; stops below a gain of 1e-6. 0 (Open3D's default) moves no pose. 50 usually suffice.
         maximum_allowable_depth: Maximum depth of used pixels [m].
         depth_threshold_for_visibility_check: Maximum depth difference of pixel and visible vertex [m].
         depth_threshold_for_discontinuity_check: Sobel response of the depth [m] at boundaries, 8 times the step.
         half_dilation_kernel_size_for_discontinuity_map: Ignored pixels around a boundary.
         image_boundary_margin: Ignored pixels at the image border.
-        invisible_vertex_color_knn: Nearest colored vertices averaged for unseen ones; 0 leaves them black.
+        invisible_vertex_color_knn: Nearest colored vertices averaged for unseen ones. 0 leaves them black.
 
     Raises:
         ValueError, TypeError: If a number is out of range.
@@ -55,7 +55,7 @@ class NonRigidOptimizerOption(RigidOptimizerOption):
     """Options of `run_non_rigid_optimizer`: `RigidOptimizerOption` and the image warps.
 
     Args:
-        number_of_vertical_anchors: Rows of the anchor grid; columns follow from the aspect ratio.
+        number_of_vertical_anchors: Rows of the anchor grid. Columns follow from the aspect ratio.
         non_rigid_anchor_point_weight: Weight of the anchors' regularization, times the fraction of visible vertices.
 
     Raises:

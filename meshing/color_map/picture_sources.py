@@ -22,7 +22,7 @@ NAMES = Names("pictures", "cameras", "T_camera_world")
 
 
 def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: ReportProgress) -> PosedImages:
-    """Upload images with a pinhole camera and a pose each. Accepts the arguments of `texture_from_pictures`; images of
+    """Upload images with a pinhole camera and a pose each. Accepts the arguments of `texture_from_pictures`. Images of
     an SfmModel are undistorted if necessary."""
     if isinstance(cameras, SfmModel):
         if poses is not None:

@@ -57,15 +57,15 @@ def texture_from_pictures(
 ) -> PicturedMesh:
     """Texture a mesh from posed images, each triangle from its best image, without seams.
 
-    Views are chosen by size and sharpness of the triangle and by smoothness between neighbors; colors are adjusted
-    until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed; see
+    Views are chosen by size and sharpness of the triangle and by smoothness between neighbors. Colors are adjusted
+    until images agree at seams. Sharper than `TriangleMesh.project_images_to_albedo`. Poses are not changed. See
     `run_rigid_optimizer`. Bitwise reproducible on one device. 7 B per pixel, 120 B per texel, about 30 B per
     triangle-image pair. Colors are shifted, not scaled. Waechter, Moehrle and Goesele, "Let There Be Color!", ECCV
     2014.
 
     Args:
         mesh: In the frame of the poses, triangles facing the cameras.
-        pictures: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose; for an SfmModel also their folder.
+        pictures: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose. For an SfmModel also their folder.
         cameras: One PinholeCameraIntrinsic, or one per image; or cameras with poses, such as `mvs.PosedCamera`; or an
             SfmModel, as of `read_colmap_model`, whose images are undistorted if necessary.
         T_camera_world: Poses (n, 4, 4), world to camera. If None: those of the cameras.

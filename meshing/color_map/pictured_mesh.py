@@ -26,8 +26,8 @@ class PicturedMesh(Report, Assessed):
             image), visible triangle-image pairs, and excluded pairs.
         size, scale: Texels per side, and per image pixel (at most 1).
         energy: Of the view selection, relative to the cost of an unseen triangle.
-        step_before: Mean color difference across seams in the images, 0..255; None without seams.
-        step, step_95: Mean and 95th percentile of it in the texture; None without seams.
+        step_before: Mean color difference across seams in the images, 0..255. None without seams.
+        step, step_95: Mean and 95th percentile of it in the texture. None without seams.
         turns: Iterations of the seam solver.
         drew_colors: True if unseen triangles have their vertex colors, else they are plain.
     """

@@ -26,7 +26,7 @@ class ColorMapResult:
     Attributes:
         mesh: The mesh with vertex colors.
         trajectory: T_world_camera of each image.
-        seen: Vertices seen in an image, bool (m,); the others took their neighbors' colors.
+        seen: Vertices seen in an image, bool (m,). The others took their neighbors' colors.
         view_counts: Number of vertices seen in each image, int (n,).
         residual_before, residual: RMS difference of image and vertex intensity (0..1), before and after.
         iterations: Number of iterations.
@@ -50,7 +50,7 @@ class ColorMapResult:
         return f"ColorMapResult({self.mesh!r}, {len(self.view_counts)} pictures, {residuals})"
 
     def warp(self, index: int) -> NDArray[np.float64]:
-        """Anchor positions of an image [px], float64 (rows, columns, 2); empty without warps."""
+        """Anchor positions of an image [px], float64 (rows, columns, 2). Empty without warps."""
         columns, rows, first = self._warps.layout[self._index(index)].tolist()
         shifts = download(self._warps.shifts)[first : first + columns * rows]  # sync
         return np.array(shifts, np.float64).reshape(columns, rows, 2).swapaxes(0, 1)

@@ -31,7 +31,7 @@ class TexturedMesh(Report, Assessed):
         method: "rigid", "non-rigid" or "none".
         depth_max: Maximum depth of used pixels [m].
         turned, moved: Mean rotation [degrees] and translation [m] of the poses.
-        size, texel_share: Texels per side, and fraction of texels seen; None without a texture.
+        size, texel_share: Texels per side, and fraction of texels seen. None without a texture.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
 

@@ -49,10 +49,10 @@ def texture_mesh(
 
     Args:
         mesh: In the frame of the poses.
-        frames: With colors, such as `loom.open_dataset("kitchen")`; all in memory, 7 B per pixel.
+        frames: With colors, such as `loom.open_dataset("kitchen")`. All in memory, 7 B per pixel.
         poses: T_world_camera of each frame (n, 4, 4). If None: the frames' own.
         method: "rigid" refines poses, "non-rigid" also warps images, "none" does neither.
-        size: Texels per side of a texture, which replaces vertex colors; an atlas is created if necessary
+        size: Texels per side of a texture, which replaces vertex colors. An atlas is created if necessary
             (`pip install "pointloom[mesh]"`). If None: vertex colors.
         depth_max: Maximum depth of used pixels [m].
         progress: Called with the stage ("frames", "colors", "texture"), its progress and total, 0 if unknown.

@@ -19,7 +19,7 @@ MAX_GONE = 0.02  # fraction of triangles without a partner: above, parts of the 
 MAX_LOST = 0.01  # fraction of the area, without copies
 MAX_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably has another unit
 
-# Changes by the repair, in words; the other fields of its report are final states.
+# Changes by the repair, in words. The other fields of its report are final states.
 _DONE = {
     "removed_non_finite_triangles": "triangles that are not finite removed",
     "merged_vertices": "vertices merged",
@@ -49,8 +49,8 @@ class CleanedMesh(ChangedMesh):
         mesh: The result.
         repair: Report of `TriangleMesh.repair` for the complete mesh.
         removed_parts, parts: Small parts removed afterward, and remaining parts.
-        is_watertight, boundary_edges, self_intersections: Of the result; pairs of intersecting triangles.
-        was_watertight, area_in: Of the input; area of its finite triangles [m^2].
+        is_watertight, boundary_edges, self_intersections: Of the result. Pairs of intersecting triangles.
+        was_watertight, area_in: Of the input. Area of its finite triangles [m^2].
         merge_distance, hole_size: As given [m].
         vertices_in, triangles_in: Counts of the input.
         reliable, warnings: True if all quality checks passed, and those that failed.

@@ -34,7 +34,7 @@ MADE_UP_AT_ALL = 0.001  # fraction of the area: ten samples of 10,000; below, th
 NEIGHBORS = 30  # for normal estimation, and in the orientation graph
 
 SPACING_NEIGHBORS = 10
-# Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well; an alpha shape hides a
+# Times the median distance of a point to its 10th neighbor. Poisson closes smaller gaps well. An alpha shape hides a
 # hollow behind one.
 FAR = {"poisson": 3.0, "alpha": 1.0}
 SURFACE_SAMPLES, POINT_SAMPLES = 10_000, 2_000
@@ -65,7 +65,7 @@ def create_surface(
 ) -> SurfaceResult:
     """Reconstruct a surface from a cloud, with normals if missing, and check its reliability, as `pointloom mesh`.
 
-    Missing normals are estimated from 30 neighbors and oriented; Poisson surfaces are trimmed where points are sparse.
+    Missing normals are estimated from 30 neighbors and oriented. Poisson surfaces are trimmed where points are sparse.
     See `TriangleMesh.create_from_point_cloud_poisson`, `..._ball_pivoting` and `..._alpha_shape`. Bitwise reproducible.
 
     Args:

@@ -36,7 +36,7 @@ def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.boo
 
 
 def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Triangles of parts covered by others, bool (t,); one of each pair of sides stays. A part is covered if all its
+    """Triangles of parts covered by others, bool (t,). One of each pair of sides stays. A part is covered if all its
     triangles have copies in kept parts. Solids and walls of hollows are covered only by copies of the same orientation.
     Open parts are dropped first, then inward ones, then later ones. `names` are the first triangles of parts, `twins`
     the paired half-edges or -1."""

@@ -17,7 +17,7 @@ REMEDY = "repair() drops such triangles"
 
 
 def find_wrong_corner(mesh: MeshArrays) -> str | None:
-    """First triangle with a corner that is not finite, as a clause; None if there is none."""
+    """First triangle with a corner that is not finite, as a clause. None if there is none."""
     vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
     rows = positions_of(mask_not_finite(vertices, triangles))  # sync
     if not rows.size:

@@ -13,7 +13,7 @@ LIBRARY = "manifold3d"
 
 
 def load_manifold(name: str) -> Any:
-    """Import manifold3d for a function; ImportError if it is not installed."""
+    """Import manifold3d for a function. ImportError if it is not installed."""
     try:
         import manifold3d
     except ImportError as error:
@@ -22,8 +22,8 @@ def load_manifold(name: str) -> Any:
 
 
 def fill_loops(name: str, loops: list[NDArray[np.float64]]) -> NDArray[np.int64]:
-    """Triangulate outlines (k, 2), inside to their left; returns point numbers (t, 3). Each inner edge runs both ways,
-    each outline edge once, also where outlines intersect; triangles overlap there."""
+    """Triangulate outlines (k, 2), inside to their left. Returns point numbers (t, 3). Each inner edge runs both ways,
+    each outline edge once, also where outlines intersect. Triangles overlap there."""
     if not loops:
         return np.zeros((0, 3), np.int64)
     found = load_manifold(name).triangulate([np.ascontiguousarray(loop, np.float64) for loop in loops])

@@ -15,8 +15,8 @@ def marching_cubes(
     """Extract the isosurface of a sampled field.
 
     Closed and manifold inside the grid: ambiguous faces separate the inside corners, unlike Lewiner's method in
-    scikit-image. A sample at the level counts as above. Bitwise reproducible; about 1 B per sample; one sync. Lorensen
-    and Cline, "Marching cubes", SIGGRAPH 1987; Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015.
+    scikit-image. A sample at the level counts as above. Bitwise reproducible. About 1 B per sample. One sync. Lorensen
+    and Cline, "Marching cubes", SIGGRAPH 1987. Schroeder, Maynard and Geveci, "Flying edges", LDAV 2015.
 
     Args:
         field: Values at grid points, shape (nx, ny, nz), at least 2 along each axis, z fastest: an array-like or device
@@ -24,10 +24,10 @@ def marching_cubes(
         level: Value on the surface, as float32.
         spacing: Distance of samples along each axis [m], three positive numbers.
         origin: Position of sample (0, 0, 0) [m].
-        device: Device for a host array (default "cpu"); a device array stays on its device.
+        device: Device for a host array (default "cpu"). A device array stays on its device.
 
     Returns:
-        The mesh with shared vertices; empty without a crossing. Triangles are counterclockwise from above the level, so
+        The mesh with shared vertices. Empty without a crossing. Triangles are counterclockwise from above the level, so
         normals point outward if the field is negative inside. Open only at the grid's border.
 
     Raises:

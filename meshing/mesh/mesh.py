@@ -1,4 +1,4 @@
-"""TriangleMesh: shared vertices and triangles on one device; operations are inherited from one module per topic."""
+"""TriangleMesh: shared vertices and triangles on one device. Operations are inherited from one module per topic."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
     Args:
         vertices: Positions [m], shape (m, 3).
         triangles: Vertex indices, shape (t, 3), counterclockwise from outside.
-        vertex_normals, vertex_colors: Shape (m, 3); colors in 0..1.
+        vertex_normals, vertex_colors: Shape (m, 3). Colors in 0..1.
         triangle_uvs: Texture coordinates of corners, shape (3 t, 2).
         triangle_material_ids: Texture index of each triangle, shape (t,).
         textures: Images, uint8 (height, width, 3 or 4).

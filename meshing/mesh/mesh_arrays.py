@@ -55,7 +55,7 @@ MOST = 2**31 - 1  # 32-bit indices
 
 
 class MeshArrays(InUnit, KnownNames, Movable):
-    """Vertices, triangles and attributes of a mesh, validated on assignment; base of TriangleMesh."""
+    """Vertices, triangles and attributes of a mesh, validated on assignment. Base of TriangleMesh."""
 
     _arrays: dict[str, wp.array]
     _textures: tuple[NDArray[np.uint8], ...]
@@ -76,44 +76,44 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def has_vertices(self) -> YesOrNo:
-        """True if there are vertices; also callable."""
+        """True if there are vertices. Also callable."""
         return YesOrNo(self._arrays["vertices"].size)
 
     @property
     def has_triangles(self) -> YesOrNo:
-        """True if there are triangles; also callable."""
+        """True if there are triangles. Also callable."""
         return YesOrNo(len(self))
 
     @property
     def has_vertex_normals(self) -> YesOrNo:
-        """True if there are vertex normals; also callable."""
+        """True if there are vertex normals. Also callable."""
         return YesOrNo("vertex_normals" in self._arrays)
 
     @property
     def has_vertex_colors(self) -> YesOrNo:
-        """True if there are vertex colors; also callable."""
+        """True if there are vertex colors. Also callable."""
         return YesOrNo("vertex_colors" in self._arrays)
 
     @property
     def has_triangle_uvs(self) -> YesOrNo:
-        """True if there are texture coordinates; also callable."""
+        """True if there are texture coordinates. Also callable."""
         return YesOrNo("triangle_uvs" in self._arrays)
 
     @property
     def has_textures(self) -> YesOrNo:
-        """True if there are texture images; also callable."""
+        """True if there are texture images. Also callable."""
         return YesOrNo(len(self._textures))
 
     @property
     def is_empty(self) -> YesOrNo:
-        """True if there are no vertices; also callable."""
+        """True if there are no vertices. Also callable."""
         return YesOrNo(self._arrays["vertices"].size == 0)
 
     @property
     def up(self) -> Direction | None:
-        """Up direction, a unit vector, from a glTF file or assigned; None if unknown (views then use z).
+        """Up direction, a unit vector, from a glTF file or assigned. None if unknown (views then use z).
 
-        Assign an axis ("y") or a direction; vertices do not change. Operations keep it and rotations rotate it.
+        Assign an axis ("y") or a direction. Vertices do not change. Operations keep it and rotations rotate it.
 
         Raises:
             TypeError, ValueError: If the value is not "x", "y", "z" or a direction of nonzero length.
@@ -147,8 +147,8 @@ class MeshArrays(InUnit, KnownNames, Movable):
         origin: Any = None,
         library: str = NUMPY,
     ) -> Self:
-        """Create a mesh from device arrays without copies; only types, lengths and devices are checked. `triangles` is
-        vec3i (t,), or int32 (3 t,) or (t, 3), shared. `triangle_uvs` is vec2 (3 t,); colors are in 0..1; `textures` are
+        """Create a mesh from device arrays without copies. Only types, lengths and devices are checked. `triangles` is
+        vec3i (t,), or int32 (3 t,) or (t, 3), shared. `triangle_uvs` is vec2 (3 t,). Colors are in 0..1; `textures` are
         uint8 images on the host; `library` is the array library of results."""
         given = {
             "vertices": vertices,
@@ -203,7 +203,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return self._library
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
-        """Convert a result to the mesh's array library; NumPy arrays own their memory."""
+        """Convert a result to the mesh's array library. NumPy arrays own their memory."""
         found = hand_out(array, self._library, dtype=dtype)
         return found.copy() if self._library == NUMPY and not found.flags.owndata else found
 
@@ -381,7 +381,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @property
     def triangle_attributes(self) -> MeshAttributes:
-        """Additional triangle values, shape (t,) or (t, c); parts of a triangle inherit its values."""
+        """Additional triangle values, shape (t,) or (t, c). Parts of a triangle inherit its values."""
         fields = tuple(PER_TRIANGLE)
         return MeshAttributes(self._attributes["triangle_attributes"], len(self), self._device, "triangle", fields)
 
@@ -404,7 +404,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
-        """Copy the mesh to another device; returns the mesh itself if it is already there.
+        """Copy the mesh to another device. Returns the mesh itself if it is already there.
 
         Args:
             device: "cpu", "cuda:0" or "auto".
@@ -460,9 +460,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     @classmethod
     def concatenate(cls, meshes: Iterable[MeshArrays]) -> Self:
-        """Concatenate meshes without merging vertices; see `remove_duplicated_vertices`.
+        """Concatenate meshes without merging vertices. See `remove_duplicated_vertices`.
 
-        Keeps the attributes that all non-empty meshes have, as Open3D's `+`; textures are appended. The origin is the
+        Keeps the attributes that all non-empty meshes have, as Open3D's `+`. Textures are appended. The origin is the
         largest mesh's.
 
         Args:

@@ -56,7 +56,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
         return dict(self._arrays)
 
     def array(self, name: str) -> wp.array:
-        """Device array of an attribute, shared; KeyError if missing."""
+        """Device array of an attribute, shared. KeyError if missing."""
         return self._arrays[name]
 
     def _taken(self, name: str, values: Any) -> wp.array:
@@ -73,7 +73,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
 
 def assign_all(attributes: MeshAttributes, given: Mapping[str, Any] | None) -> None:
-    """Assign a mapping; TypeError if it is none. None assigns nothing."""
+    """Assign a mapping. TypeError if it is none. None assigns nothing."""
     if given is not None and not isinstance(given, Mapping):
         raise TypeError(f"{attributes.name}: expected arrays by name, got {shown(given)}")
     for name, values in (given or {}).items():

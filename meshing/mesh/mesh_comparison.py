@@ -31,7 +31,7 @@ class MeshComparison(Report, Assessed):
         diagonal: Of the second mesh's box [m].
         samples, seed: Points sampled from each mesh, and their seed.
         limit: Allowed Hausdorff distance [m], or None.
-        device, unit: Of the computation; unit of lengths if known.
+        device, unit: Of the computation. Unit of lengths if known.
         reliable, warnings: True if all checks passed, and those that failed.
     """
 
@@ -56,7 +56,7 @@ class MeshComparison(Report, Assessed):
         return ()
 
     def to_dict(self) -> dict[str, Any]:
-        """All fields in JSON's types; F-scores by their distances."""
+        """All fields in JSON's types. F-scores by their distances."""
         found = self.metrics
         scores = dict(zip(map(str, self.thresholds), found.fscore.tolist(), strict=True))
         head = {"triangles": self.triangles, "diagonal": self.diagonal, "chamfer": found.chamfer}
@@ -96,7 +96,7 @@ def compare_meshes(
         first, second: The meshes, on one device.
         thresholds: Distances of the F-scores [m]. If None: a hundredth of the second mesh's diagonal.
         samples: Points sampled from each.
-        limit: Warn above this Hausdorff distance [m]; None for no limit.
+        limit: Warn above this Hausdorff distance [m]. None for no limit.
         seed: Random seed, 0..2^31 - 1.
 
     Raises:

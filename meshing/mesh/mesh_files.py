@@ -20,7 +20,7 @@ from .mesh import TriangleMesh
 def read_triangle_mesh(
     path: str | os.PathLike[str], *, device: Any = None, up: str = "y", outside_files: bool = False
 ) -> TriangleMesh:
-    """Read a triangle mesh; the extension determines the format.
+    """Read a triangle mesh. The extension determines the format.
 
     Args:
         path: A .ply, .obj, .stl, .off, .glb or .gltf file, text or binary. Polygons are triangulated (docs/meshes.md).
@@ -56,7 +56,7 @@ def read_triangle_mesh(
 
 
 def mesh_of(table: MeshTable, path: str | os.PathLike[str], *, device: Any = None) -> TriangleMesh:
-    """Mesh of a table read from a file; FileError if vertices are too far apart for float32."""
+    """Mesh of a table read from a file. FileError if vertices are too far apart for float32."""
     with content_errors(path):
         mesh = TriangleMesh(
             table.vertices,
@@ -85,14 +85,14 @@ def write_triangle_mesh(
     write_triangle_uvs: bool = True,
     up: str = "y",
 ) -> None:
-    """Write a triangle mesh; the extension determines the format.
+    """Write a triangle mesh. The extension determines the format.
 
-    Positions are float32 without an origin, else float64 with the origin added; GLB uses a translation.
+    Positions are float32 without an origin, else float64 with the origin added. GLB uses a translation.
 
     Args:
         path: A .ply (binary unless `ascii`), .obj (text), .stl (binary), .off (text), .glb (binary) or .gltf (text)
             file, written atomically. Textures of m.ply, m.obj and m.gltf are written as m_0.png, m_1.png, ..., with
-            m.mtl or m.bin; a .glb contains them.
+            m.mtl or m.bin. A .glb contains them.
         mesh: The mesh. Data that the format cannot store is dropped with a warning: STL has no vertex data, STL and OFF
             no textures, and only .ply all attributes (.glb and .gltf those of vertices, .off triangle colors). GLB
             duplicates vertices at texture seams and sorts triangles by material.

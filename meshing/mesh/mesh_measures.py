@@ -57,7 +57,7 @@ MAX_CELLS = 2**30  # along an axis
 
 
 class MeshCurvature(NamedTuple):
-    """`mean`, `gaussian` and principal (`least`, `largest`) curvatures of vertices [1/m, 1/m^2]; NaN if undefined."""
+    """`mean`, `gaussian` and principal (`least`, `largest`) curvatures of vertices [1/m, 1/m^2]. NaN if undefined."""
 
     mean: NDArray[np.float64]
     gaussian: NDArray[np.float64]
@@ -107,7 +107,7 @@ class MeshMeasures(MeshSelection):
         return self._finite_area()
 
     def get_volume(self) -> float:
-        """Volume of a closed mesh [m^3]; 0 without triangles.
+        """Volume of a closed mesh [m^3]. 0 without triangles.
 
         Volumes of parts are added, those of inward-facing parts subtracted: orient separate parts outward first
         (`orient_triangles(outward=True)`).
@@ -154,7 +154,7 @@ class MeshMeasures(MeshSelection):
         return self._is_closed()
 
     def _is_closed(self) -> bool:
-        """True if there are triangles and each edge has two of them; corners need not be finite."""
+        """True if there are triangles and each edge has two of them. Corners need not be finite."""
         return len(self) > 0 and is_closed(self.edge_topology())
 
     def _finite_area(self) -> float:
@@ -169,7 +169,7 @@ class MeshMeasures(MeshSelection):
         return examine(self._arrays["triangles"], self._arrays["vertices"].size)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        """Smallest axis-aligned box of the finite vertices; at zero if there are none. Unpacks as `low, high = box`."""
+        """Smallest axis-aligned box of the finite vertices. At zero if there are none. Unpacks as `low, high = box`."""
         low, high, count = bound_points(self._arrays["vertices"])
         if not count:
             return AxisAlignedBoundingBox()
@@ -237,7 +237,7 @@ class MeshMeasures(MeshSelection):
 
     @returns_new
     def normalize_normals(self) -> Self:
-        """Scale vertex normals to unit length; zero normals stay zero.
+        """Scale vertex normals to unit length. Zero normals stay zero.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -285,7 +285,7 @@ class MeshMeasures(MeshSelection):
 
         Returns:
             Points about the mesh's origin, with interpolated colors and unit normals if the mesh has them. The same
-            points on every device; the first k of n equal a sample of k.
+            points on every device. The first k of n equal a sample of k.
 
         Raises:
             ValueError: If the count is below 1, no triangle has an area, or a corner is not finite.
@@ -317,8 +317,8 @@ class MeshMeasures(MeshSelection):
 
         Args:
             number_of_points: Exact number of points.
-            init_factor: Ratio of random points to result points; 1 removes none.
-            pcl: Points to choose from instead; they keep their attributes.
+            init_factor: Ratio of random points to result points. 1 removes none.
+            pcl: Points to choose from instead. They keep their attributes.
             use_triangle_normal: Give random points the normals of their triangles.
             seed: Random seed, 0..2^31 - 1.
 
@@ -399,9 +399,9 @@ class MeshMeasures(MeshSelection):
     ) -> SurfaceMetrics:
         """Compare two surfaces: Chamfer and Hausdorff distances, F-scores, mean and RMS, in both directions.
 
-        Point-to-triangle distances are exact. Means and F-scores use sampled points; the Hausdorff distance is bounded
+        Point-to-triangle distances are exact. Means and F-scores use sampled points. The Hausdorff distance is bounded
         over the complete surface (Open3D takes the maximum of the samples). 24 B per sample, 60 B per triangle. Bitwise
-        reproducible. Tang, Lee and Kim, "Interactive Hausdorff distance computation", SIGGRAPH 2009; F-score: Knapitsch
+        reproducible. Tang, Lee and Kim, "Interactive Hausdorff distance computation", SIGGRAPH 2009. F-score: Knapitsch
         et al., "Tanks and Temples", SIGGRAPH 2017.
 
         Args:
@@ -514,7 +514,7 @@ class MeshMeasures(MeshSelection):
     def compute_geodesic_distances(self, sources: Any) -> NDArray[np.float64]:
         """Distance of each vertex along the surface to the nearest source vertex.
 
-        Exact on flat parts visible from the source; error below 0.7% on a sphere of 10,242 vertices, up to half an edge
+        Exact on flat parts visible from the source. Error below 0.7% on a sphere of 10,242 vertices, up to half an edge
         where fronts meet. Bitwise identical on every device. Novotni and Klein, "Computing geodesic distances on
         triangular meshes", WSCG 2002.
 
@@ -552,7 +552,7 @@ class MeshMeasures(MeshSelection):
     ) -> VoxelGrid:
         """Find the voxels that the surface touches, and optionally those inside.
 
-        The grid starts half a voxel below the lowest coordinates, or at `min_bound`; its size is rounded, as in
+        The grid starts half a voxel below the lowest coordinates, or at `min_bound`. Its size is rounded, as in
         Open3D's `VoxelGrid`. Memory: about 50 B per voxel of each triangle and per inside voxel. Bitwise reproducible.
         Akenine-Möller, "Fast 3D triangle-box overlap testing", JGT 2001.
 
@@ -569,7 +569,7 @@ class MeshMeasures(MeshSelection):
             ValueError: If the size or bounds are invalid, there are 2^30 voxels along an axis or more than 2^31 - 1 to
                 test, or with `solid` the mesh is not closed or a vertex is not finite.
             TypeError: If an argument is not numeric.
-            MemoryError: If the voxels do not fit into device memory; checked before allocation.
+            MemoryError: If the voxels do not fit into device memory. Checked before allocation.
 
         Example:
             >>> import pointloom as loom
@@ -609,7 +609,7 @@ class MeshMeasures(MeshSelection):
         return VoxelGrid(low + self._origin, size, counts, cells)
 
     def _examined(self, solid: bool) -> list[NDArray[Any]]:
-        """Download the bounds of the vertices and, for solids, the topology; one sync."""
+        """Download the bounds of the vertices and, for solids, the topology. One sync."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
         arrays: list[Any] = [find_extremes(vertices)]
         if solid:

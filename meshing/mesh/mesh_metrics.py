@@ -93,7 +93,7 @@ class _Measured:
 
 
 def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: int) -> tuple[_OneWay, _OneWay]:
-    """Distances in both directions; three syncs, rarely more."""
+    """Distances in both directions. Three syncs, rarely more."""
     meshes = [(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync

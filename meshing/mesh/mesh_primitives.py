@@ -133,7 +133,7 @@ class MeshPrimitives(MeshMeasures):
         """Create an icosahedron about the origin: 12 vertices, 20 triangles.
 
         Args:
-            radius: Half an edge [m], as in Open3D; the corners are 1.902 times as far from the origin.
+            radius: Half an edge [m], as in Open3D. The corners are 1.902 times as far from the origin.
             create_uv_map, device: As of `create_box`, including errors.
 
         Example:
@@ -162,12 +162,12 @@ class MeshPrimitives(MeshMeasures):
 
         Args:
             radius: [m].
-            resolution: Steps from pole to pole, at least 2; twice as many around.
+            resolution: Steps from pole to pole, at least 2. Twice as many around.
             create_uv_map: Add texture coordinates: u from pole to pole, v around.
             device: As of `create_box`.
 
         Raises:
-            ValueError, TypeError, DeviceError: As `create_box`; ValueError also for more than 2^22 vertices.
+            ValueError, TypeError, DeviceError: As `create_box`. ValueError also for more than 2^22 vertices.
 
         Example:
             >>> import pointloom as loom
@@ -224,7 +224,7 @@ class MeshPrimitives(MeshMeasures):
             radius, height: [m].
             resolution: Corners of a ring, at least 3.
             split: Segments along z.
-            create_uv_map, device: As of `create_box`; errors as `create_sphere`.
+            create_uv_map, device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -253,7 +253,7 @@ class MeshPrimitives(MeshMeasures):
             radius, height: Radius of the base and height [m].
             resolution: Corners of a ring, at least 3.
             split: Segments along z.
-            create_uv_map, device: As of `create_box`; errors as `create_sphere`.
+            create_uv_map, device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -281,7 +281,7 @@ class MeshPrimitives(MeshMeasures):
             torus_radius: Distance of the tube's center from the origin [m].
             tube_radius: Radius of the tube [m].
             radial_resolution, tubular_resolution: Rings around the hole and corners of a ring, at least 3.
-            device: As of `create_box`; errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -312,7 +312,7 @@ class MeshPrimitives(MeshMeasures):
             cylinder_radius, cone_radius, cylinder_height, cone_height: Dimensions of shaft and head [m].
             resolution: Corners of a ring, at least 3.
             cylinder_split, cone_split: Segments of shaft and head along z.
-            device: As of `create_box`; errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -378,12 +378,12 @@ class MeshPrimitives(MeshMeasures):
         """Create a Möbius strip about the z axis.
 
         Args:
-            length_split, width_split: Pieces around, at least 3; vertices across, at least 2.
+            length_split, width_split: Pieces around, at least 3. Vertices across, at least 2.
             twists: Number of half twists, at least 0.
             radius, width: Distance of the center line from the origin, and width [m].
             flatness: Scale along z, not zero.
             scale: Scale of all coordinates.
-            device: As of `create_box`; errors as `create_sphere`.
+            device: As of `create_box`. Errors as `create_sphere`.
 
         Example:
             >>> import pointloom as loom
@@ -418,7 +418,7 @@ class MeshPrimitives(MeshMeasures):
         Args:
             vector: Translation [m], shape (3,).
             scale: Factor of the vector.
-            capping: Keep the mesh at both ends; if False, only the swept border remains.
+            capping: Keep the mesh at both ends. If False, only the swept border remains.
 
         Returns:
             Vertices at the start, then at the end; outward triangles of the start, the end and the walls. A connected,
@@ -449,13 +449,13 @@ class MeshPrimitives(MeshMeasures):
 
         Args:
             angle: Rotation [degrees], any size.
-            axis: Direction, shape (3,); rotation is counterclockwise seen against it.
+            axis: Direction, shape (3,). Rotation is counterclockwise seen against it.
             resolution: Number of steps.
             translation: Total translation along the axis [m].
             capping: As of `extrude_linear`.
 
         Returns:
-            Vertices step by step (on the axis once if there is no translation); triangles of both ends and the walls. A
+            Vertices step by step (on the axis once if there is no translation). Triangles of both ends and the walls. A
             full rotation without translation is closed and has no ends. Otherwise as `extrude_linear`.
 
         Raises:
@@ -498,7 +498,7 @@ class MeshPrimitives(MeshMeasures):
             device: "cpu" (default), "cuda:N" or "auto".
 
         Returns:
-            All corners in order, with triangles between them only. 2D polygons face up; 3D outlines are
+            All corners in order, with triangles between them only. 2D polygons face up. 3D outlines are
             counterclockwise.
 
         Raises:
@@ -540,8 +540,8 @@ class MeshPrimitives(MeshMeasures):
         """Create a surface of revolution about the z axis.
 
         Args:
-            profile: Points (distance from the axis, height) [m], shape (k, 2); an upward line faces outward.
-            angle: [degrees], at most 360 in either direction; the surface is open below 360.
+            profile: Points (distance from the axis, height) [m], shape (k, 2). An upward line faces outward.
+            angle: [degrees], at most 360 in either direction. The surface is open below 360.
             resolution: Number of steps.
             device: As of `from_polygon`.
 
@@ -620,7 +620,7 @@ def positive_lengths(**lengths: float) -> Any:
 
 
 def whole_counts(**counts: tuple[int, int]) -> Any:
-    """Validate integers, each given with its minimum; returns a tuple."""
+    """Validate integers, each given with its minimum. Returns a tuple."""
     return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
 
 

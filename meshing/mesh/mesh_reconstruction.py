@@ -108,17 +108,17 @@ class MeshReconstruction(MeshMeasures):
         The surface also closes over regions without points: cut them by density,
         `mesh.remove_vertices_by_mask(densities < np.quantile(densities, 0.01))`. It is open only at the cube around the
         cloud. A NormalsWarning is issued if more than 10% of neighboring normals disagree
-        (`cloud.normal_disagreement()`); orient them with `cloud.orient_normals_consistent_tangent_plane(30)`. Bitwise
+        (`cloud.normal_disagreement()`). Orient them with `cloud.orient_normals_consistent_tangent_plane(30)`. Bitwise
         reproducible for any number of threads. About 0.8 kB per block of eight cells. Kazhdan and Hoppe, "Screened
         Poisson surface reconstruction", ACM TOG 2013.
 
         Args:
             cloud: With normals. Points that are not finite and normals that are zero or NaN are ignored.
-            depth: Maximum octree level, 2..20 (2^depth cells along the cube); lower where points are sparse.
-            width: Width of the finest cells [m]; if positive, it replaces `depth`.
+            depth: Maximum octree level, 2..20 (2^depth cells along the cube). Lower where points are sparse.
+            width: Width of the finest cells [m]. If positive, it replaces `depth`.
             scale: Edge of the cube relative to the longest edge of the cloud's box, 1 to 2^(depth - 1).
-            linear_fit: Interpolate vertices linearly; otherwise by a parabola, which halves the error.
-            point_weight: Weight of the points, up to 1000; 0 uses only normals, larger values fit noise.
+            linear_fit: Interpolate vertices linearly. Otherwise by a parabola, which halves the error.
+            point_weight: Weight of the points, up to 1000. 0 uses only normals, larger values fit noise.
             samples_per_node: Points in the finest cells, at least 0.001: 1.5 for clean points, up to 20 for noise.
             confidence: Weight points by the lengths of their normals relative to the mean.
             envelope: Closed mesh on the cloud's device that bounds the surface, with some cells of clearance to the
@@ -131,7 +131,7 @@ class MeshReconstruction(MeshMeasures):
         Raises:
             TypeError, ValueError: If `cloud` is not a PointCloud, or if the cloud has no normals or fewer than two
                 positions with one, an argument is out of range, or `samples_per_node` exceeds the number of points.
-            MemoryError: If the tree does not fit; checked before allocation.
+            MemoryError: If the tree does not fit. Checked before allocation.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -187,7 +187,7 @@ class MeshReconstruction(MeshMeasures):
     def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """Reconstruct a mesh by ball pivoting: triangles on which an empty ball can rest.
 
-        All empty-ball triangles that agree with the normals are found at once; of those that compete for an edge, the
+        All empty-ball triangles that agree with the normals are found at once. Of those that compete for an edge, the
         one with the smallest circumcircle is kept. Later radii may be smaller and extend edges with one triangle and
         unused points. Points without a finite position and normal are ignored. Bitwise identical on every device. About
         1 kB per point. Bernardini et al., "The ball-pivoting algorithm for surface reconstruction", TVCG 1999.
@@ -204,7 +204,7 @@ class MeshReconstruction(MeshMeasures):
         Raises:
             TypeError: If `cloud` is not a PointCloud, or a radius is not a number.
             ValueError: If the cloud has no normals, a radius is missing, not positive or 10,000 times the cloud's box,
-                or the search would take hours; the message contains the estimate.
+                or the search would take hours. The message contains the estimate.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -280,9 +280,9 @@ class MeshReconstruction(MeshMeasures):
         """Alpha shape: boundary of the Delaunay tetrahedra with circumradius at most alpha.
 
         Dense regions are solid; hollows wider than 2 alpha stay open. The surface is closed, with an even number of
-        triangles per edge; it is empty if no tetrahedron is kept. Exact for the stored float32 coordinates; cospherical
+        triangles per edge. It is empty if no tetrahedron is kept. Exact for the stored float32 coordinates; cospherical
         points are resolved by index order. Bitwise identical on every device. About 300 B per point and up to 500 MB of
-        scratch memory; an alpha of the cloud's size is slow if many points are on its hull. Edelsbrunner and Mücke,
+        scratch memory. An alpha of the cloud's size is slow if many points are on its hull. Edelsbrunner and Mücke,
         "Three-dimensional alpha shapes", TOG 1994, regularized.
 
         Args:
@@ -292,7 +292,7 @@ class MeshReconstruction(MeshMeasures):
             return_tetrahedra: Also return the kept tetrahedra and the point map.
 
         Returns:
-            The mesh or a list of meshes. Vertices are the used points in order, with normals and colors; triangles are
+            The mesh or a list of meshes. Vertices are the used points in order, with normals and colors. Triangles are
             counterclockwise seen from outside. With `return_tetrahedra`: (mesh, tetrahedra, point_map), int32 (k, 4)
             rows of the cloud with det(b - a, c - a, d - a) > 0, and int32 (m,) the row of each vertex.
 
@@ -363,7 +363,7 @@ class MeshReconstruction(MeshMeasures):
             device: "cpu" (default), "cuda:N" or "auto".
 
         Returns:
-            The mesh in units of samples; triangles are counterclockwise seen from lower values.
+            The mesh in units of samples. Triangles are counterclockwise seen from lower values.
 
         Raises:
             ValueError, TypeError, DeviceError: As `marching_cubes`.
@@ -412,7 +412,7 @@ def _nearest_colors(cloud: PointCloud, vertices: wp.array) -> wp.array | None:
 
 
 def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cube, Indices]:
-    """Cube around the valid points, and their rows; ValueError with fewer than two positions."""
+    """Cube around the valid points, and their rows. ValueError with fewer than two positions."""
     rows, low, high = bound_samples(points, normals)  # sync
     extent = float((high.astype(np.float64) - low).max()) if rows.size else 0.0
     if not extent > 0:
@@ -464,7 +464,7 @@ def _weights_as_lengths(points: wp.array, normals: wp.array) -> wp.array:
 
 
 def _depth_of_width(side: float, width: float) -> int:
-    """Level whose cells are at most `width` wide; ValueError if too deep."""
+    """Level whose cells are at most `width` wide. ValueError if too deep."""
     if width * 2.0**MAX_DEPTH < side:
         raise ValueError(
             f"width: expected {side / 2**MAX_DEPTH:g} m or more, so that a cube of {side:g} m has up to 2^{MAX_DEPTH} "
@@ -514,7 +514,7 @@ def _check_work(tree: Any, radius: float, places: Any) -> None:
 
 
 def why_flat(cloud: PointCloud) -> str | None:
-    """Reason why no alpha shape of the cloud has a tetrahedron, as a clause; None if some alpha does."""
+    """Reason why no alpha shape of the cloud has a tetrahedron, as a clause. None if some alpha does."""
     points = cloud._device_arrays["points"]
     return _flat_reason(cloud._select_rows(first_occurrences(points)).search_tree().count, points)
 
@@ -544,7 +544,7 @@ def _used_rows(used: wp.array, places: wp.array, count: int) -> NDArray[np.int32
 
 
 def _check_alphas(alpha: Any) -> tuple[list[float] | None, bool]:
-    """Validate alphas; None for "auto". Also True if several were given."""
+    """Validate alphas. None for "auto". Also True if several were given."""
     if isinstance(alpha, str) and alpha == "auto":
         return None, False
     if isinstance(alpha, str):

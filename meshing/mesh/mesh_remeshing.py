@@ -52,7 +52,7 @@ CONTRACTIONS = ("average", "quadric")
 MAX_TRIANGLES = 2**29  # 32-bit half-edge indices, also of the result
 LONG, SHORT = 4 / 3, 4 / 5  # of the target length: limits of splits and collapses (Botsch and Kobbelt 2004)
 RELAXED = 2  # relaxation steps per iteration
-ROUNDS = 3  # of collapses and flips per iteration; each uses independent edges
+ROUNDS = 3  # of collapses and flips per iteration. Each uses independent edges
 MIN_CREASE = 3.0  # of the target length: shorter creases are roughness
 MAX_ITERATIONS = 1000
 TRIANGLE_BYTES = 400  # temporary memory
@@ -71,18 +71,18 @@ class MeshRemeshing(MeshMeasures):
     def simplify_vertex_clustering(self, voxel_size: float, contraction: Any = "average") -> Self:
         """Merge the vertices of each voxel, and keep the triangles between three voxels.
 
-        Fast, but joins sheets closer than a voxel and may create non-manifold edges; see `simplify_quadric_decimation`.
+        Fast, but joins sheets closer than a voxel and may create non-manifold edges. See `simplify_quadric_decimation`.
         About 150 B per triangle. Bitwise identical on every device, independent of the unit of length. Rossignac and
-        Borrel 1993; Lindstrom, "Out-of-core simplification of large polygonal models", SIGGRAPH 2000.
+        Borrel 1993. Lindstrom, "Out-of-core simplification of large polygonal models", SIGGRAPH 2000.
 
         Args:
-            voxel_size: Edge of a voxel [m]; the grid starts half a voxel below the lowest corner.
+            voxel_size: Edge of a voxel [m]. The grid starts half a voxel below the lowest corner.
             contraction: "average" for the mean of the vertices, or "quadric" for the point nearest to the planes of
                 their triangles (the mean if farther than a voxel), which preserves edges; or Open3D's member.
 
         Returns:
             Vertices by first occurrence, unique triangles by first occurrence. Normals (unit length) and colors are
-            means; attributes are those of the nearest surface point; textures and non-finite vertices are dropped.
+            means. Attributes are those of the nearest surface point. Textures and non-finite vertices are dropped.
 
         Raises:
             ValueError: If the size is not positive, gives more than 2^62 voxels, or the contraction is unknown.
@@ -121,8 +121,8 @@ class MeshRemeshing(MeshMeasures):
 
         Returns:
             The mesh with the target count or one less, in order, without unused vertices. Preserves topology and
-            watertightness and creates no non-manifold edges. Normals, colors and texture coordinates are interpolated;
-            other attributes come from the nearest surface point. Borders, texture seams and material borders move only
+            watertightness and creates no non-manifold edges. Normals, colors and texture coordinates are interpolated.
+            Other attributes come from the nearest surface point. Borders, texture seams and material borders move only
             along themselves. Degenerate and duplicate triangles are removed first.
 
         Raises:
@@ -171,13 +171,13 @@ class MeshRemeshing(MeshMeasures):
         Kobbelt, "A remeshing approach to multiresolution modeling", SGP 2004, with area weights.
 
         Args:
-            edge_length: Target [m]; edges become 4/5 to 4/3 of it where creases allow.
+            edge_length: Target [m]. Edges become 4/5 to 4/3 of it where creases allow.
             iterations: Number of iterations.
             feature_angle: Edges with a larger angle between triangles [degrees] are creases and stay, as do borders and
                 non-manifold edges. Crease paths shorter than three edges count as roughness. 180 keeps only borders.
 
         Returns:
-            The remeshed surface with the same topology; no triangle rotates by more than 60 degrees in one step.
+            The remeshed surface with the same topology. No triangle rotates by more than 60 degrees in one step.
             Attributes are those of the nearest input surface point. Textures are dropped (see `bake_vertex_colors`).
             Degenerate, duplicate and non-finite triangles are removed first.
 
@@ -216,19 +216,19 @@ class MeshRemeshing(MeshMeasures):
         return with_attributes_of(with_vectors_of(made, source, surface), source, surface)
 
     def _without_gone(self) -> Self:
-        """Remove fully degenerate triangles and unused vertices; one sync."""
+        """Remove fully degenerate triangles and unused vertices. One sync."""
         triangles, count = self._arrays["triangles"], self._vertex_count
         gone = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
         return self._left(gone, clean_triangles.mask_used(triangles, gone, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:
-        """Split each triangle into four at the edge midpoints; the surface does not move.
+        """Split each triangle into four at the edge midpoints. The surface does not move.
 
         About 150 B per triangle of the second to last round. Bitwise identical on every device.
 
         Args:
-            number_of_iterations: Rounds; each multiplies the triangles by four.
+            number_of_iterations: Rounds. Each multiplies the triangles by four.
 
         Returns:
             The finer mesh in Open3D's order. Colors, unit normals and texture coordinates are means of the edge ends;
@@ -253,11 +253,11 @@ class MeshRemeshing(MeshMeasures):
         Memory and determinism as `subdivide_midpoint`. NaN spreads. Loop, "Smooth subdivision surfaces", 1987.
 
         Args:
-            number_of_iterations: Rounds; each multiplies the triangles by four.
+            number_of_iterations: Rounds. Each multiplies the triangles by four.
 
         Returns:
-            The finer mesh in the order of `subdivide_midpoint`. Unit normals and colors use the masks of positions;
-            texture coordinates and attributes are means. Borders are smoothed as curves. Coincident seam vertices
+            The finer mesh in the order of `subdivide_midpoint`. Unit normals and colors use the masks of positions.
+            Texture coordinates and attributes are means. Borders are smoothed as curves. Coincident seam vertices
             become one. Vertices without triangles stay.
 
         Raises:
@@ -274,7 +274,7 @@ class MeshRemeshing(MeshMeasures):
         return (sew(self).mesh if count and len(self) else self)._subdivided(count, subdivision.mask, 0)
 
     def _subdivided(self, iterations: int, rule: Callable[..., list[Any]], first_new: int) -> Self:
-        """Apply a subdivision rule; normals before `first_new` stay unchanged."""
+        """Apply a subdivision rule. Normals before `first_new` stay unchanged."""
         count = check_count("number_of_iterations", iterations, minimum=0)
         if count == 0 or not len(self):
             return self._with_arrays()
@@ -318,7 +318,7 @@ class MeshRemeshing(MeshMeasures):
             filter_scope: "all", "vertex", "normal" or "color", or a member of Open3D's FilterScope.
 
         Returns:
-            The mesh with smoothed arrays; normals have unit length. Vertices that are not finite stay and are ignored.
+            The mesh with smoothed arrays. Normals have unit length. Vertices that are not finite stay and are ignored.
             Coincident seam vertices move together and get the mean normal and color.
 
         Raises:
@@ -339,7 +339,7 @@ class MeshRemeshing(MeshMeasures):
     ) -> Self:
         """Move each vertex toward the mean of its neighbors, weighted by inverse distance.
 
-        Shrinks curved and open surfaces; see `filter_smooth_taubin`. Taubin, "A signal processing approach to fair
+        Shrinks curved and open surfaces. See `filter_smooth_taubin`. Taubin, "A signal processing approach to fair
         surface design", SIGGRAPH 1995, equation 2.
 
         Args:
@@ -351,7 +351,7 @@ class MeshRemeshing(MeshMeasures):
             As `filter_smooth_simple`. Vertices without neighbors stay.
 
         Raises:
-            ValueError, TypeError: As `filter_smooth_simple`; also if the factor is not finite.
+            ValueError, TypeError: As `filter_smooth_simple`. Also if the factor is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -402,7 +402,7 @@ class MeshRemeshing(MeshMeasures):
             As `filter_smooth_simple`. Colors are not clipped to 0..1, as in Open3D.
 
         Raises:
-            ValueError, TypeError: As `filter_smooth_simple`; also if the strength is not finite.
+            ValueError, TypeError: As `filter_smooth_simple`. Also if the strength is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -449,7 +449,7 @@ class MeshRemeshing(MeshMeasures):
         Args:
             constraint_vertex_indices: Constrained vertices, each once: moved and fixed ones.
             constraint_vertex_positions: Their positions [m], shape (k, 3).
-            max_iter: Alternations of rotation and position solves; 0 moves nothing.
+            max_iter: Alternations of rotation and position solves. 0 moves nothing.
             energy: "spokes" (Sorkine and Alexa, SGP 2007) or "smoothed" with smooth rotations (Levi and Gotsman 2014),
                 or a member of Open3D's DeformAsRigidAsPossibleEnergy.
             smoothed_alpha: Weight of rotation smoothness, in areas of the mesh.
@@ -527,7 +527,7 @@ def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float)
 
 
 class Course:
-    """State and steps of isotropic remeshing. On CUDA the device counts the rounds of a step; the host launches ROUNDS
+    """State and steps of isotropic remeshing. On CUDA the device counts the rounds of a step. The host launches ROUNDS
     of them, and rounds after the last do nothing. Their counts are read with the number of split edges in the next
     iteration, which saves syncs."""
 
@@ -562,7 +562,7 @@ class Course:
         return self.mesh
 
     def _is_settled(self, found: list[int]) -> bool:
-        """Read counts of the last iteration; False if vertices moved again, so that the mesh changed."""
+        """Read counts of the last iteration. False if vertices moved again, so that the mesh changed."""
         if self.state is None:
             return True
         self.state = None
@@ -587,7 +587,7 @@ class Course:
                 break
 
     def _relax(self, taken: Integers | None = None) -> None:
-        """Relax vertices RELAXED times along the surface and creases; one sync each if `taken` is None."""
+        """Relax vertices RELAXED times along the surface and creases. One sync each if `taken` is None."""
         for k in range(RELAXED):
             moved = relaxed(self.mesh)
             on_surface, on_lines = (SurfacePlaces(moved, tree).points for tree in self.trees)
@@ -607,7 +607,7 @@ def _names_of(scope: Any) -> tuple[str, ...]:
 def _once(
     held: NDArray[np.int32], places: NDArray[np.int32], targets: NDArray[np.float64]
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
-    """Unique constrained vertices of a seam-welded mesh and their targets; ValueError if targets contradict."""
+    """Unique constrained vertices of a seam-welded mesh and their targets. ValueError if targets contradict."""
     found, firsts, members = np.unique(places, return_index=True, return_inverse=True)
     unlike = np.flatnonzero((targets != targets[firsts][members]).any(axis=1))
     if len(unlike):

@@ -68,12 +68,12 @@ class MeshRepairReport:
         removed_crowding_triangles: Triangles without a partner at an edge of more than two triangles.
         split_vertices: Vertices added where sheets or fans of triangles were separated.
         flipped_triangles: Triangles with reversed orientation.
-        filled_holes, added_triangles: Closed holes; triangles that fill them or come from splitting at contacts.
+        filled_holes, added_triangles: Closed holes. Triangles that fill them or come from splitting at contacts.
         removed_vertices: Vertices that no triangle used at the end.
         lost_area: Area of removed triangles that were not copies [m^2].
         is_watertight, is_orientable: Properties of the result, as the methods of `TriangleMesh`.
         boundary_edges: Remaining edges of one triangle.
-        holes_left: Remaining holes of up to `hole_size`; None if holes were not filled.
+        holes_left: Remaining holes of up to `hole_size`. None if holes were not filled.
         non_manifold_vertices: Vertices whose triangles are not connected by edges.
         zero_area_triangles: Triangles without area that remain, because removing them would open the mesh.
 
@@ -184,7 +184,7 @@ class MeshRepair(MeshMeasures):
         return self._handed_out(positions_of(mask))
 
     def is_vertex_manifold(self) -> bool:
-        """True if the triangles at each vertex are connected by edges; see `get_non_manifold_vertices`.
+        """True if the triangles at each vertex are connected by edges. See `get_non_manifold_vertices`.
 
         Raises:
             ValueError: If a triangle has a corner that is not finite.
@@ -199,7 +199,7 @@ class MeshRepair(MeshMeasures):
         return len(self.get_non_manifold_vertices()) == 0
 
     def is_orientable(self) -> bool:
-        """True if all triangles can be oriented consistently; False for a Möbius strip or a Klein bottle.
+        """True if all triangles can be oriented consistently. False for a Möbius strip or a Klein bottle.
 
         Edges of three or more triangles impose no constraint. `orient_triangles` applies the orientation.
 
@@ -284,7 +284,7 @@ class MeshRepair(MeshMeasures):
         return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
-        """Area of each triangle [m^2], shape (t,); NaN if a corner is not finite.
+        """Area of each triangle [m^2], shape (t,). NaN if a corner is not finite.
 
         Example:
             >>> import pointloom as loom
@@ -305,10 +305,10 @@ class MeshRepair(MeshMeasures):
         """Close holes with triangles between their boundary vertices.
 
         Each loop of `get_boundaries` counts as a hole, the outer rim of an open surface too: choose `hole_size` below
-        it. The triangulation has the smallest dihedral angles, then the shortest sides; it suits holes that are small
+        it. The triangulation has the smallest dihedral angles, then the shortest sides. It suits holes that are small
         relative to the shape. New triangles may intersect others. O(n^3) time and 44 n^2 B for a hole of n vertices,
         about 130 B per triangle. Bitwise identical on every device. Barequet and Sharir, "Filling gaps in the boundary
-        of a polyhedron", CAGD 1995; Liepa, "Filling holes in meshes", SGP 2003, section 3.
+        of a polyhedron", CAGD 1995. Liepa, "Filling holes in meshes", SGP 2003, section 3.
 
         Args:
             hole_size: Maximum distance of boundary vertices from the center of their bounding box [m].
@@ -335,10 +335,10 @@ class MeshRepair(MeshMeasures):
     ) -> tuple[Self, MeshRepairReport]:
         """Repair common mesh defects and report the changes.
 
-        Steps: remove triangles that are not finite or degenerate, and unused vertices; stitch coincident borders; split
-        edges of more than two triangles into sheets by angle and non-manifold vertices into fans; remove duplicate
-        triangles and those without a partner at a crowded edge; orient each part as most of its triangles; fill holes;
-        orient closed parts by nesting. Consistently oriented closed parts are not joined to others. Nested parts keep
+        Steps: remove triangles that are not finite or degenerate, and unused vertices; stitch coincident borders. Split
+        edges of more than two triangles into sheets by angle and non-manifold vertices into fans. Remove duplicate
+        triangles and those without a partner at a crowded edge. Orient each part as most of its triangles. Fill holes.
+        Orient closed parts by nesting. Consistently oriented closed parts are not joined to others. Nested parts keep
         their orientation; outermost parts face outward. Intersecting triangles are neither repaired nor reported.
         Memory as `fill_holes`. Bitwise identical on every device. Guéziec et al., "Cutting and stitching: converting
         sets of polygons to manifold surfaces", IEEE TVCG 2001.
@@ -459,7 +459,7 @@ class MeshRepair(MeshMeasures):
         }
 
     def is_self_intersecting(self) -> bool:
-        """True if two triangles without a common vertex intersect; see `get_self_intersecting_triangles`.
+        """True if two triangles without a common vertex intersect. See `get_self_intersecting_triangles`.
 
         Raises:
             ValueError: If a triangle has a corner that is not finite.
@@ -477,7 +477,7 @@ class MeshRepair(MeshMeasures):
         """List pairs of intersecting triangles without a common vertex.
 
         O(n log n) time, O(n + k) memory. Bitwise identical on every device. Guigue and Devillers, "Fast and robust
-        triangle-triangle overlap test", JGT 2003; Shewchuk, "Adaptive precision floating-point arithmetic", DCG 1997.
+        triangle-triangle overlap test", JGT 2003. Shewchuk, "Adaptive precision floating-point arithmetic", DCG 1997.
 
         Returns:
             int32 of shape (k, 2), the lower index first, ascending. Coincident vertices with two indices count as two,
@@ -536,11 +536,11 @@ class MeshRepair(MeshMeasures):
         Computed in float64, rounded once to float32. Reproducibility depends on manifold3d.
 
         Args:
-            mesh: A closed, outward-oriented mesh on any device; this mesh must be so too.
+            mesh: A closed, outward-oriented mesh on any device. This mesh must be so too.
 
         Returns:
-            The surface on this mesh's device, relative to its origin; empty if nothing remains. Vertex colors are
-            interpolated if both meshes have them; normals are recomputed; texture is dropped.
+            The surface on this mesh's device, relative to its origin. Empty if nothing remains. Vertex colors are
+            interpolated if both meshes have them. Normals are recomputed. Texture is dropped.
 
         Raises:
             ValueError, TypeError: If a mesh is not closed or not oriented outward, or if `mesh` is not a mesh.
@@ -620,12 +620,12 @@ def count_edges(mesh: MeshRepair) -> EdgeCounts:
 
 
 def _difference(whole: float, rest: float) -> float:
-    """Difference of sums; 0 if it is below the rounding error."""
+    """Difference of sums. 0 if it is below the rounding error."""
     return whole - rest if whole - rest > ROUNDING * whole else 0.0
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:
-    """Convert a mesh to a manifold relative to `origin`; raise ValueError if it is not a solid."""
+    """Convert a mesh to a manifold relative to `origin`. Raise ValueError if it is not a solid."""
     if len(mesh):
         if (wrong := find_wrong_corner(mesh)) is not None:
             raise ValueError(f"{what} has corners that are not finite: {wrong}; {REMEDY}")

@@ -18,7 +18,7 @@ MeshType = TypeVar("MeshType", bound=MeshArrays)
 @dataclass(frozen=True)
 class Sewn(Generic[MeshType]):
     """A mesh with coincident seam vertices merged, and the vertex map `places` (int32 (m,), None without seams).
-    Normals and colors of merged vertices are means, attributes those of the first; texture stays at the corners."""
+    Normals and colors of merged vertices are means, attributes those of the first. Texture stays at the corners."""
 
     mesh: MeshType
     places: Indices | None
@@ -29,7 +29,7 @@ class Sewn(Generic[MeshType]):
 
 
 def sew(mesh: MeshType) -> Sewn[MeshType]:
-    """Weld coincident borders; closed parts that touch stay separate."""
+    """Weld coincident borders. Closed parts that touch stay separate."""
     arrays = mesh._device_arrays
     owners = find_seams(arrays["vertices"], arrays["triangles"])
     if owners is None:

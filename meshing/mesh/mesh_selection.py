@@ -72,7 +72,7 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_unreferenced_vertices(self) -> Self:
-        """Remove vertices that no triangle uses; the others keep their order."""
+        """Remove vertices that no triangle uses. The others keep their order."""
         triangles = self._arrays["triangles"]
         return self._with_used(triangles, mesh_edits.mark_referenced(triangles, self._arrays["vertices"].size))
 
@@ -101,7 +101,7 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
-        """Remove masked triangles; all vertices stay.
+        """Remove masked triangles. All vertices stay.
 
         Args:
             mask: Booleans of shape (t,).
@@ -128,11 +128,11 @@ class MeshSelection(MeshArrays):
         return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
 
     def _with_triangles(self, mask: wp.array) -> Self:
-        """Select by a uint8 triangle mask, with the used vertices; one sync."""
+        """Select by a uint8 triangle mask, with the used vertices. One sync."""
         return self._chosen(mask)[0]  # sync
 
     def _chosen(self, mask: wp.array, *others: wp.array) -> tuple[Any, ...]:
-        """As `_with_triangles`: (mesh, triangle rows, vertex rows, positions of other masks); one sync."""
+        """As `_with_triangles`: (mesh, triangle rows, vertex rows, positions of other masks). One sync."""
         count = self._arrays["vertices"].size
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
@@ -149,7 +149,7 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_degenerate_triangles(self, *, zero_area: bool = False) -> Self:
-        """Remove triangles with a repeated vertex; all vertices stay.
+        """Remove triangles with a repeated vertex. All vertices stay.
 
         Triangles with a corner that is not finite stay. Bitwise identical on every device.
 
@@ -186,7 +186,7 @@ class MeshSelection(MeshArrays):
     def remove_duplicated_vertices(self) -> Self:
         """Merge vertices at equal positions into the first one, which keeps its attributes.
 
-        Compares the three float32 coordinates; zero equals minus zero, NaN equals nothing. Triangles are renumbered and
+        Compares the three float32 coordinates. Zero equals minus zero, NaN equals nothing. Triangles are renumbered and
         may become degenerate: see `remove_degenerate_triangles`. Texture stays at the corners.
 
         Example:
@@ -206,7 +206,7 @@ class MeshSelection(MeshArrays):
     def merge_close_vertices(self, eps: float) -> Self:
         """Merge vertices that are closer than a distance, in index order.
 
-        A vertex joins the first earlier kept vertex closer than `eps`; else it is kept itself. Each group becomes one
+        A vertex joins the first earlier kept vertex closer than `eps`. Else it is kept itself. Each group becomes one
         vertex with the mean position and color, the normalized mean normal, and the other attributes of its first
         member. Open3D makes the same groups. O(m) time, about 130 B per vertex. Bitwise identical on every device.
 
@@ -231,7 +231,7 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_non_manifold_edges(self) -> Self:
-        """Remove the smallest triangles at edges of more than two triangles; all vertices stay.
+        """Remove the smallest triangles at edges of more than two triangles. All vertices stay.
 
         Triangles with a repeated vertex are removed first. The others are visited by area, then index, and removed if
         one of their edges still has more than two triangles. Areas are compared in float32. About 50 B of memory per
@@ -289,7 +289,7 @@ class MeshSelection(MeshArrays):
         return self._left(gone, clean_triangles.mask_used(triangles, gone, vertices.size))
 
     def _left(self, gone: Mask, used: Mask) -> Self:
-        """Remove masked triangles; keep their vertices and those of `used`; one sync."""
+        """Remove masked triangles. Keep their vertices and those of `used`. One sync."""
         rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
         taken = self._triangles_at(rows) | self._vertices_at(vertices)
         places = mark_places(vertices, used.size)[1]
@@ -305,7 +305,7 @@ class MeshSelection(MeshArrays):
 
     @returns_new
     def remove_triangles_by_index(self, triangle_indices: ArrayLike) -> Self:
-        """Remove triangles by index; all vertices stay.
+        """Remove triangles by index. All vertices stay.
 
         Args:
             triangle_indices: In -t..t-1, in any order; repeats count once.
@@ -430,7 +430,7 @@ class MeshSelection(MeshArrays):
         Bitwise identical on every device.
 
         Returns:
-            (labels, counts, areas): part of each triangle, int32 (t,); triangles of each part, int32 (c,); area of each
+            (labels, counts, areas): part of each triangle, int32 (t,). Triangles of each part, int32 (c,). Area of each
             part [m^2], float64 (c,), NaN if a corner is not finite. Parts are numbered by their first triangle.
 
         Example:
@@ -487,7 +487,7 @@ class MeshSelection(MeshArrays):
 
         Args:
             vertex_values: Values of shape (m,).
-            level: Threshold; values equal to it stay.
+            level: Threshold. Values equal to it stay.
             island_ratio: Remaining parts below this fraction of the total area are removed too, and smaller enclosed
                 holes are kept filled. 0 disables both.
 
@@ -543,8 +543,8 @@ class MeshSelection(MeshArrays):
             cap: Close the cut. Outlines are filled by triangle orientation, else by the even-odd rule.
 
         Returns:
-            Triangles in order, cut ones as one or two; vertices in order, then one per cut edge with interpolated
-            attributes. Triangles in the plane stay without a cap; with one, those facing up are removed. Cap triangles
+            Triangles in order, cut ones as one or two. Vertices in order, then one per cut edge with interpolated
+            attributes. Triangles in the plane stay without a cap. With one, those facing up are removed. Cap triangles
             come last, share the border vertices, and take texture, material and attributes from a triangle beside them.
             Triangles with a corner that is not finite are removed.
 
@@ -553,7 +553,7 @@ class MeshSelection(MeshArrays):
             TypeError, ImportError: If an argument is not numeric, or if `cap` is True and manifold3d is not installed.
 
         Warns:
-            UserWarning: If some outlines are not closed because the mesh is open; these get no cap.
+            UserWarning: If some outlines are not closed because the mesh is open. These get no cap.
 
         Example:
             >>> import pointloom as loom
@@ -624,7 +624,7 @@ class MeshSelection(MeshArrays):
             normal: Normal of the plane, shape (3,), any length.
 
         Returns:
-            Points [m] of shape (k, 3) per path; a loop repeats its first point at the end. Loops of an outward-oriented
+            Points [m] of shape (k, 3) per path. A loop repeats its first point at the end. Loops of an outward-oriented
             mesh run counterclockwise seen against the normal, those of cavities clockwise.
 
         Raises:
@@ -643,7 +643,7 @@ class MeshSelection(MeshArrays):
         return [points[[*loop, loop[0]]] for loop in loops] + [points[path] for path in paths]
 
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> tuple[_Plane, Self]:
-        """(plane, mesh without non-finite triangles); one sync, two if there are such triangles."""
+        """(plane, mesh without non-finite triangles). One sync, two if there are such triangles."""
         place = check_finite("point", check_shape("point", point, (3,)))
         way, vertices = check_direction("normal", normal), self._arrays["vertices"]
         low, high, count = bound_points(vertices)  # sync
@@ -675,7 +675,7 @@ class MeshSelection(MeshArrays):
         return found.places(used) + self._origin, numbers.reshape(-1, 2)
 
     def _above(self, cut: LevelCut, sides: wp.array, kept: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
-        """(kept pieces with their vertices, their half-edges in the plane); two syncs."""
+        """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
         mesh, rows, chosen, found = self._chosen(kept, plane_cut.mark_in_plane(cut, kept))  # sync
         vertices, pieces = self._arrays["vertices"], cut.pieces
         places = [mesh_edits.mark_places(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]

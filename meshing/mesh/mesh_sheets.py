@@ -48,7 +48,7 @@ class Stitched(Generic[MeshType]):
 
 
 def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
-    """Cut finite triangles at edges of more than two and stitch them in pairs; see kernels/meshes/sheets.py. Closed,
+    """Cut finite triangles at edges of more than two and stitch them in pairs. See kernels/meshes/sheets.py. Closed,
     consistently oriented parts stay. Of all others, degenerate and duplicate triangles, parts that copy others, and
     single triangles without a partner are removed. If one triangle per vertex set leaves less border, it is kept."""
     clean = mesh.remove_degenerate_triangles()

@@ -28,11 +28,11 @@ class SurfaceSummary:
     """Statistics of a surface.
 
     Attributes:
-        vertices, triangles, parts: Counts; parts are connected by edges.
+        vertices, triangles, parts: Counts. Parts are connected by edges.
         area, largest_share: [m^2], and fraction of the largest part.
         edges, boundary_edges, crowded_edges: All edges, those of one triangle, those of three or more.
         watertight: True if closed.
-        bounds: Lowest and highest corner of the finite vertices [m]; None without vertices.
+        bounds: Lowest and highest corner of the finite vertices [m]. None without vertices.
     """
 
     vertices: int

@@ -20,7 +20,7 @@ from ...kernels.textures.surface_texels import SurfaceTexels
 from .mesh_arrays import MeshArrays
 from .posed_images import Names, check_images
 
-MAX_SIZE = 2**14  # per side; file formats allow 2^28 texels
+MAX_SIZE = 2**14  # per side. File formats allow 2^28 texels
 TEXEL_BYTES = 40
 TRIES = 3
 MAX_EXCESS = 3  # maximum ratio of xatlas's image to the size: beyond, wider gutters only enlarge the image

@@ -32,7 +32,7 @@ class PosedImages:
     T_camera_world: NDArray[np.float64]
 
     def pictures(self, origin: NDArray[np.float64], margin: float) -> PosedPictures:
-        """Images for kernels, poses about an origin [m]; 7 B per pixel."""
+        """Images for kernels, poses about an origin [m]. 7 B per pixel."""
         sizes = np.array([(camera.width, camera.height) for camera in self.cameras], np.int64)
         firsts = np.concatenate([[0], np.cumsum(sizes.prod(axis=1))])
         layout = np.column_stack([sizes, firsts[:-1]])

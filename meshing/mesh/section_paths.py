@@ -16,7 +16,7 @@ ABOVE, BELOW = 1, -1
 
 def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
     """Lines along which a mesh crosses a plane, (n, 2), each once, ordered by vertices. Half-edges are (tail, head,
-    side of the piece, number); vertices from `first_new` on come from the cut. Includes mesh edges in the plane where
+    side of the piece, number). Vertices from `first_new` on come from the cut. Includes mesh edges in the plane where
     the mesh continues below or in it, or ends; excludes ridges that touch from above."""
     rows = np.asarray(half_edges, np.int64)
     low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
@@ -44,7 +44,7 @@ def outline(half_edges: NDArray[np.int32]) -> Ends:
 
 
 def join_lines(ends: Ends, places: dict[int, NDArray[np.float64]]) -> tuple[list[list[int]], list[list[int]]]:
-    """(loops, paths): lines joined at their ends, each used once; a loop does not repeat its first vertex. Keeps
+    """(loops, paths): lines joined at their ends, each used once. A loop does not repeat its first vertex. Keeps
     directions if consistent. At branches the leftmost turn is taken, so loops touch but do not cross."""
     balance: dict[int, int] = {}
     for a, b in ends.tolist():
@@ -90,7 +90,7 @@ def _walk(
 
 
 def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray[np.bool_], places) -> list[int] | None:
-    """Follow lines from a vertex until closed or stuck; None if there is no line."""
+    """Follow lines from a vertex until closed or stuck. None if there is no line."""
     path, at = [start], start
     while True:
         open_lines = [(line, to) for line, to in leaving.get(at, ()) if not used[line]]

@@ -50,7 +50,7 @@ def plane(width: float, height: float) -> Shape:
 def tetrahedron(radius: float) -> Shape:
     a, b, c = np.sqrt(8 / 9), np.sqrt(2 / 9), np.sqrt(2 / 3)
     corners = [[a, 0, -1 / 3], [-b, c, -1 / 3], [-b, -c, -1 / 3], [0, 0, 1]]
-    # three faces around one corner, the fourth beside them; 0.866 is the height of a triangle of edge 1
+    # three faces around one corner, the fourth beside them. 0.866 is the height of a triangle of edge 1
     at = [(0.866, 0.5), (0.433, 0.75), (0.433, 0.25), (0.866, 1.0), (0.866, 0.0), (0.0, 0.5)]
     order = [0, 1, 2, 0, 3, 1, 0, 2, 4, 2, 1, 5]
     return Shape(
@@ -84,7 +84,7 @@ _ROWS = (0.0001, 0.091, 0.1819, 0.2728, 0.3637, 0.4546, 0.5454, 0.6363, 0.7272, 
 
 
 def icosahedron(radius: float) -> Shape:
-    """Twelve corners; Open3D's `radius` is half an edge, not the distance of the corners."""
+    """Twelve corners. Open3D's `radius` is half an edge, not the distance of the corners."""
     p = (1 + np.sqrt(5)) / 2
     corners = [
         [-1, 0, p], [1, 0, p], [1, 0, -p], [-1, 0, -p], [0, -p, 1], [0, p, 1],
@@ -169,7 +169,7 @@ def cone(radius: float, height: float, resolution: int, split: int) -> Shape:
 
 
 def torus(torus_radius: float, tube_radius: float, radial: int, tubular: int) -> Shape:
-    """Rings around the tube; no texture coordinates."""
+    """Rings around the tube. No texture coordinates."""
     u = (2 * np.pi / radial * np.arange(radial))[:, None]
     v = (2 * np.pi / tubular * np.arange(tubular))[None, :]
     away = torus_radius + tube_radius * np.cos(v)

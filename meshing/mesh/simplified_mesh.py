@@ -38,8 +38,8 @@ class SimplifiedMesh(ChangedMesh):
     Attributes:
         mesh: The result.
         by, amount: "triangles", "ratio" or "voxel", and its value.
-        target: Requested triangles; None by voxels.
-        errors: Distance of the full surface to the new one; None if either has no area.
+        target: Requested triangles. None by voxels.
+        errors: Distance of the full surface to the new one. None if either has no area.
         max_error: As given.
         diagonal: Of the full mesh's box [m].
         vertices_in, triangles_in: Counts of the input.
@@ -156,7 +156,7 @@ def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
 
 
 def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
-    """Distance of the full surface to the simplified one; None if either has no area or non-finite corners."""
+    """Distance of the full surface to the simplified one. None if either has no area or non-finite corners."""
     if find_wrong_corner(small) or find_wrong_corner(full):
         return None
     if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):

@@ -39,7 +39,7 @@ class SmoothedMesh(ChangedMesh):
     Attributes:
         mesh: The result.
         method, iterations: As given.
-        moved: Displacement of the finite vertices; None if there are none.
+        moved: Displacement of the finite vertices. None if there are none.
         area_in, area: Area of triangles with finite corners, before and after [m^2].
         vertices_in, triangles_in: Counts of the input.
         reliable, warnings: True if all quality checks passed, and those that failed.
@@ -91,7 +91,7 @@ def smooth_mesh(
 ) -> SmoothedMesh:
     """Smooth or sharpen a mesh and measure displacement and shrinkage, as `pointloom smooth-mesh`.
 
-    Uses the `filter_smooth_*` and `filter_sharpen` methods; colors are clipped to 0..1. Bitwise identical on every
+    Uses the `filter_smooth_*` and `filter_sharpen` methods. Colors are clipped to 0..1. Bitwise identical on every
     device.
 
     Args:

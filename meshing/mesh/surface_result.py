@@ -14,7 +14,7 @@ from .mesh_summary import SurfaceSummary
 
 # Thresholds of the quality checks.
 TORN = 0.1  # fraction of boundary edges: 4% for 30 x 30 squares, 30% if the ball falls through gaps
-CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # fraction of non-manifold edges; alpha shapes have some
+CROWDED = {"poisson": 0.01, "ball": 0.01, "alpha": 0.1}  # fraction of non-manifold edges. Alpha shapes have some
 ISLANDS = 0.1  # fraction of the area outside the largest part
 MADE_UP = 0.05  # fraction of the surface far from all points
 OFF = 0.006  # of the points' extent: limit of their median distance from the surface
@@ -80,15 +80,15 @@ class SurfaceResult(Report, Assessed):
     """A reconstructed surface with statistics.
 
     Attributes:
-        mesh: The surface; empty if there is none.
+        mesh: The surface. Empty if there is none.
         method, settings: "poisson", "ball" or "alpha", and its settings.
         normals: Normals used, and their disagreement.
         points_in, points: Points of the cloud, and finite ones.
         not_carried: Attributes of the cloud that the mesh lacks.
         summary: Statistics of the surface.
-        made_up: Fraction of the surface far from all points; of Poisson and alpha shapes.
+        made_up: Fraction of the surface far from all points. Of Poisson and alpha shapes.
         off: Distance of the points from the surface.
-        flat: Reason why no alpha shape exists; None if one does.
+        flat: Reason why no alpha shape exists. None if one does.
         reliable, warnings: True if all quality checks passed, and those that failed.
     """
 

@@ -24,7 +24,7 @@ def check_length(name: str, value: Any) -> float:
 
 
 def number_ring_vertices(rings: NDArray[np.float64], is_closed: bool) -> NDArray[np.int64]:
-    """Vertex number at each position, (k, m); vertices that do not move have one."""
+    """Vertex number at each position, (k, m). Vertices that do not move have one."""
     count, width = rings.shape[:2]
     numbers = np.arange(count * width).reshape(count, width)
     numbers[:, (rings == rings[0]).all(axis=(0, 2))] = numbers[:1, (rings == rings[0]).all(axis=(0, 2))]

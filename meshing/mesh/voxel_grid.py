@@ -51,14 +51,14 @@ class VoxelGrid(ToldNames):
 
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> Self:
-        """Voxels that a mesh touches; see `TriangleMesh.voxelize`."""
+        """Voxels that a mesh touches. See `TriangleMesh.voxelize`."""
         return input.voxelize(voxel_size)
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> Self:
-        """Voxels between two corners [m] that a mesh touches; see `TriangleMesh.voxelize`."""
+        """Voxels between two corners [m] that a mesh touches. See `TriangleMesh.voxelize`."""
         return input.voxelize(voxel_size, min_bound, max_bound)
 
     def __len__(self) -> int:

@@ -30,11 +30,11 @@ class CloudToMeshResult:
     """Distances of n points from a mesh.
 
     Attributes:
-        distances: To the nearest surface point [m], positive on the triangles' front, float64 (n,); with a radius the
+        distances: To the nearest surface point [m], positive on the triangles' front, float64 (n,). With a radius the
             mean of the neighbors. NaN beyond `max_distance`, for non-finite points, and without triangles.
         level_of_detection: Significant change at 95% confidence [m], float64 (n,).
-        spreads: Standard deviations of the neighbors' distances [m], float64 (n,); NaN without a radius, or of one.
-        counts: Neighbors with a distance, including the point, int32 (n,); 1 without a radius.
+        spreads: Standard deviations of the neighbors' distances [m], float64 (n,). NaN without a radius, or of one.
+        counts: Neighbors with a distance, including the point, int32 (n,). 1 without a radius.
         beside: True if the nearest surface point is on the border of an open mesh, bool (n,).
     """
 
@@ -67,16 +67,16 @@ def cloud_to_mesh(
 ) -> CloudToMeshResult:
     """Signed distance of each point from a mesh: a scan against a design or an earlier model.
 
-    Float64 about the mesh's origin; bitwise reproducible. The sign uses angle-weighted pseudonormals (Baerentzen and
+    Float64 about the mesh's origin. Bitwise reproducible. The sign uses angle-weighted pseudonormals (Baerentzen and
     Aanaes 2005). The level of detection is 1.96 (s / sqrt(n) + registration_error), as M3C2 without reference noise.
 
     Args:
         cloud: The later epoch.
-        mesh: The reference surface, open or closed, on the same device; triangles face outward or up.
+        mesh: The reference surface, open or closed, on the same device. Triangles face outward or up.
         radius: Exclusive radius of neighbors whose distances are averaged [m]. If None: single points, with the
             registration error as the only uncertainty.
         registration_error: Standard deviation of the registration [m].
-        max_distance: Maximum distance [m]; None for no limit.
+        max_distance: Maximum distance [m]. None for no limit.
 
     Raises:
         TypeError: If `cloud` is not a cloud, or `mesh` is not a mesh.

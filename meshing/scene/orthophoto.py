@@ -38,8 +38,8 @@ class Orthophoto:
     """A mesh seen from above, as created by `loom.orthophoto`.
 
     Attributes:
-        colors: RGBA, uint8 (rows, columns, 4), northernmost row first; alpha is 0 if empty. None if the mesh has none.
-        heights: Raster of the highest surface at cell centers; NaN if empty.
+        colors: RGBA, uint8 (rows, columns, 4), northernmost row first. Alpha is 0 if empty. None if the mesh has none.
+        heights: Raster of the highest surface at cell centers. NaN if empty.
     """
 
     colors: NDArray[np.uint8] | None
@@ -97,7 +97,7 @@ def orthophoto(
     to the lowest triangle. Bitwise reproducible.
 
     Args:
-        mesh: The mesh, z up; meters east, north and up about the origin of `frame`, if given.
+        mesh: The mesh, z up. Meters east, north and up about the origin of `frame`, if given.
         cell: Edge of a cell [m], not larger than the texture's detail.
         frame: Position on the Earth, such as `result.fit.frame` of `loom.video.reconstruct`: the map is in its UTM
             zone. If None: the mesh's own coordinates.
@@ -178,7 +178,7 @@ def _placed_vertices(mesh: TriangleMesh, frame: WorldFrame | None, epsg: int | N
 
 
 def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]:
-    """Appearance of each material; triangles without color are omitted."""
+    """Appearance of each material. Triangles without color are omitted."""
     arrays, none, device = mesh._device_arrays, empty(0, vec3, mesh.device), mesh.device
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
     looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}

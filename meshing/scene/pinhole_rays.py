@@ -45,7 +45,7 @@ def _named(args: tuple[Any, ...], kwargs: dict[str, Any]) -> dict[str, Any]:
 
 
 def _camera_of_view(given: dict[str, Any], width: int, height: int) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Intrinsic and extrinsic matrix of a look-at camera; rows follow `up`."""
+    """Intrinsic and extrinsic matrix of a look-at camera. Rows follow `up`."""
     fov = check_number("fov_deg", given["fov_deg"])
     if not 0 < fov < 180:
         raise ValueError(f"fov_deg: expected a field of view between 0 and 180, got {fov}")

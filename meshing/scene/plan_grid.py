@@ -32,7 +32,7 @@ class PlanGrid:
 
 
 def grid_over(low: Array, high: Array, corner: Array, cell: float) -> PlanGrid:
-    """Half-open cells over a range, both ends included; ValueError for too many cells, or too far from the corner."""
+    """Half-open cells over a range, both ends included. ValueError for too many cells, or too far from the corner."""
     return _grid_of(partial(cells_over, low, high, corner), corner, cell)
 
 

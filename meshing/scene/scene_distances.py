@@ -32,11 +32,11 @@ class SceneDistances(SceneGeometries):
     """Methods of RaycastingScene that measure distances.
 
     `sign_method` is the inside test: "pseudonormals" (Baerentzen and Aanaes 2005), exact, for one closed, consistently
-    oriented mesh without degenerate or intersecting triangles; otherwise "winding_numbers" (Jacobson et al. 2013;
+    oriented mesh without degenerate or intersecting triangles. Otherwise "winding_numbers" (Jacobson et al. 2013;
     Barill et al. 2018), inside above 1/2. Both treat an inverted mesh as if it faced outward.
     """
 
-    _side_data: dict[int, Pseudonormals | None]  # by mesh, built on demand; None if not applicable
+    _side_data: dict[int, Pseudonormals | None]  # by mesh, built on demand. None if not applicable
     _dipoles: dict[int, Dipoles]
 
     def __init__(self, device: Any = None):
@@ -64,11 +64,11 @@ class SceneDistances(SceneGeometries):
     def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> dict[str, NDArray[Any]]:
         """Find the closest surface point of each query.
 
-        Float64; ties go to the lowest geometry, then triangle. Bitwise identical on every device. 80 B per query.
+        Float64. Ties go to the lowest geometry, then triangle. Bitwise identical on every device. 80 B per query.
 
         Args:
             query_points: Shape (..., 3), float32 or float64.
-            nthreads: Ignored; for compatibility with Open3D.
+            nthreads: Ignored. For compatibility with Open3D.
 
         Returns:
             Arrays in the leading shape of the queries. If there is no closest point (queries that are not finite or
@@ -108,7 +108,7 @@ class SceneDistances(SceneGeometries):
 
         Args:
             query_points: Shape (..., 3), float32 or float64.
-            nthreads: Ignored; for compatibility with Open3D.
+            nthreads: Ignored. For compatibility with Open3D.
 
         Returns:
             Distances [m], float32 (...): infinite in an empty scene or beyond 1.8e19 m, NaN for queries that are not
@@ -158,7 +158,7 @@ class SceneDistances(SceneGeometries):
         return form.hand_out(distances, shape=shape)
 
     def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> NDArray[np.float32]:
-        """Test which queries are inside, as `compute_signed_distance`; the surface itself is inside.
+        """Test which queries are inside, as `compute_signed_distance`. The surface itself is inside.
 
         Args:
             query_points: Shape (..., 3), float32 or float64.
@@ -235,7 +235,7 @@ class SceneDistances(SceneGeometries):
         return numbers
 
     def _pseudonormals(self, geometry: int) -> Pseudonormals | None:
-        """Pseudonormals of a geometry; None if it is not a closed shell."""
+        """Pseudonormals of a geometry. None if it is not a closed shell."""
         number = self._mesh_of[geometry]
         if number not in self._side_data:
             mesh = self._meshes[number]

@@ -22,7 +22,7 @@ from ..mesh.mesh_arrays import check_mesh
 
 
 class SceneGeometries(KnownNames):
-    """Meshes of a RaycastingScene; base of the query mixins.
+    """Meshes of a RaycastingScene. Base of the query mixins.
 
     A geometry is a posed mesh. `_meshes` and `_trees` store each mesh once, `_mesh_of` maps geometries to meshes, and
     `_poses` are float64 (4, 4) from mesh to scene. Device positions are float32 about the scene's `_origin`, those of a
@@ -34,7 +34,7 @@ class SceneGeometries(KnownNames):
     _trees: list[TriangleTree]
     _mesh_of: list[int]
     _poses: list[NDArray[np.float64]]
-    _placed: SceneTrees | None  # for the current `_meshes`; poses are current unless `_is_moved`
+    _placed: SceneTrees | None  # for the current `_meshes`. Poses are current unless `_is_moved`
     _is_moved: bool
 
     def __init__(self, device: Any = None):
@@ -61,7 +61,7 @@ class SceneGeometries(KnownNames):
         return self.__copy__()  # meshes of a scene are immutable
 
     def __getstate__(self) -> dict[str, Any]:
-        """Meshes and poses for pickle; trees are rebuilt."""
+        """Meshes and poses for pickle. Trees are rebuilt."""
         return {"device": str(self._device), "meshes": self._meshes, "mesh_of": self._mesh_of, "poses": self._poses}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -85,7 +85,7 @@ class SceneGeometries(KnownNames):
         return self._device
 
     def add_triangles(self, mesh: Any, triangles: Any = None, *, pose: Any = None) -> int:
-        """Add a mesh; returns the id of the new geometry: 0, 1, ...
+        """Add a mesh. Returns the id of the new geometry: 0, 1, ...
 
         Args:
             mesh: A TriangleMesh on the scene's device, whose arrays are shared; or vertices [m], shape (m, 3).
@@ -98,7 +98,7 @@ class SceneGeometries(KnownNames):
             DeviceError: If the mesh is on another device.
 
         Warns:
-            UserWarning: If triangles with a corner that is not finite are ignored; other ids stay unchanged.
+            UserWarning: If triangles with a corner that is not finite are ignored. Other ids stay unchanged.
 
         Example:
             >>> import pointloom as loom
@@ -124,7 +124,7 @@ class SceneGeometries(KnownNames):
         return self._place(len(self._meshes) - 1, T)
 
     def add_instance(self, geometry_id: int, pose: Any) -> int:
-        """Add another instance of a mesh, which shares its triangles; returns its geometry id.
+        """Add another instance of a mesh, which shares its triangles. Returns its geometry id.
 
         Args:
             geometry_id: A geometry of that mesh.
@@ -147,7 +147,7 @@ class SceneGeometries(KnownNames):
         return self._place(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
 
     def set_pose(self, geometry_id: int, pose: Any) -> None:
-        """Set the pose of a geometry; mesh trees are not rebuilt.
+        """Set the pose of a geometry. Mesh trees are not rebuilt.
 
         Args:
             geometry_id: The geometry.

@@ -26,7 +26,7 @@ IDS: dict[str, Any] = dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32
 class SceneRays(SceneGeometries):
     """Methods of RaycastingScene that cast rays.
 
-    A ray is (ox, oy, oz, dx, dy, dz): origin and direction; parameter t is in units of the direction. Invalid rays hit
+    A ray is (ox, oy, oz, dx, dy, dz): origin and direction. Parameter t is in units of the direction. Invalid rays hit
     nothing. Intersections are watertight (Woop, Benthin and Wald, JCGT 2013).
     """
 
@@ -43,8 +43,8 @@ class SceneRays(SceneGeometries):
         Returns:
             Arrays in the leading shape of the rays:
             t_hit: float32 (...), parameter >= 0; infinite without a hit.
-            geometry_ids: uint32 (...), as returned by `add_triangles`; INVALID_ID without a hit.
-            primitive_ids: uint32 (...), triangle index in its mesh; INVALID_ID without a hit.
+            geometry_ids: uint32 (...), as returned by `add_triangles`. INVALID_ID without a hit.
+            primitive_ids: uint32 (...), triangle index in its mesh. INVALID_ID without a hit.
             primitive_uvs: float32 (..., 2), weights of the second and third corner.
             primitive_normals: float32 (..., 3), unit normal by the right-hand rule; (0, 0, 0) without a hit.
 
@@ -66,7 +66,7 @@ class SceneRays(SceneGeometries):
         return form.hand_out_all(_named(hits) | {"primitive_normals": normals}, IDS, shape=shape)
 
     def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf) -> NDArray[np.bool_]:
-        """Test whether rays hit anything; returns bool (...).
+        """Test whether rays hit anything. Returns bool (...).
 
         Args:
             rays: Shape (..., 6), float32 or float64.

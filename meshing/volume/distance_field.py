@@ -54,9 +54,9 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
     Attributes:
         device: Device of the field.
         voxel_size: Edge of a voxel [m].
-        max_distance: Maximum known distance [m]; None for a dense box.
+        max_distance: Maximum known distance [m]. None for a dense box.
         origin: Lowest corner of voxel (0, 0, 0) [m], float64 (3,).
-        shape: Shape of the source array (x, y, z); None for other sources.
+        shape: Shape of the source array (x, y, z). None for other sources.
         is_signed: True if occupied voxels have negative distances to the nearest free voxel.
 
     Example:
@@ -239,7 +239,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         """Compute the field around the occupied voxels of an OccupancyGrid, on its device.
 
         Args:
-            grid: The grid; unknown voxels count as free.
+            grid: The grid. Unknown voxels count as free.
             max_distance: Maximum known distance [m].
 
         Raises:
@@ -345,7 +345,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
 
 
 def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
-    """Upload voxels as uint8 (x * y * z,); also returns their shape."""
+    """Upload voxels as uint8 (x * y * z,). Also returns their shape."""
     where = device_for(occupied, device)
     if is_on_gpu(occupied):
         given: Any = take_numbers("occupied", occupied, where)

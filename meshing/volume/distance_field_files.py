@@ -1,4 +1,4 @@
-"""Files of distance fields: NPZ archives of the source; distances are recomputed bitwise.
+"""Files of distance fields: NPZ archives of the source. Distances are recomputed bitwise.
 
 Members: format, origin float64 [3], sizes float64 [2] (voxel size and maximum distance [m], infinite for a dense box),
 shape int64 [3] (zeros without an array), is_signed, voxels int32 [k, 3] (occupied).
@@ -16,11 +16,11 @@ from ...io.points.archives import Arrays, Expected, check_arrays, read_archive, 
 from .voxel_boxes import find_fault_of_voxel_size
 
 FORMAT = b"pointloom distance field 1"
-LARGEST = 2**29  # of voxel coordinates; the supported range is smaller
+LARGEST = 2**29  # of voxel coordinates. The supported range is smaller
 
 
 class FieldSource(NamedTuple):
-    """Source of a distance field without its voxels; fields as of DistanceField."""
+    """Source of a distance field without its voxels. Fields as of DistanceField."""
 
     origin: NDArray[np.float64]
     voxel_size: float

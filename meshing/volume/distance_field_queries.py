@@ -30,7 +30,7 @@ class NearestObstacles:
     Attributes:
         rows: Rows in `occupied_voxels`, int32 (n,).
         positions: Their centers [m], float64 (n, 3).
-        distances: Distances to these centers [m], float32 (n,); if unknown `max_distance`, a lower bound minus half a
+        distances: Distances to these centers [m], float32 (n,). If unknown `max_distance`, a lower bound minus half a
             voxel diagonal, or NaN outside a dense box.
     """
 
@@ -64,14 +64,14 @@ class FieldQueries:
     def distances(self, points: Any, *, interpolate: bool = False) -> NDArray[np.float32]:
         """Distances at points.
 
-        Exact between voxel centers; a point's error is up to half a voxel diagonal. 29 B per point.
+        Exact between voxel centers. A point's error is up to half a voxel diagonal. 29 B per point.
 
         Args:
             points: A PointCloud on the field's device, or positions [m], shape (n, 3).
             interpolate: Interpolate between the eight nearest voxel centers if all are known.
 
         Returns:
-            [m], float32 (n,): `max_distance`, a lower bound, if unknown; NaN outside a dense box or not finite.
+            [m], float32 (n,): `max_distance`, a lower bound, if unknown. NaN outside a dense box or not finite.
 
         Raises:
             TypeError, ValueError: If the points are not numeric or have another shape.
@@ -99,7 +99,7 @@ class FieldQueries:
             points: As of `distances`, including errors.
 
         Returns:
-            Change along x, y and z, float32 (n, 3), of length about 1, away from obstacles; NaN if unknown.
+            Change along x, y and z, float32 (n, 3), of length about 1, away from obstacles. NaN if unknown.
 
         Example:
             >>> import pointloom as loom
@@ -114,7 +114,7 @@ class FieldQueries:
     def nearest_obstacles(self, points: Any) -> NearestObstacles:
         """Occupied voxels nearest to the voxels of points, ties to the first along x, then y, then z.
 
-        Nearest to the voxel's center; another one may be nearer to the point itself by up to a voxel diagonal.
+        Nearest to the voxel's center. Another one may be nearer to the point itself by up to a voxel diagonal.
 
         Args:
             points: As of `distances`, including errors.
@@ -143,7 +143,7 @@ class FieldQueries:
             an occupied voxel, or unknown: outside a dense box, or a center that is not finite.
 
         Raises:
-            TypeError, ValueError, DeviceError: As `distances`; also if radii are negative or too large.
+            TypeError, ValueError, DeviceError: As `distances`. Also if radii are negative or too large.
         """
         places, form = self._places("centers", centers)
         sizes = np.atleast_1d(self._radii("radii", radii))
@@ -161,7 +161,7 @@ class FieldQueries:
             poses: T_world_body, rigid motions, shape (m, 4, 4).
 
         Returns:
-            (collides, clearance), bool (m,) and float64 (m,); no collision is certain, see `collides`. 136 B per pose.
+            (collides, clearance), bool (m,) and float64 (m,). No collision is certain, see `collides`. 136 B per pose.
 
         Raises:
             TypeError, ValueError: If an argument is not numeric, or if a shape is wrong, there is no sphere, a pose is

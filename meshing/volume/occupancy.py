@@ -33,9 +33,9 @@ FARTHEST = 3.0e38  # [m] default of max_range
 class OccupancyGrid(OccupancyQuestions, ToldNames):
     """Occupancy of voxels as log odds from range scans, in blocks allocated along rays.
 
-    Per scan, a voxel with an end point gets a hit, and one that rays pass without an end point a miss; log odds are
+    Per scan, a voxel with an end point gets a hit, and one that rays pass without an end point a miss. Log odds are
     summed and clamped, bitwise equal to OctoMap's `insertPointCloud`. Voxels are at multiples of `voxel_size` from
-    `origin` and occupied from probability 0.5. Scans are inserted atomically; see `scan_count`. 4 B per voxel of the
+    `origin` and occupied from probability 0.5. Scans are inserted atomically. See `scan_count`. 4 B per voxel of the
     allocated blocks. Bitwise identical on every device. Hornung et al., "OctoMap: an efficient probabilistic 3D mapping
     framework based on octrees", Autonomous Robots 2013.
 
@@ -114,7 +114,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
     def insert_scan(
         self, points: PointCloud | ArrayLike, origin: ArrayLike | None = None, *, max_range: float | None = None
     ) -> int:
-        """Insert a scan; returns the number of touched blocks, 0 without finite points.
+        """Insert a scan. Returns the number of touched blocks, 0 without finite points.
 
         Rays are traversed as OctoMap's `computeRayKeys`, in float32 about the grid's origin.
 

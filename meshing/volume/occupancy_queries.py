@@ -41,7 +41,7 @@ class RayHits:
 
 
 class OccupancyQuestions:
-    """Queries at points and along rays; dense arrays, clouds and voxels."""
+    """Queries at points and along rays. Dense arrays, clouds and voxels."""
 
     device: Any
     voxel_size: float
@@ -54,7 +54,7 @@ class OccupancyQuestions:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """Lowest and highest corner of the blocks [m], float64 (2, 3); both the origin if empty."""
+        """Lowest and highest corner of the blocks [m], float64 (2, 3). Both the origin if empty."""
         low, high = self._voxel_bounds()
         return self.origin + np.array([low, high]) * self.voxel_size
 
@@ -81,7 +81,7 @@ class OccupancyQuestions:
 
     @told_arguments
     def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
-        """Occupancy probabilities of the voxels of points [m], shape (n, 3); NaN if unknown.
+        """Occupancy probabilities of the voxels of points [m], shape (n, 3). NaN if unknown.
 
         Raises:
             ValueError: If the shape is wrong.
@@ -90,7 +90,7 @@ class OccupancyQuestions:
 
     @told_arguments
     def log_odds(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
-        """Log odds of the voxels of points [m], shape (n, 3); NaN if unknown.
+        """Log odds of the voxels of points [m], shape (n, 3). NaN if unknown.
 
         Raises:
             ValueError: If the shape is wrong.
@@ -134,7 +134,7 @@ class OccupancyQuestions:
         return RayHits(states.astype(np.int8), far, np.array(voxels, np.int32).reshape(-1, 3))
 
     def voxel_indices(self) -> NDArray[np.int32]:
-        """Occupied voxels, int32 (k, 3), sorted by x, y, z; voxel i starts at `origin + i * voxel_size`."""
+        """Occupied voxels, int32 (k, 3), sorted by x, y, z. Voxel i starts at `origin + i * voxel_size`."""
         found = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
         return found[np.lexsort(found.T[::-1])]
 
@@ -158,7 +158,7 @@ class OccupancyQuestions:
 
     @told_arguments
     def to_array(self, bounds: ArrayLike | None = None) -> NDArray[np.float32]:
-        """Probabilities as a dense array, float32 (x, y, z); NaN if unknown.
+        """Probabilities as a dense array, float32 (x, y, z). NaN if unknown.
 
         Args:
             bounds: Lowest and highest corner [m], shape (2, 3); overlapping voxels are included. If None: `bounds`.

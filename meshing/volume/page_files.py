@@ -53,7 +53,7 @@ def cubes_of(keys: Keys, side: int) -> Keys:
 
 
 class PageFolder:
-    """Pages of a volume on disk, for one process; FileError if the folder contains other data or is in use."""
+    """Pages of a volume on disk, for one process. FileError if the folder contains other data or is in use."""
 
     def __init__(self, path: FilePath, *, is_new: bool, overwrite: bool = False):
         self.path = path_of(path)
@@ -99,7 +99,7 @@ class PageFolder:
         return Page(number, np.array(arrays["keys"]))
 
     def read(self, page: Page, *, has_colors: bool) -> Arrays:
-        """Arrays of a page; FileError if missing, damaged or of another volume."""
+        """Arrays of a page. FileError if missing, damaged or of another volume."""
         path = self._place(page.number)
         expected = partial(_page_arrays, has_colors)
         arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", expected, _fault_of_page)
@@ -128,7 +128,7 @@ class PageFolder:
             file.unlink(missing_ok=True)
 
     def saved(self) -> Saved:
-        """Last saved state; FileError if the list is damaged."""
+        """Last saved state. FileError if the list is damaged."""
         arrays = read_archive(
             self.path / LIST, FORMAT, "list of pages", "PagedTSDFVolume.save", _listed, _fault_of_list
         )

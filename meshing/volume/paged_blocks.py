@@ -35,7 +35,7 @@ class _Held:
 
 class PagedBlocks(TSDFVolume):
     """A TSDFVolume with up to `max_blocks` on the device and unneeded cubes on disk. Cubes are loaded completely before
-    a frame is integrated; the least recently used leave, into a new page if changed."""
+    a frame is integrated. The least recently used leave, into a new page if changed."""
 
     _held: _Held
 
@@ -46,7 +46,7 @@ class PagedBlocks(TSDFVolume):
         super().__init__(**sizes)
 
     def adopt(self, saved: Saved) -> None:
-        """Load a saved state; all of it is on disk."""
+        """Load a saved state. All of it is on disk."""
         count = int(saved.told["frame_count"])
         self._frames = _Frames(count, saved.told["origin"] if count else None, bool(saved.told["has_color"][1]))
         total = sum(len(page.keys) for page in saved.pages.values())
@@ -90,7 +90,7 @@ class PagedBlocks(TSDFVolume):
         return _rows(together, np.argsort(together["ranks"]))
 
     def bring_box(self, low: NDArray[Any], high: NDArray[Any]) -> None:
-        """Load all blocks in a box; ValueError if there are more than `max_blocks`."""
+        """Load all blocks in a box. ValueError if there are more than `max_blocks`."""
         keys = np.concatenate([self._keys_here(), *(page.keys for page in self._held.away.values())])
         blocks = block_box(keys)
         inside = ((blocks >= low) & (blocks <= high)).all(axis=1)
@@ -120,7 +120,7 @@ class PagedBlocks(TSDFVolume):
         self.folder.save(told, self.side, held.away | held.clean)
 
     def bring(self, keys: Keys, *, changing: bool, what: str, remedy: str) -> None:
-        """Load the cubes of blocks and, if `changing`, reserve room for new ones; ValueError above `max_blocks`."""
+        """Load the cubes of blocks and, if `changing`, reserve room for new ones. ValueError above `max_blocks`."""
         held, here = self._held, self._keys_here()
         wanted = np.unique(cubes_of(keys, self.side))
         coming = [cube for cube in wanted.tolist() if cube in held.away]

@@ -43,7 +43,7 @@ class PagedTSDFVolume(ToldNames):
     Args:
         folder: Folder of the pages, created if missing. Only one process may use it at a time.
         voxel_size, truncation, color, device: As of TSDFVolume.
-        max_blocks: Maximum blocks of 8^3 voxels on the device: 6 KB each with color, 3 KB without; twice while paging.
+        max_blocks: Maximum blocks of 8^3 voxels on the device: 6 KB each with color, 3 KB without. Twice while paging.
         page_blocks: Blocks along a cube.
         overwrite: Remove an existing volume in the folder.
 
@@ -188,7 +188,7 @@ class PagedTSDFVolume(ToldNames):
         """Integrate a frame, as `TSDFVolume.integrate`.
 
         Raises:
-            ValueError, TypeError: As `TSDFVolume.integrate`; also if the touched cubes have more than `max_blocks`.
+            ValueError, TypeError: As `TSDFVolume.integrate`. Also if the touched cubes have more than `max_blocks`.
             FileError: If a page cannot be read or written. The volume stays unchanged.
         """
         return self._volume.integrate(depth, intrinsic, extrinsic, color, depth_scale, depth_max)
@@ -202,10 +202,10 @@ class PagedTSDFVolume(ToldNames):
         min_range: float = 0.0,
         max_range: float | None = None,
     ) -> int:
-        """Integrate a scan, as `TSDFVolume.integrate_points`; with `carve` all cubes along the rays are loaded.
+        """Integrate a scan, as `TSDFVolume.integrate_points`. With `carve` all cubes along the rays are loaded.
 
         Raises:
-            ValueError, TypeError, DeviceError: As there; also if the cubes have more than `max_blocks`.
+            ValueError, TypeError, DeviceError: As there. Also if the cubes have more than `max_blocks`.
             FileError: If a page cannot be read or written. The volume stays unchanged.
         """
         ranges: dict[str, Any] = {"carve": carve, "min_range": min_range, "max_range": max_range}
@@ -215,7 +215,7 @@ class PagedTSDFVolume(ToldNames):
         """Write unsaved blocks to the folder and commit the state atomically.
 
         Raises:
-            FileError: If a file cannot be written; the folder keeps the last saved state.
+            FileError: If a file cannot be written. The folder keeps the last saved state.
         """
         self._volume.save_pages()
 
@@ -261,7 +261,7 @@ class PagedTSDFVolume(ToldNames):
         """As `TSDFVolume.ray_cast`; loads the cubes in view.
 
         Raises:
-            ValueError, TypeError: As there; also if the cubes have more than `max_blocks`.
+            ValueError, TypeError: As there. Also if the cubes have more than `max_blocks`.
             FileError: If a page cannot be read or written.
         """
         volume = self._volume

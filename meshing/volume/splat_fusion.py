@@ -41,7 +41,7 @@ def fuse_splats(
     """Extract the surface of splats as a colored mesh by TSDF fusion of median depths (`GaussianSplats.rasterize`).
 
     Args:
-        splats: The splats; remove fog first with `splats.clean`.
+        splats: The splats. Remove fog first with `splats.clean`.
         intrinsic: The camera. If None: that of the default views.
         extrinsics: T_camera_world of each view, such as those of the training images. If None: 60 views around an
             object.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-# Frame counts above which a voxel is surface; with few frames most voxels are seen once or twice.
+# Frame counts above which a voxel is surface. With few frames most voxels are seen once or twice.
 WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (minimum number of frames, threshold)
 
 

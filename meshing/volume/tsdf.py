@@ -56,7 +56,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
     Blocks of 8^3 voxels are allocated on demand. A voxel stores the running mean of min(1, (d - z) / truncation), its
     weight (frames, at most 65535) and mean color: 12 B, 6 B without color. Voxels are at multiples of `voxel_size`,
     distances along z. Unlike in Open3D the nearest pixel is used, the truncation is in meters, and float depth is in
-    meters by default. An interrupted integration is applied completely or not at all; see `frame_count`.
+    meters by default. An interrupted integration is applied completely or not at all. See `frame_count`.
 
     Args:
         voxel_size: Edge of a voxel [m].
@@ -142,7 +142,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """Integrate a frame: `volume.integrate(depth, camera, T, color)`, or Open3D's `integrate(rgbd, camera, T)`.
 
         Args:
-            depth: Shape (h, w); integers of 16 bits and more, or floats; 0, NaN and infinite are invalid. Or an
+            depth: Shape (h, w). Integers of 16 bits and more, or floats. 0, NaN and infinite are invalid. Or an
                 RGBDImage.
             intrinsic: The camera, of the image's size.
             extrinsic: T_camera_world, shape (4, 4).
@@ -151,7 +151,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             depth_max: Maximum depth used [m]. If None: 3, or the limit of the RGBDImage.
 
         Returns:
-            The number of touched blocks; 0 without depth. On a GPU the value is awaited on first use.
+            The number of touched blocks. 0 without depth. On a GPU the value is awaited on first use.
 
         Raises:
             ValueError: If shapes or sizes disagree, the pose is not rigid, color is missing or unexpected, or the frame
@@ -201,7 +201,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         return count
 
     def _pixels_of(self, image: RGBDImage, color: ArrayLike | None) -> Any:
-        """Colors of an image on the device; None if the volume keeps none, or others are given."""
+        """Colors of an image on the device. None if the volume keeps none, or others are given."""
         check_same_device("depth", self.device, image.device)
         if not self.has_color or color is not None:
             return None
@@ -222,7 +222,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
-        """Integrate a frame into the blocks; returns the number of touched blocks, on a GPU still pending."""
+        """Integrate a frame into the blocks. Returns the number of touched blocks, on a GPU still pending."""
         if self._device_frames is not None:
             counts = self._device_frames.integrate(raw, scale, farthest, camera, T, pixels)
             if counts is not None:
@@ -248,7 +248,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             weight_threshold: A cell needs more frames than this at all 8 voxels.
 
         Returns:
-            Vertices [m] with colors if frames had them; empty if nothing was seen often enough. Triangles are
+            Vertices [m] with colors if frames had them. Empty if nothing was seen often enough. Triangles are
             counterclockwise from outside. Bitwise reproducible.
 
         Raises:
@@ -291,7 +291,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """Render the surface from a camera; back faces are transparent.
 
         Args:
-            intrinsic: The camera; its size is that of the image.
+            intrinsic: The camera. Its size is that of the image.
             extrinsic: T_camera_world, shape (4, 4).
             depth_min, depth_max: Range of the rays [m].
             weight_threshold: Ignore voxels with at most this many frames.
@@ -418,7 +418,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
 
     @property
     def _settled(self) -> _Frames:
-        """Current state; an interrupted frame counts if the blocks contain it."""
+        """Current state. An interrupted frame counts if the blocks contain it."""
         if self._next is not None:
             number, after = self._next
             if self._blocks.frame_count == number:

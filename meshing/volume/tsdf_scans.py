@@ -51,20 +51,20 @@ class ScanIntegration:
         min_range: float = 0.0,
         max_range: float | None = None,
     ) -> int:
-        """Integrate a LiDAR scan, or points with their sensor positions; returns the number of touched blocks.
+        """Integrate a LiDAR scan, or points with their sensor positions. Returns the number of touched blocks.
 
         Voxels within the truncation store their distance to the point along the ray. With `carve`, voxels before that
         in existing blocks become free, which removes moved objects. A scan counts as one frame: a voxel takes the mean
-        of its rays with weight 1; extract with `weight_threshold=0` after one scan. Voxels should not be smaller than
+        of its rays with weight 1. Extract with `weight_threshold=0` after one scan. Voxels should not be smaller than
         the ray spacing. Bitwise reproducible, in any point order. 24 B per point, 12 B per voxel of touched blocks (44
-        B with color). Oleynikova et al., "Voxblox", IROS 2017; Vizzo et al., "VDBFusion", Sensors 2022.
+        B with color). Oleynikova et al., "Voxblox", IROS 2017. Vizzo et al., "VDBFusion", Sensors 2022.
 
         Args:
             points: World coordinates [m]: a cloud on the volume's device (with colors if kept), or shape (n, 3).
             origin: Scanner position in the world [m], shape (3,), or one per point, (n, 3).
             carve: Clear existing blocks along the rays.
             min_range: Ignore nearer points [m], such as the vehicle.
-            max_range: Farther points [m] only carve up to this range; None for no limit.
+            max_range: Farther points [m] only carve up to this range. None for no limit.
 
         Raises:
             ValueError: If shapes or ranges are invalid, points are infinite or beyond 2^20 blocks, `origin` is missing,
@@ -110,7 +110,7 @@ class ScanIntegration:
         return count
 
     def _fold_scan(self, rays: ScanRays, carve: bool) -> int:
-        """Integrate a scan into the blocks; returns the number of touched ones."""
+        """Integrate a scan into the blocks. Returns the number of touched ones."""
         if not rays.points.size:
             return 0
         keys = self._kept(scan_blocks(rays, carve, self._blocks))

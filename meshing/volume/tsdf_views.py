@@ -24,9 +24,9 @@ class RayCast:
     """Rendered surface, in arrays of the frames' library.
 
     Attributes:
-        depth: float32 (h, w) along z [m]; 0 without surface.
-        points: float64 (h, w, 3), world coordinates [m]; NaN without surface.
-        normals: float32 (h, w, 3), toward the observed side; NaN without surface and at its border.
+        depth: float32 (h, w) along z [m]. 0 without surface.
+        points: float64 (h, w, 3), world coordinates [m]. NaN without surface.
+        normals: float32 (h, w, 3), toward the observed side. NaN without surface and at its border.
         colors: float32 (h, w, 3) in 0..1, or None.
     """
 

@@ -61,14 +61,14 @@ def fuse_volumes(
     Levoy, "A volumetric method for building complex models from range images", SIGGRAPH 1996, section 3.3.
 
     Args:
-        volumes: At least one, all on one device; not changed.
+        volumes: At least one, all on one device. Not changed.
         poses: T_world_volume of each, shape (n, 4, 4).
         voxel_size: Of the result [m]. If None: the largest of the inputs.
         truncation: Of the result [m], at most the smallest of the inputs, the default.
         color: Keep color. If None: if all volumes with frames have it.
 
     Returns:
-        The volume. Its `frame_count` is the sum; weights are limited to 65535. More frames can be integrated.
+        The volume. Its `frame_count` is the sum. Weights are limited to 65535. More frames can be integrated.
 
     Raises:
         ValueError: If there is no volume, poses are not rigid or disagree in number, a size, truncation or color is

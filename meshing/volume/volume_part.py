@@ -44,13 +44,13 @@ class VolumePart(TSDFVolume):
         self._blocks, self._device_frames = blocks, None
 
     def _kept(self, keys: Any) -> Any:
-        found = download(keys)  # sync; some thousand
+        found = download(keys)  # sync. Some thousand
         blocks = block_box(found)
         inside = ((blocks >= self._low) & (blocks <= self._high)).all(axis=1)
         return upload(np.ascontiguousarray(found[inside]), int64, self.device)
 
     def extract_part(self, weight_threshold: float) -> PartSurface:
-        """Surface of the part by marching cubes; see `TSDFVolume.extract_triangle_mesh`."""
+        """Surface of the part by marching cubes. See `TSDFVolume.extract_triangle_mesh`."""
         surface = BlockSurface(SeenBlocks(self._blocks, weight_threshold), True, (self._low, self._high))
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
         blocks, places = surface.vertex_edges()

@@ -39,7 +39,7 @@ def voxels_of_blocks(keys: NDArray[np.int64]) -> Corners:
 def voxels_in_bounds(
     bounds: Any, origin: NDArray[np.float64], voxel_size: float, outermost: float, beyond: str
 ) -> Corners:
-    """First voxel that overlaps bounds [m], and the one after the last; ValueError (`beyond`) from `outermost` on."""
+    """First voxel that overlaps bounds [m], and the one after the last. ValueError (`beyond`) from `outermost` on."""
     ends = check_finite("bounds", check_shape("bounds", bounds, (2, 3)))
     if not (ends[0] < ends[1]).all():
         raise ValueError(f"bounds: expected a low corner below a high one, got {ends.tolist()}")

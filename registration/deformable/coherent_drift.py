@@ -128,7 +128,7 @@ def coherent_point_drift(
         progress: Called with ("drift", steps taken, max_iteration).
 
     Returns:
-        The result; check `reliable`.
+        The result. Check `reliable`.
 
     Raises:
         TypeError, ValueError: Not clouds, too few points, numbers out of range, an unknown kind, or a width that needs
@@ -220,7 +220,7 @@ class _Drifting:
         self.moved = clone(self.places)  # the field writes here
 
     def step(self, kind: Kind, with_scaling: bool) -> float:
-        """One EM step; returns the relative change of the variance."""
+        """One EM step. Returns the relative change of the variance."""
         uniform = (2 * np.pi * self.variance) ** 1.5 * self.odds * self.size / self.number
         self.drift.weigh(self.moved, self.variance, uniform, near=NEAR)
         before = self.variance

@@ -121,9 +121,9 @@ class ControlGrid:
         write(self._lattice.shifts, check_finite("positions", found) - self.get_init_positions())
 
     def deform(self, cloud: PointCloud) -> PointCloud:
-        """Deform a cloud in the frame of the fragments, with its normals; covariances are dropped.
+        """Deform a cloud in the frame of the fragments, with its normals. Covariances are dropped.
 
-        Points in cells without anchors are unchanged; if some anchors are missing, the others are reweighted.
+        Points in cells without anchors are unchanged. If some anchors are missing, the others are reweighted.
 
         Raises:
             TypeError, DeviceError: Not a cloud, or one on another device.
@@ -149,14 +149,14 @@ class ControlGrid:
         """Remove the distortion from a depth image: each pixel's point is deformed and projected again.
 
         Args:
-            depth: Shape [h, w]; integers of 16 bits and more, or floats.
+            depth: Shape [h, w]. Integers of 16 bits and more, or floats.
             intrinsic: The camera, of the image size.
             extrinsic: T_camera_fragment, shape [4, 4]; None: the identity.
             depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
             depth_max: Maximum depth [m].
 
         Returns:
-            Depth [m], float32 [h, w]; 0 where empty. The nearest point wins a pixel; stretched regions may have holes.
+            Depth [m], float32 [h, w]. 0 where empty. The nearest point wins a pixel; stretched regions may have holes.
 
         Raises:
             TypeError, ValueError: Wrong shapes or sizes, or an extrinsic that is not rigid.
@@ -179,7 +179,7 @@ class ControlGrid:
         *,
         depth_max: float = 3.0,
     ) -> RGBDImage:
-        """Deform an RGB-D image as `deform_depth` does; colors move with their points."""
+        """Deform an RGB-D image as `deform_depth` does. Colors move with their points."""
         cloud = self.deform(PointCloud.create_from_rgbd_image(image, intrinsic, extrinsic))
         size = intrinsic.width, intrinsic.height
         return cloud.project_to_rgbd_image(*size, intrinsic, extrinsic, depth_max=depth_max)

@@ -1,6 +1,6 @@
 """Control grid files: NPZ with format, sizes (grid size [m]), origin float64 [3], cells and shifts.
 
-Cells are ascending keys, int64 [m]; shifts are float64 [anchors, 3] [m] in anchor order.
+Cells are ascending keys, int64 [m]. Shifts are float64 [anchors, 3] [m] in anchor order.
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ def register_nonrigid(
 
     Args:
         source: The body to deform, at least ten points. Normals are estimated if missing.
-        target: The target, on the same device; likewise.
+        target: The target, on the same device. Likewise.
         node_spacing: Approximate node distance [m]; None: a sixteenth of the source's diagonal.
         max_distance: Maximum distance of a pair [m]; None: two node spacings.
         init: Initial T_target_source, 4x4; None: from three or more landmarks, else the identity.
@@ -108,7 +108,7 @@ def register_nonrigid(
         progress: Called with ("bend" or "bend, turned round", stages done, stages in all).
 
     Returns:
-        The result; check `reliable` and `is_rigid`.
+        The result. Check `reliable` and `is_rigid`.
 
     Raises:
         TypeError, ValueError: Wrong types, too few points, numbers out of range, landmarks that are not finite, off the
@@ -118,9 +118,9 @@ def register_nonrigid(
     Notes:
         On smooth surfaces points may slide tangentially by a third of a node spacing and more; landmarks prevent this
         (docs/bending.md). A stretch above 22% is reported as unreliable. If the strain exceeds 12% with fewer than
-        three landmarks, starts rotated by half a turn are tried too; the least strain wins, or is reported if `init`
+        three landmarks, starts rotated by half a turn are tried too. The least strain wins, or is reported if `init`
         was given. About 500 B per source point and 2 kB per node. Bitwise reproducible.
-        Sumner, Schmid and Pauly, "Embedded deformation for shape manipulation", SIGGRAPH 2007; Li, Sumner and Pauly
+        Sumner, Schmid and Pauly, "Embedded deformation for shape manipulation", SIGGRAPH 2007. Li, Sumner and Pauly
         2008; decreasing stiffness: Amberg, Romdhani and Vetter 2007.
 
     Example:
@@ -306,7 +306,7 @@ class _Bending:
         return self._conclude(unbent, taken, settled)
 
     def _limit(self, stage: int, stages: int) -> float:
-        """Maximum pair distance; the softer half of all stages also rejects outliers."""
+        """Maximum pair distance. The softer half of all stages also rejects outliers."""
         if 2 * stage < stages:
             return self.reach
         medians = quantiles_of(self.distances, [0.5])  # sync
@@ -369,14 +369,14 @@ class NonRigidResult(Report, Assessed):
         deformation: The Deformation from source to target.
         warped: The deformed source.
         correspondences: Target index of each source point, int32 [n]; -1 without partner.
-        residuals: Distance from the partner's plane [m], float64 [n]; NaN without partner.
+        residuals: Distance from the partner's plane [m], float64 [n]. NaN without partner.
         matched: Fraction of source points on the target, 0..1.
         covered: Fraction of target points that the deformed source reaches.
         rmse: Root mean square of the residuals [m].
         rigid_pose: T_target_source of the initial ICP, float64 [4, 4].
         rigid_rmse, rigid_matched: The same measures for the undeformed source at that pose.
         folded: Fraction of points where the deformation folds over.
-        strain: Relative change of node distances, 90th percentile; 0 for pure bending.
+        strain: Relative change of node distances, 90th percentile. 0 for pure bending.
         iterations: Total number of steps.
         converged: True if each stiffness converged.
         node_spacing: Approximate node distance [m].
@@ -411,7 +411,7 @@ class NonRigidResult(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Failed quality checks, each with its remedy; empty if the result is reliable."""
+        """Failed quality checks, each with its remedy. Empty if the result is reliable."""
         share, fold = max(self.matched, self.covered), self.folded > MAX_FOLDED
         turned = self.better_start is not None
         return failed(
@@ -473,7 +473,7 @@ class NonRigidResult(Report, Assessed):
 class Deformation:
     """Deformation from `register_nonrigid` in world coordinates.
 
-    Each point moves with a weighted mean of its four nearest nodes; normals use the inverse transpose of the Jacobian.
+    Each point moves with a weighted mean of its four nearest nodes. Normals use the inverse transpose of the Jacobian.
 
     Attributes:
         device: The device of the nodes.

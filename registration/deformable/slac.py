@@ -48,7 +48,7 @@ class SLACOptimizerParams:
     """Options of the fragment alignment, with Open3D's names and defaults (without `slac_folder`: nothing is written).
 
     Args:
-        max_iterations: Number of steps; point pairs are searched again before each.
+        max_iterations: Number of steps. Point pairs are searched again before each.
         voxel_size: Downsampling voxel edge [m]; 0: none.
         distance_threshold: Maximum distance of a point pair [m].
         fitness_threshold: Minimum fraction of consistent point pairs of an edge between non-consecutive fragments.
@@ -90,11 +90,11 @@ def run_slac_optimizer_for_fragments(
 ) -> tuple[PoseGraph, ControlGrid]:
     """Align fragments together with a shared deformation grid that models the camera distortion (SLAC).
 
-    The points of overlapping fragments are paired with their nearest neighbors; poses and grid take a point-to-plane
+    The points of overlapping fragments are paired with their nearest neighbors. Poses and grid take a point-to-plane
     step with an as-rigid-as-possible grid; and so on.
 
     Args:
-        fragments: The clouds, or their files, in node order, each in its camera frame. At least one; all on one device.
+        fragments: The clouds, or their files, in node order, each in its camera frame. At least one. All on one device.
         fragment_pose_graph: T_world_fragment as from `global_optimization`, and the edges.
         params: None: the defaults.
         progress: Called with ("slac", steps done, steps in all).
@@ -150,7 +150,7 @@ def run_rigid_optimizer_for_fragments(
 
 
 class _Alignment:
-    """State between steps; poses are about the scene center and the grid origin."""
+    """State between steps. Poses are about the scene center and the grid origin."""
 
     def __init__(self, fragments: Any, graph: PoseGraph, params: Any, progress: Any, *, bends: bool):
         self.params = SLACOptimizerParams() if params is None else params
@@ -249,7 +249,7 @@ class _Alignment:
         errors: list[tuple[float, int, float]],
         turns: list[int],
     ) -> PoseGraph:
-        """The graph at the new poses; fixed ones stay bitwise unchanged."""
+        """The graph at the new poses. Fixed ones stay bitwise unchanged."""
         poses = self.poses.copy()
         poses[:, :3, 3] += self.middle - matmul(poses[:, :3, :3], self.origin)
         poses[held] = self.graph.poses[held]

@@ -45,7 +45,7 @@ class CorrespondenceChecker:
 
 
 class CorrespondenceCheckerBasedOnEdgeLength(CorrespondenceChecker):
-    """Distances between the sampled points must be similar in both clouds; not for poses with scale.
+    """Distances between the sampled points must be similar in both clouds. Not for poses with scale.
 
     Args:
         similarity_threshold: Minimum ratio of the shorter to the longer, 0 (loose) to 1 (strict).
@@ -111,7 +111,7 @@ class CorrespondenceCheckerBasedOnDistance(CorrespondenceChecker):
 
 
 class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
-    """The normals at the sampled points must agree under the pose; clouds without normals pass.
+    """The normals at the sampled points must agree under the pose. Clouds without normals pass.
 
     Opposite normals do not agree: orient them first. The scale of a pose is ignored, unlike in Open3D.
 

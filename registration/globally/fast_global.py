@@ -41,7 +41,7 @@ class FastGlobalRegistrationOption:
 
     Args:
         division_factor: Divisor of the scale mu at every second step.
-        use_absolute_scale: Start with mu = 1 m^2, for clouds about a meter apart; otherwise with the squared half
+        use_absolute_scale: Start with mu = 1 m^2, for clouds about a meter apart. Otherwise with the squared half
             diagonal of the larger bounding box, which reaches any pose.
         decrease_mu: Divide mu until it is below the squared `maximum_correspondence_distance`. Without it outliers keep
             almost full weight.
@@ -114,7 +114,7 @@ def registration_fgr_based_on_feature_matching(
     Args:
         source: The cloud to move.
         target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
         target_feature: Likewise [m, d].
         option: None: FastGlobalRegistrationOption().
         seed: Seed of the triples.
@@ -173,7 +173,7 @@ def registration_fgr_based_on_correspondence(
 
     Notes:
         Zhou, Park and Koltun, "Fast global registration", ECCV 2016. Steps use Horn's closed form instead of
-        Gauss-Newton, so mu is divided at every second step, not every fourth. mu is a squared length, as in the paper;
+        Gauss-Newton, so mu is divided at every second step, not every fourth. mu is a squared length, as in the paper.
         Open3D's result depends on the unit of length. Memory O(n + m). Bitwise reproducible for any number of threads.
 
     Example:

@@ -86,11 +86,11 @@ def register_globally(
     by point-to-plane ICP, and the pose with the best surface agreement is selected. Refine it by `registration_icp`.
 
     Args:
-        source: The cloud to move; normals and features are not needed, and its own normals are not used.
+        source: The cloud to move. Normals and features are not needed, and its own normals are not used.
         target: The fixed cloud, on the same device.
         voxel_size: Voxel edge [m], smaller than the distinctive structures and larger than the noise. About 3,000 to
             30,000 voxels should be occupied (5 cm for rooms, 0.3 to 0.5 m for streets).
-        seed: Selects 16,384 of the correspondences if there are more; otherwise unused.
+        seed: Selects 16,384 of the correspondences if there are more. Otherwise unused.
         refine: Refine poses by ICP before they are compared.
         free: None, or ("x", "y", "z", "yaw") for clouds that are both level (`leveled`): poses that tilt by more than
             15 degrees are rejected, the others are leveled and refined so.
@@ -135,7 +135,7 @@ def describe(cloud: PointCloud, voxel_size: float) -> Description:
 
 
 def describe_surface(cloud: PointCloud, surface: Surface, voxel_size: float) -> Description:
-    """As `describe`, from a known surface; only the origin of `cloud` is used."""
+    """As `describe`, from a known surface. Only the origin of `cloud` is used."""
     features = compute_features(surface.tree, surface.normals, FEATURE_RADIUS * voxel_size, None)
     return Description(cloud, voxel_size, Witness(surface, voxel_size), features)
 
@@ -258,8 +258,8 @@ def registration_robust_based_on_correspondence(
         source: The cloud to move.
         target: The fixed cloud, on the same device.
         corres: Indices (source, target), shape [m, 2]. Non-finite points are ignored, and repeated pairs count once.
-        noise_bound: Maximum distance of a correct correspondence [m]; 1.5 voxels for downsampled clouds.
-        seed: Selects 16,384 of the correspondences if there are more; otherwise unused.
+        noise_bound: Maximum distance of a correct correspondence [m]. 1.5 voxels for downsampled clouds.
+        seed: Selects 16,384 of the correspondences if there are more. Otherwise unused.
 
     Returns:
         The pose with most support. Fitness, error and correspondences are those of the complete clouds within the noise
@@ -310,7 +310,7 @@ def registration_robust_based_on_feature_matching(
     Args:
         source: The cloud to move.
         target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
         target_feature: Likewise [m, d].
         noise_bound: Maximum distance of a correct correspondence [m]; typically 1.5 voxels.
         mutual_filter: Keep only mutual nearest neighbors.

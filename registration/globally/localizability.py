@@ -99,7 +99,7 @@ def localizability(
             thirds of it, and moved by half of it.
 
     Returns:
-        The motions and their constraints; all "none" if almost nothing matches.
+        The motions and their constraints. All "none" if almost nothing matches.
 
     Raises:
         ValueError: A distance that is not positive or too small, or a pose that is not rigid.
@@ -107,7 +107,7 @@ def localizability(
 
     Notes:
         Memory O(n). Bitwise reproducible. Details below a voxel do not count. Tuna et al., "X-ICP: Localizability-Aware
-        LiDAR Registration for Robust Localization in Extreme Environments", 2023 (kinds); Zhang, Kaess and Singh 2016
+        LiDAR Registration for Robust Localization in Extreme Environments", 2023 (kinds). Zhang, Kaess and Singh 2016
         (eigenvectors). Unlike there, the error is measured with new pairs.
 
     Example:

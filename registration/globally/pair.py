@@ -83,7 +83,7 @@ class PairRegistration(Report, Assessed):
         rotation_deg: Rotation angle [degrees].
         shift_m: Displacement of the source's center [m].
         search_problem: Why the global initial pose is uncertain; "" if it is not.
-        unit: Unit of all lengths; None if unknown.
+        unit: Unit of all lengths. None if unknown.
     """
 
     result: RegistrationResult
@@ -196,11 +196,11 @@ def register_pair(
         voxel_size: Downsampling voxel edge [m]; None: `choose_voxel_size`.
         distance: Correspondence distance [m]; None: two voxels, after eight and four if `init` is given.
         progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate".
-        free: Free motions as of `registration_icp`; without `init` all, or "x", "y", "z" and "yaw" for level clouds.
-        prior: As of `registration_icp`; not used by the global registration.
+        free: Free motions as of `registration_icp`. Without `init` all, or "x", "y", "z" and "yaw" for level clouds.
+        prior: As of `registration_icp`. Not used by the global registration.
 
     Returns:
-        The pose and its quality; check `reliable`. Bitwise reproducible for any number of threads.
+        The pose and its quality. Check `reliable`. Bitwise reproducible for any number of threads.
 
     Raises:
         TypeError, DeviceError: Not a PointCloud, or clouds on different devices.

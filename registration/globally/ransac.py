@@ -35,7 +35,7 @@ class RANSACConvergenceCriteria:
 
     Args:
         max_iteration: Maximum number of hypotheses.
-        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1; 1 draws all `max_iteration`.
+        confidence: Stop when an outlier-free sample was drawn with this probability, 0..1. 1 draws all `max_iteration`.
 
     Raises:
         ValueError: A number is out of range.
@@ -78,11 +78,11 @@ def registration_ransac_based_on_feature_matching(
     Args:
         source: The cloud to move.
         target: The fixed cloud, on the same device.
-        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`; NumPy or device array.
+        source_feature: One row per point, [n, d], as from `compute_fpfh_feature`. NumPy or device array.
         target_feature: Likewise [m, d].
         mutual_filter: Keep only mutual nearest neighbors, or all pairs if fewer than a tenth are mutual.
         max_correspondence_distance: Exclusive match distance [m]; typically 1.5 voxels.
-        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling; its kernel is ignored.
+        estimation_method: TransformationEstimationPointToPoint (None), with or without scaling. Its kernel is ignored.
         ransac_n: Correspondences per sample, at least 3.
         checkers: Tests that a sample and its pose must pass before scoring.
         criteria: Stopping criteria; None: RANSACConvergenceCriteria(100000, 0.999).
@@ -156,7 +156,7 @@ def registration_ransac_based_on_correspondence(
         distinct ones are refitted, and the best of these are scored on the complete cloud. The winner is refined up to
         eight times. Samples have distinct, non-coinciding correspondences. (Open3D scores every hypothesis on the
         cloud, draws with replacement and does not refine.) Memory O(n + m) and 128 B per hypothesis of a round. Bitwise
-        reproducible for any number of threads. Fischler and Bolles, "Random sample consensus", CACM 1981; Lebeda, Matas
+        reproducible for any number of threads. Fischler and Bolles, "Random sample consensus", CACM 1981. Lebeda, Matas
         and Chum, "Fixing the locally optimized RANSAC", BMVC 2012.
 
     Example:

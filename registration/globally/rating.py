@@ -38,18 +38,18 @@ MIN_SHARE, MIN_FIRMNESS = 0.01, 3e-4
 FIRM = 0.002  # minimum firmness: planes, spheres and tubes have at most a quarter of it
 FITS = 0.5  # share above which surfaces match although a motion is undetermined
 STILL = 1e-5  # of the match distance: error change that ends ICP
-# Minimum ratio of `rest` to `share`, from benchmarks/beliefs.py: 33 wrong poses have up to 0.2; of 235 correct ones all
+# Minimum ratio of `rest` to `share`, from benchmarks/beliefs.py: 33 wrong poses have up to 0.2. Of 235 correct ones all
 # but two exceed 0.259.
 MIN_REST, STEEP = 0.25, 4.0
 # If the rest is parallel to the main planes, it may be furniture that matches by chance: then it must reach this value
 # itself. benchmarks/box_rooms.py, rooms 0 to 15: wrong poses up to 0.168 (but one), correct ones from 0.184.
 MIN_ALIGNED = 0.18
-SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # range of `aligned` in which this check sets in; a kitchen has 0.3
+SOME_ALIGNED, ALL_ALIGNED = 0.5, 0.75  # range of `aligned` in which this check sets in. A kitchen has 0.3
 MARGIN = 4.0  # [voxels] minimum distance of an occluding surface
 # Occluding points relative to the matches: up to 0.013 for correct poses (LiDAR, moving cameras), above 0.02 for half
 # of the wrong ones.
 MAX_BLOCKED = 0.02  # from SOME_ALIGNED on, since objects are seen from outside
-# Minimum of share times the root of the number of matches, against chance matches. 29 wrong poses have up to 4.3; of 76
+# Minimum of share times the root of the number of matches, against chance matches. 29 wrong poses have up to 4.3. Of 76
 # correct ones all but one have 4.5 and more (rooms, a street and a figure in 60 to 500 voxels).
 CHANCE = 4.4
 SAMPLES = 64  # sample points for pose comparison
@@ -149,10 +149,10 @@ def rate_registration(
         source: The moved cloud.
         target: The fixed cloud, on the same device.
         transformation: T_target_source, 4x4; may include a scale.
-        max_correspondence_distance: Match distance [m] of the registration; voxels have two thirds of it.
+        max_correspondence_distance: Match distance [m] of the registration. Voxels have two thirds of it.
 
     Returns:
-        0..1, above 0.5 if the clouds agree; 0 without a surface. Low if a motion is undetermined (plane on plane), if
+        0..1, above 0.5 if the clouds agree. 0 without a surface. Low if a motion is undetermined (plane on plane), if
         only planes match (empty corners), or if one cloud occludes what the other saw.
 
     Raises:
@@ -203,7 +203,7 @@ class Witness:
 
     @cached_property
     def sight(self) -> Sight | None:
-        """As of `find_sight`, cached; None if there is no viewpoint."""
+        """As of `find_sight`, cached. None if there is no viewpoint."""
         return find_sight(self.surface.points, self._margin)
 
 

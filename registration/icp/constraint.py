@@ -201,7 +201,7 @@ def make_freedom(
     origins: Sequence[tuple[NDArray[np.float64], NDArray[np.float64]]],
     residual_count: int,
 ) -> Freedom:
-    """The constraint on the device; ValueError if a prior is unreachable under the free motions."""
+    """The constraint on the device. ValueError if a prior is unreachable under the free motions."""
     count, priors, pivots = len(poses), constraint.priors, constraint.pivots
     free = np.array([name in constraint.free for name in MOTIONS])
     if pivots is not None:

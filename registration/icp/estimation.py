@@ -85,11 +85,11 @@ class TransformationEstimation:
 
 @dataclasses.dataclass(frozen=True)
 class TransformationEstimationPointToPoint(TransformationEstimation):
-    """Minimize squared point distances in closed form (Horn 1987); with scale as Umeyama 1991.
+    """Minimize squared point distances in closed form (Horn 1987). With scale as Umeyama 1991.
 
     Args:
         with_scaling: Estimate a scale.
-        kernel: Weighs pairs by their distance; Open3D has none here.
+        kernel: Weighs pairs by their distance. Open3D has none here.
     """
 
     with_scaling: bool = False
@@ -246,7 +246,7 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
 class TransformationEstimationForDopplerICP(TransformationEstimation):
     """Doppler ICP: point-to-plane and radial velocities (Hexsel, Vhavle and Chen 2022).
 
-    The source is the earlier scan in its sensor frame, with the attribute "dopplers", shape [n] [m/s]; the target is
+    The source is the earlier scan in its sensor frame, with the attribute "dopplers", shape [n] [m/s]. The target is
     the next scan.
 
     Args:

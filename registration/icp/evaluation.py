@@ -56,7 +56,7 @@ def get_information_matrix_from_point_clouds(
 
     Returns:
         The sum of G^T G over the correspondences' target points q, with G = (-[q]x, I): float64 [6, 6], rotation first,
-        about the world origin; the last entry is the number of correspondences (Choi et al. 2015, eq. 4).
+        about the world origin. The last entry is the number of correspondences (Choi et al. 2015, eq. 4).
 
     Raises:
         ValueError, DeviceError: As `evaluate_registration`.

@@ -45,7 +45,7 @@ class ICPConvergenceCriteria:
         relative_fitness: Absolute change of the fitness between iterations, despite Open3D's name.
         relative_rmse: Absolute change of the inlier rmse [m]. None: 1e-6 of the source's root mean square distance from
             its center, which equals Open3D's 1e-6 m for a cloud of 1 m and is scale invariant.
-        max_iteration: Maximum number of steps, up to 100,000; 0 only evaluates.
+        max_iteration: Maximum number of steps, up to 100,000. 0 only evaluates.
     """
 
     relative_fitness: float = 1e-6
@@ -126,7 +126,7 @@ def registration_icp(
     Notes:
         No host synchronization between iterations. Memory: 60 B per target point and 44 B per source point, plus the
         estimator's needs. Bitwise reproducible for any number of threads. Besl and McKay, "A method for registration of
-        3-D shapes", PAMI 1992; a point is searched again only if the cloud moved by more than the gap to the second
+        3-D shapes", PAMI 1992. A point is searched again only if the cloud moved by more than the gap to the second
         nearest.
 
     Example:
@@ -195,7 +195,7 @@ def registration_icp_batch(
     """Register many pairs of clouds, or one pair from many poses, in the same launches.
 
     Args:
-        sources, targets: One cloud, or one per job; a cloud used by several jobs is prepared once.
+        sources, targets: One cloud, or one per job. A cloud used by several jobs is prepared once.
         max_correspondence_distance: As of `registration_icp`, for all jobs.
         inits: Initial poses, one [4, 4] or one per job [jobs, 4, 4]; None: the identity.
         estimation_method, criteria, overlap, max_normal_angle, degeneracy: As of `registration_icp`, for all jobs.
@@ -275,7 +275,7 @@ def check_held(method: TransformationEstimation, constraint: Constraint | None) 
 
 
 def _report(problem: IterativeRegistration, callback: Watcher | None, source: PointCloud, target: PointCloud) -> bool:
-    """Report the last evaluated pose to observers and the callback; True if there is another iteration."""
+    """Report the last evaluated pose to observers and the callback. True if there is another iteration."""
     state, goes_on = problem.judged()
     report("icp", source=source, target=target, **state)
     if callback is not None and state["iteration_index"] > 0:

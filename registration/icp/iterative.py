@@ -168,7 +168,7 @@ class IterativeRegistration:
         relative_rmse: float | None,
         watch: Callable[[], bool] | None = None,
     ) -> None:
-        """Run all jobs; the default `relative_rmse` [m] is STILL times each source's spread."""
+        """Run all jobs. The default `relative_rmse` [m] is STILL times each source's spread."""
         estimation, loop = self.estimation, self.loop
         limits = (0.0, STILL) if relative_rmse is None else (relative_rmse, 0.0)
         criteria = max_iteration, relative_fitness, *limits
@@ -243,7 +243,7 @@ class IterativeRegistration:
         return to_world(pose, self._source_origins[self.source_of[job]], self._target_origins[self.target_of[job]])
 
     def _pairs_of(self, job: int) -> Pairs:
-        """(source, target) rows of a job's pairs, by source; target rows are voxels in a voxelized target."""
+        """(source, target) rows of a job's pairs, by source. Target rows are voxels in a voxelized target."""
         jobs, s = self.loop.jobs, self.source_of[job]
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp rejects an empty slice at the end

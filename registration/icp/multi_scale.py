@@ -56,18 +56,18 @@ def multi_scale_icp(
 
     Args:
         source, target, init, estimation_method: As of `registration_icp`.
-        voxel_sizes: Downsampling voxel edges [m], strictly descending; the last may be -1 for the original clouds.
+        voxel_sizes: Downsampling voxel edges [m], strictly descending. The last may be -1 for the original clouds.
             Normals and colors are averaged.
         criteria_list: Criteria of each scale.
         max_correspondence_distances: Maximum correspondence distance of each scale [m].
         estimate_normals: Estimate missing normals at each scale, by up to 30 neighbors within 3 voxels (unlimited for
             original clouds), without consistent orientation as the symmetric method needs it. Otherwise missing normals
             are an error.
-        overlap: As of `registration_icp`. None keeps all pairs, as Open3D; if less than half of the points are then
+        overlap: As of `registration_icp`. None keeps all pairs, as Open3D. If less than half of the points are then
             within two voxels of the target, restarts with an estimated overlap, and uses that pose if at least nine
             tenths as many points are that close.
-        callback_after_iteration: As of `registration_icp`; with `scale_index`.
-        free, frame, pivot, prior, noise: As of `registration_icp`; fixed motions keep `init` at all scales.
+        callback_after_iteration: As of `registration_icp`. With `scale_index`.
+        free, frame, pivot, prior, noise: As of `registration_icp`. Fixed motions keep `init` at all scales.
         weights: Likewise; averaged per voxel.
 
     Returns:
@@ -125,7 +125,7 @@ def _register(
     overlap: float | None,
     weights: str | None,
 ) -> RegistrationResult:
-    """One scale; with overlap None first all pairs, then if necessary those of the estimated overlap."""
+    """One scale. With overlap None first all pairs, then if necessary those of the estimated overlap."""
     result = run(overlap=1.0 if overlap is None else overlap, weights=weights)
     if overlap is not None or result.fitness == 0:
         return result

@@ -1,4 +1,4 @@
-"""Per-point data that ICP estimators need, given or computed on the device; normals and colors must be given."""
+"""Per-point data that ICP estimators need, given or computed on the device. Normals and colors must be given."""
 
 from __future__ import annotations
 

@@ -38,7 +38,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
             "timestamp", "timestamps", "t", "time_offset", "offset_time" or "gps_time".
 
     Returns:
-        The cloud with all attributes and unchanged normals; points with NaN times become NaN.
+        The cloud with all attributes and unchanged normals. Points with NaN times become NaN.
 
     Raises:
         ValueError: No times, a wrong length, no finite time, or a motion that is not rigid.
@@ -76,7 +76,7 @@ def deskew_point_cloud(cloud: PointCloud, T_start_end: ArrayLike, timestamps: Ar
 
 
 def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | None:
-    """The given or the cloud's point times as float64 device array [n]; None if there are none."""
+    """The given or the cloud's point times as float64 device array [n]. None if there are none."""
     if timestamps is not None:
         times = check_numeric("timestamps", timestamps)
         if times.shape != (len(cloud),):

@@ -84,10 +84,10 @@ class LidarOdometry:
           the motion.
         - Scans refer to their end, motions are screws, and a wrongly predicted scan is deskewed again with its
           estimated motion.
-        - The second scan is tried from 25 positions within 1.5 initial thresholds; its motion also deskews the first.
+        - The second scan is tried from 25 positions within 1.5 initial thresholds. Its motion also deskews the first.
         - Map points keep a minimum spacing.
         - A scan that does not fit the map is searched for farther away, rotated by up to 40 degrees. If not found, it
-          is reported and keeps the predicted pose; it is added only if the next scan fits it and not the map.
+          is reported and keeps the predicted pose. It is added only if the next scan fits it and not the map.
         - Undetermined motion, such as along a bare corridor, keeps constant velocity and is reported.
         - While the motion is unknown, an equally good pose along poorly determined directions is reported too.
 
@@ -303,7 +303,7 @@ class LidarOdometry:
         return Next(step, after, voxel_map.additions, parts)
 
     def _match_aside(self, aside: Aside, like: VoxelMap, scan: Thinned, predicted: Matrix) -> OdometryStep | None:
-        """The step of a scan that fits the previous one, which does not fit the map; None if it does not."""
+        """The step of a scan that fits the previous one, which does not fit the map. None if it does not."""
         alone = aside.map_like(like, self.max_range)
         step = self._match(alone, scan, predicted, is_start=not self._known.has_motion)
         return replace(step, has_joined=True) if step.is_sound else None

@@ -21,7 +21,7 @@ Direction = tuple[float, float, float]
 
 NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step reasons
 
-# Disagreement above which a scan contradicts the map; the second value applies without nearby points, linear up to two
+# Disagreement above which a scan contradicts the map. The second value applies without nearby points, linear up to two
 # thirds. On synthetic drives (0 to 38 m/s) correct scans had 0.005 to 0.28, lost ones 0.29 to 0.71, scans of other
 # scenes 0.25 to 0.44 (the former with a fitness of 0.2), and submaps 3 to 12 m apart 0.49 to 0.59.
 STRAYED_DISAGREEMENT, ALONE_DISAGREEMENT = 0.3, 0.1
@@ -32,8 +32,8 @@ MAX_UNSETTLED = 0.2
 # Maximum fraction of scans or path at constant velocity, and number of consecutive scans, over which a car that brakes
 # at 1 m/s^2 (ten scans a second) deviates by half a meter.
 MAX_UNDETERMINED, MAX_UNDETERMINED_ON_END = 0.1, 10
-# Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00; 0.97 to 0.99 with passing
-# trucks; 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
+# Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00. 0.97 to 0.99 with passing
+# trucks. 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
 REST, RESTING_FITNESS, MAX_CONTRADICTED, MIN_RESTING = (0.1, 0.02), 0.97, 0.5, 5
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
@@ -44,8 +44,8 @@ class OdometryStep:
 
     Attributes:
         index: Scan number, from 0.
-        pose: T_world_sensor at the end of the scan, float64 [4, 4]; the world is the sensor frame of the first scan.
-        threshold: Standard deviation [m] of the prediction; correspondences are within three of it.
+        pose: T_world_sensor at the end of the scan, float64 [4, 4]. The world is the sensor frame of the first scan.
+        threshold: Standard deviation [m] of the prediction. Correspondences are within three of it.
         inliers: Downsampled points with a correspondence.
         fitness: Their fraction, 0..1.
         inlier_rmse: Their root mean square distance [m].
@@ -109,14 +109,14 @@ class OdometrySummary(Report, Assessed):
         distance: Path length [m].
         predicted: Scans with only a predicted pose: the path may be broken there.
         unsettled: Scans without convergence; many indicate a lost path.
-        strayed: Left-out scans that contradict the map; if the last is one, the path is likely wrong from the first.
-        mean_fitness, mean_iterations: Means over matched scans; NaN without any.
+        strayed: Left-out scans that contradict the map. If the last is one, the path is likely wrong from the first.
+        mean_fitness, mean_iterations: Means over matched scans. NaN without any.
         empty: Scans without points in range.
         undetermined: Scans with an undetermined motion, where the path assumes constant velocity.
-        open_motions: That motion, such as "along x"; empty if none.
+        open_motions: That motion, such as "along x". Empty if none.
         undetermined_distance: Path length [m] of these scans.
         ambiguous: Scans with equally good poses while the motion was unknown.
-        rival: Translation [m] from the first of them to the nearest such pose; empty if none.
+        rival: Translation [m] from the first of them to the nearest such pose. Empty if none.
         contradicted: Scans that appear stationary with much new content: moving objects may be taken for static.
         resting: Number of scans that appear stationary.
     """

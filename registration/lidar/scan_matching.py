@@ -78,7 +78,7 @@ def match_scan(
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
-    sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses; the least cost wins.
+    sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
     `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
     `reach` [m] limits the search along poorly determined directions.
     """
@@ -217,7 +217,7 @@ class AdaptiveThreshold:
     count: int = 1
 
     def value(self, poses: Matrix) -> float:
-        """The threshold for the next scan; the initial one until the sensor has moved."""
+        """The threshold for the next scan. The initial one until the sensor has moved."""
         if not len(poses) or norm(poses[-1, :3, 3] - poses[0, :3, 3]) <= MOVED * self.min_motion:
             return self.initial
         return math.sqrt(self.sqsum / self.count)
@@ -228,7 +228,7 @@ class AdaptiveThreshold:
         return 2 * self.max_range * math.sin(angle / 2) + float(norm(deviation[:3, 3]))
 
     def updated(self, deviation: Matrix) -> AdaptiveThreshold:
-        """The threshold after one more deviation (eq. 8); the smallest motions are ignored."""
+        """The threshold after one more deviation (eq. 8). The smallest motions are ignored."""
         error = self.error_of(deviation)
         if error <= self.min_motion:
             return self

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 
 def connected_parts(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int32]:
-    """The component of each node, [count], numbered by first node; edges are undirected, [m]."""
+    """The component of each node, [count], numbered by first node. Edges are undirected, [m]."""
     first = np.arange(count)  # lowest known node of the component
     while (first[source] != first[target]).any():
         at_source, at_target = first[source], first[target]

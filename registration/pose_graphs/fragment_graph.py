@@ -43,7 +43,7 @@ class FragmentPair(NamedTuple):
         source, target: Their indices.
         transformation: T_target_source, float64 [4, 4].
         fitness: Fraction of the source's voxels on the target.
-        score: Confidence of the global registration, 0..1; NaN for loops from known poses.
+        score: Confidence of the global registration, 0..1. NaN for loops from known poses.
     """
 
     source: int
@@ -71,7 +71,7 @@ class FragmentGraph(NamedTuple):
     Attributes:
         poses: T_reference_cloud, float64 [n, 4, 4]; arbitrary for non-members.
         groups: Connected component of each cloud, int [n].
-        members: The largest group, ascending; the first is the reference.
+        members: The largest group, ascending. The first is the reference.
         tree: Indices of the pairs accepted as certain.
         graph: The optimized graph of the members.
     """

@@ -56,7 +56,7 @@ class FragmentsResult(Report):
     """Result of `register_fragments`.
 
     Attributes:
-        poses: T_reference_cloud of each cloud, float64 [n, 4, 4]; the identity if not placed.
+        poses: T_reference_cloud of each cloud, float64 [n, 4, 4]. The identity if not placed.
         placed: Mask of the placed clouds, bool [n].
         reference: Reference cloud: the first of the largest connected group.
         groups: Connected component of each cloud, int [n].
@@ -129,12 +129,12 @@ def register_fragments(
 ) -> FragmentsResult:
     """Register many clouds of one scene without initial poses.
 
-    Pairs are registered globally and refined. A tree of mutually consistent pairs gives initial poses; the others are
+    Pairs are registered globally and refined. A tree of mutually consistent pairs gives initial poses. The others are
     loop closures of a pose graph, which removes wrong ones. Then new overlapping pairs are added.
 
     Args:
         clouds: At least one, all on one device, in capture order if there is one.
-        voxel_size: Voxel edge [m], as of `register_globally`; poses are far more accurate.
+        voxel_size: Voxel edge [m], as of `register_globally`. Poses are far more accurate.
         neighbors: Number of following clouds to try for each cloud; None: all pairs up to 40 clouds, else the next 5.
         seed: As of `register_globally`.
         known: Pairs with known poses (odometry), refined but not globally registered. Their score is their confidence.
@@ -143,7 +143,7 @@ def register_fragments(
         progress: Called with ("pairs", pairs done, pairs in all).
 
     Returns:
-        The poses, and the mask of placed clouds; clouds without overlap are reported.
+        The poses, and the mask of placed clouds. Clouds without overlap are reported.
 
     Raises:
         ValueError: No clouds, a known pair of missing clouds, or as `register_globally`.
@@ -189,7 +189,7 @@ def register_fragments(
 def try_pair(
     source: int, target: int, left: Description, right: Description, seed: int, free: Sequence[str] | None = None
 ) -> tuple[FragmentPair, str]:
-    """Register two clouds globally; also the problem if the score is not above SURE."""
+    """Register two clouds globally. Also the problem if the score is not above SURE."""
     found = register_described(left, right, seed=seed, free=free)
     return FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0), found.reason
 

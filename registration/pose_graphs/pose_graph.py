@@ -55,7 +55,7 @@ class PoseGraphEdge:
             translation [m]), as from `get_information_matrix_from_point_clouds`: the sum of squared displacements of
             the correspondences. [5, 5] is their number.
         uncertain: True for a loop closure that may be wrong, not for odometry.
-        confidence: Confidence of an uncertain edge, 0..1, set by `global_optimization`; 1 if certain.
+        confidence: Confidence of an uncertain edge, 0..1, set by `global_optimization`. 1 if certain.
 
     Raises:
         TypeError, ValueError: Not numbers, or a wrong shape. Ranges are checked when the graph is used.
@@ -84,9 +84,9 @@ class PoseGraph:
         nodes, edges: Initial nodes and edges.
 
     Attributes:
-        nodes: list of PoseGraphNode; append to it.
-        edges: list of PoseGraphEdge; append to it.
-        report: Report of the optimization or alignment; None for graphs that were built or read.
+        nodes: list of PoseGraphNode. Append to it.
+        edges: list of PoseGraphEdge. Append to it.
+        report: Report of the optimization or alignment. None for graphs that were built or read.
 
     Example:
         >>> import numpy as np
@@ -161,7 +161,7 @@ def _information_about(information: NDArray[np.float64], points: NDArray[np.floa
 
 
 def check_pose_graph(graph: PoseGraph) -> GraphArrays:
-    """The graph's arrays after vectorized checks of all nodes and edges; errors name the node or edge."""
+    """The graph's arrays after vectorized checks of all nodes and edges. Errors name the node or edge."""
     if not isinstance(graph, PoseGraph):
         raise TypeError(f"pose_graph: expected a PoseGraph, got {type(graph).__name__}")
     nodes, edges = graph.nodes, graph.edges

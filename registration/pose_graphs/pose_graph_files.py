@@ -32,7 +32,7 @@ def read_pose_graph(path: str | os.PathLike[str]) -> PoseGraph:
 
     Raises:
         FileError: Unreadable, not JSON, not a PoseGraph of version 1.0, a missing, unknown or duplicate key, or an
-            invalid pose, node id, information or confidence; the message names it.
+            invalid pose, node id, information or confidence. The message names it.
 
     Example:
         >>> import pointloom as loom
@@ -65,7 +65,7 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
 
     Args:
         path: The file, `*.json`.
-        pose_graph: The graph; its `report` is not written.
+        pose_graph: The graph. Its `report` is not written.
         overwrite: Replace an existing file.
 
     Raises:

@@ -146,7 +146,7 @@ def global_optimization(
     number of correspondences (information[5, 5]).
 
     Args:
-        pose_graph: Connected nodes with initial poses, and edges; not modified. Contradicting certain edges are
+        pose_graph: Connected nodes with initial poses, and edges. Not modified. Contradicting certain edges are
             balanced.
         method: GlobalOptimizationLevenbergMarquardt() or GlobalOptimizationGaussNewton().
         criteria: Stopping criteria.
@@ -160,12 +160,12 @@ def global_optimization(
     Raises:
         TypeError: An argument has another type.
         ValueError: An invalid node or edge, a certain edge with a confidence other than 1, uncertain edges without
-            correspondences, a reference node out of range, or unconnected nodes; the message names them. Two free
+            correspondences, a reference node out of range, or unconnected nodes. The message names them. Two free
             rotations; or free rotations with fixed positions and no reference node.
 
     Notes:
-        Differs from Open3D: the rotation residual is 2 sin(a/2) instead of sin(a), which is 0 for a half turn; a last
-        step that lowers the residual is kept; results do not depend on the world origin; bad graphs raise.
+        Differs from Open3D: the rotation residual is 2 sin(a/2) instead of sin(a), which is 0 for a half turn. A last
+        step that lowers the residual is kept. Results do not depend on the world origin; bad graphs raise.
         Sparse normal equations on the host in float64. Bitwise reproducible. Choi, Zhou and Koltun, "Robust
         reconstruction of indoor scenes", CVPR 2015, section 5.
 
@@ -243,7 +243,7 @@ def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bo
 
 
 def _check_optimizable(graph: GraphArrays, option: GlobalOptimizationOption) -> int:
-    """Check that the graph determines all poses; the anchor node."""
+    """Check that the graph determines all poses. The anchor node."""
     count = len(graph.poses)
     if option.reference_node >= count > 0:
         raise ValueError(f"option.reference_node: expected -1 or one of {count} nodes, got {option.reference_node}")
@@ -401,7 +401,7 @@ class _Descent:
         return "max_iteration"
 
     def _step(self) -> str:
-        """Take one step, with more damping until the residual falls; returns the criterion that was met, or ""."""
+        """Take one step, with more damping until the residual falls. Returns the criterion that was met, or ""."""
         system, criteria = self.system, self.criteria
         system.linearize(self.poses, self.misfit, self.confidences)
         if np.abs(system.right).max() < criteria.min_right_term:

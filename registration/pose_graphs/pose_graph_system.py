@@ -73,7 +73,7 @@ class EdgeMeasurements:
         return by_source, by_target
 
     def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
-        """Rotations from the world to the residual frames, [m, 3, 3]; from target to source, [m, 3] [m]."""
+        """Rotations from the world to the residual frames, [m, 3, 3]. From target to source, [m, 3] [m]."""
         to_misfit = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
         return to_misfit, poses.positions[self.source] - poses.positions[self.target]
 
@@ -143,7 +143,7 @@ class NormalEquations:
         self.right[~moving] = 0
 
     def solve(self, damping: float) -> Array:
-        """The step [6 f] with `damping` times the scale on the diagonal; RuntimeError if singular."""
+        """The step [6 f] with `damping` times the scale on the diagonal. RuntimeError if singular."""
         damped = self.matrix.data.copy()
         damped[self.diagonal] += damping * self.scale
         self.factor.factor(damped)
@@ -161,7 +161,7 @@ class NormalEquations:
 
 
 def _stiffness(nodes: Array) -> Array:
-    """Isotropic stiffness of each node, [6 f]; at least 1e-9 of the largest, for undetermined nodes."""
+    """Isotropic stiffness of each node, [6 f]. At least 1e-9 of the largest, for undetermined nodes."""
     diagonal = np.diagonal(nodes, axis1=1, axis2=2)
     means = diagonal.reshape(-1, 2, 3).mean(axis=2)
     floor = 1e-9 * means.max(axis=0, initial=0)

@@ -1,6 +1,6 @@
 """Least-squares adjustment of stations with 4 or 6 degrees of freedom: pairs, targets, control, levels and positions.
 
-Rows are whitened; Gauss-Newton with step halving. Undetermined common motions (the datum) are fixed at the reference.
+Rows are whitened. Gauss-Newton with step halving. Undetermined common motions (the datum) are fixed at the reference.
 With whitened rows A and cofactors Q, R = I - A Q A^T and v_g^T R_gg^-1 v_g of a group is chi-squared (Baarda, "A
 testing procedure for use in geodetic networks", 1968).
 """

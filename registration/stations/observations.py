@@ -102,7 +102,7 @@ class StationPair:
     Attributes:
         source, target: Station numbers.
         transformation: T_target_source, float64 [4, 4].
-        information: Of rotation [rad] then translation [m] in source coordinates, [6, 6]; zero if undetermined or
+        information: Of rotation [rad] then translation [m] in source coordinates, [6, 6]. Zero if undetermined or
             fixed.
         fitness: Fraction of source points on the target, 0..1.
         rms: Root mean square point-to-surface distance of the matches [m].

@@ -31,9 +31,9 @@ class StationsResult(Report, Assessed):
 
     Attributes:
         names: Station names.
-        poses: T_survey_station, float64 [n, 4, 4]; as given if not placed.
+        poses: T_survey_station, float64 [n, 4, 4]. As given if not placed.
         placed: Mask of the placed stations, bool [n].
-        sigmas: Standard deviations of position [m] and rotations about x, y, z [rad], [n, 6]; 0 if fixed, NaN if not
+        sigmas: Standard deviations of position [m] and rotations about x, y, z [rad], [n, 6]. 0 if fixed, NaN if not
             placed.
         covariances: Of yaw, x, y, z if level (d = 4), else rotation and translation (d = 6), [n, d, d].
         pairs: The used pairs.
@@ -43,12 +43,12 @@ class StationsResult(Report, Assessed):
         groups: All observations, with residuals and tests.
         outliers: The removed observations.
         loops: Loop closure errors of the pairs.
-        sigma0: Root of the sum of squares over the redundancy; 1 if the given standard deviations are right.
+        sigma0: Root of the sum of squares over the redundancy. 1 if the given standard deviations are right.
         limits: 99% interval of sigma0.
         redundancy: Number of redundant observations.
         scaled: True if standard deviations were multiplied by sigma0 > 1.
         pair_factor: Additional factor of the pairs' standard deviations.
-        reference: The station that defines the frame; None with control or positions.
+        reference: The station that defines the frame. None with control or positions.
         level: True for four degrees of freedom.
         converged: True if the adjustment converged.
         unit: Unit of the clouds, or None.

@@ -106,7 +106,7 @@ def register_stations(
         progress: Called with ("prepare", stations done, all), ("pairs", pairs done, all) and ("adjust", done, 2).
 
     Returns:
-        Poses, standard deviations, residuals and tests; check `reliable`, and print `report()`.
+        Poses, standard deviations, residuals and tests. Check `reliable`, and print `report()`.
 
     Raises:
         TypeError: Not clouds, targets or control points.
@@ -115,8 +115,8 @@ def register_stations(
 
     Notes:
         Standard deviations come from the inverse normal matrix, times sigma0 if that is above 1 and the redundancy at
-        least 10; relative to the reference if that defines the frame. Memory O(points), dense in stations and targets.
-        Bitwise reproducible. Baarda, "A testing procedure for use in geodetic networks", 1968; Theiler and Schindler
+        least 10. Relative to the reference if that defines the frame. Memory O(points), dense in stations and targets.
+        Bitwise reproducible. Baarda, "A testing procedure for use in geodetic networks", 1968. Theiler and Schindler
         2012.
 
     Example:
@@ -382,7 +382,7 @@ class Link(NamedTuple):
 def links_of(
     pairs: Sequence[StationPair], targets: Sequence[TargetObservation], level: bool, tolerance: float
 ) -> list[Link]:
-    """Links between stations from targets and pairs; the support grows with the loops of three stations they close."""
+    """Links between stations from targets and pairs. The support grows with the loops of three stations they close."""
     known = {(p.source, p.target): p.transformation for p in pairs}
     known |= {(b, a): invert_pose(T) for (a, b), T in known.items()}
     links = []
@@ -421,7 +421,7 @@ def is_enough(points: Array, level: bool) -> bool:
 
 
 def fit(source: Array, target: Array, level: bool) -> Array:
-    """Least-squares pose between points; level ones rotate about z only."""
+    """Least-squares pose between points. Level ones rotate about z only."""
     if not level:
         return fit_pose(source, target)
     a, b = source - source.mean(axis=0), target - target.mean(axis=0)
@@ -449,7 +449,7 @@ def onto_control(
     positions: Array | None,
     level: bool,
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Move each part to its control points and positions; also returns the mask of parts that these determine."""
+    """Move each part to its control points and positions. Also returns the mask of parts that these determine."""
     places = {point.name: np.asarray(point.position) for point in control}
     moved, fixed = poses.copy(), np.zeros(int(parts.max(initial=-1)) + 1, bool)
     for part in range(len(fixed)):
@@ -576,7 +576,7 @@ class PairFinder:
         believed: Sequence[float],
         limit: float | None = None,
     ) -> list[StationPair]:
-        """Refine all pairs in the same launches, point to plane; a limit requires correct initial poses."""
+        """Refine all pairs in the same launches, point to plane. A limit requires correct initial poses."""
         if not pairs:
             return []
         sources, targets = ([self.scans[ends[k]].cloud for ends in pairs] for k in (0, 1))

@@ -1,6 +1,6 @@
 """Similarity transforms of SfM models: scale from a known distance, and georeferencing by camera positions.
 
-Umeyama 1991 (fit); Fischler and Bolles 1981 (RANSAC); Rousseeuw 1984 (least median of squares).
+Umeyama 1991 (fit). Fischler and Bolles 1981 (RANSAC). Rousseeuw 1984 (least median of squares).
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ def fit_to_positions(
 
     Args:
         model: The model.
-        positions: Position by image name, shape [3] each [m]; unknown names are ignored.
+        positions: Position by image name, shape [3] each [m]. Unknown names are ignored.
         max_error: Maximum residual of an inlier [m]; None: estimated, if more than half of the positions are correct.
         seed: Seed for the choice of triples if there are too many.
 
@@ -126,7 +126,7 @@ def fit_to_positions(
         ValueError: Fewer than 3 known positions or inliers, collinear or identical cameras, or non-finite positions.
 
     Notes:
-        On the host in float64; up to 2000 triples. Reproducible.
+        On the host in float64. Up to 2000 triples. Reproducible.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -216,7 +216,7 @@ def _triples(count: int, seed: int):
 
 
 def _fit_triples(source: NDArray[np.float64], target: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Similarities of many triples, [k, 3, 3] each; Umeyama 1991, eqs. 40 to 43."""
+    """Similarities of many triples, [k, 3, 3] each. Umeyama 1991, eqs. 40 to 43."""
     means = source.mean(axis=1), target.mean(axis=1)
     s, t = source - means[0][:, None], target - means[1][:, None]
     U, D, Vt = np.linalg.svd(matmul(t.transpose(0, 2, 1), s))

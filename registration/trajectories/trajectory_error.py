@@ -1,6 +1,6 @@
 """Trajectory errors: absolute (ATE), relative (RPE) and per path length, and detection of a sensor offset.
 
-Sturm et al., "A benchmark for the evaluation of RGB-D SLAM systems", IROS 2012; alignment: Umeyama 1991; path lengths:
+Sturm et al., "A benchmark for the evaluation of RGB-D SLAM systems", IROS 2012; alignment: Umeyama 1991. Path lengths:
 Geiger et al., "Are we ready for autonomous driving?", CVPR 2012. Two rigidly joined sensors satisfy A X = X B (Shiu and
 Ahmad, "Calibration of wrist-mounted robotic sensors", 1989).
 """
@@ -32,7 +32,7 @@ STRAIGHT = 1e-6  # relative lateral extent below which a path is a line, which l
 
 @dataclass(frozen=True)
 class ErrorStatistics:
-    """Statistics of errors (`rmse`, `mean`, `median`, `std`, `max`, `count`); NaN if there are none."""
+    """Statistics of errors (`rmse`, `mean`, `median`, `std`, `max`, `count`). NaN if there are none."""
 
     rmse: float
     mean: float
@@ -63,11 +63,11 @@ class TrajectoryError(Report, Assessed):
     Attributes:
         pairs: Compared poses (index in the estimate, index in the truth), int64 [m, 2].
         transformation: T_truth_estimate of the alignment, float64 [4, 4]; includes the scale.
-        scale: Scale of the alignment; 1 without.
+        scale: Scale of the alignment. 1 without.
         absolute_translation, absolute_rotation: ATE: position [m] and orientation [degrees] errors after alignment.
         relative_translation, relative_rotation: RPE: errors [m], [degrees] of the motions over `delta` poses.
         segments: Errors by path length, for lengths within the path.
-        segment_translation, segment_rotation: Means over all segments [%], [degrees/m] (KITTI); NaN without any.
+        segment_translation, segment_rotation: Means over all segments [%], [degrees/m] (KITTI). NaN without any.
         aligned_by: "none", "first", "se3" or "sim3" (with scale).
         sensor_offset: Fixed T_truth_estimate between two sensors that explains most relative errors, or None. Pass it
             as `extrinsic` to compare the same sensor.
@@ -117,7 +117,7 @@ class TrajectoryError(Report, Assessed):
         )
 
     def fields(self) -> Fields:
-        """The printed rows; without the ATE angles, since a nearly straight path does not determine the rotation."""
+        """The printed rows. Without the ATE angles, since a nearly straight path does not determine the rotation."""
         scale = f", scale {self.scale:.6g}" if self.aligned_by == "sim3" else ""
         relative = "none: too few poses"
         if self.relative_translation.count:
@@ -153,16 +153,16 @@ def evaluate_trajectory(
     Args:
         estimate: The estimated poses.
         truth: The true poses.
-        align: True: least-squares alignment of the positions; "first": align the first poses; None or False: none.
+        align: True: least-squares alignment of the positions; "first": align the first poses. None or False: none.
             Relative errors do not depend on it.
-        with_scale: Also estimate a scale (monocular trajectories); relative errors use the scaled path.
+        with_scale: Also estimate a scale (monocular trajectories). Relative errors use the scaled path.
         delta: Number of poses between the ends of a relative motion.
-        lengths: Segment lengths [m]; segments start at every tenth pose.
+        lengths: Segment lengths [m]. Segments start at every tenth pose.
         max_time_difference: Maximum time difference of associated poses [s].
         extrinsic: T_truth_estimate [4, 4] between two sensors of one body, such as KITTI's `Tr` for LiDAR and camera.
 
     Returns:
-        A TrajectoryError; its `warnings` report a likely missing `extrinsic`. Empty statistics are NaN.
+        A TrajectoryError. Its `warnings` report a likely missing `extrinsic`. Empty statistics are NaN.
 
     Raises:
         TypeError: An argument is not a trajectory.
@@ -229,7 +229,7 @@ def _name_of(align: bool | str | None, with_scale: bool) -> str:
 
 
 def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference: float) -> NDArray[np.int64]:
-    """Associated poses (index in the estimate, index in the truth) in time order; ValueError if there are none."""
+    """Associated poses (index in the estimate, index in the truth) in time order. ValueError if there are none."""
     if estimate.timestamps is None or truth.timestamps is None:
         if len(estimate) != len(truth):
             raise ValueError(
@@ -261,7 +261,7 @@ def _by_number(estimate: Trajectory, truth: Trajectory) -> str:
 
 
 def _nearest_times(wanted: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Index of the nearest time for each; ties go to the earlier, then to the lower index."""
+    """Index of the nearest time for each. Ties go to the earlier, then to the lower index."""
     if not len(times):
         return np.full(len(wanted), -1)
     order = np.argsort(times, kind="stable")
@@ -366,7 +366,7 @@ MIN_ROTATION = 0.05  # [rad] smaller rotations have less weight than the transla
 
 
 class SensorOffset(NamedTuple):
-    """Offset T_estimate_truth between two sensors; median relative errors `before` and `after` its correction [m]."""
+    """Offset T_estimate_truth between two sensors. Median relative errors `before` and `after` its correction [m]."""
 
     T_estimate_truth: Matrix
     before: float
@@ -374,7 +374,7 @@ class SensorOffset(NamedTuple):
 
 
 def find_sensor_offset(P: Matrix, Q: Matrix) -> SensorOffset | None:
-    """The fixed sensor offset that makes the motions of P (estimate) and Q (truth) agree; None if there is none."""
+    """The fixed sensor offset that makes the motions of P (estimate) and Q (truth) agree. None if there is none."""
     step = max(1, len(P) // MAX_MOTIONS)
     A, B = motions(P, step), motions(Q, step)
     if len(A) < MIN_MOTIONS:

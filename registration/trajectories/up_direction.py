@@ -34,7 +34,7 @@ class UpDirection:
     """Up direction of a model.
 
     Attributes:
-        direction: Unit vector in model coordinates, shape [3]; None if unknown.
+        direction: Unit vector in model coordinates, shape [3]. None if unknown.
         sigma: Standard deviation [degrees]; infinite if unknown.
         by: "attitudes", "cameras", or "".
         reason: Why it is unknown, or "".

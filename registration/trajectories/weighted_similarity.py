@@ -1,7 +1,7 @@
 """Weighted similarity between a model and known positions, the up direction, and known lengths.
 
 Gauss-Newton over scale, rotation and translation from a RANSAC estimate (Triggs et al. 1999, section 4; Fischler and
-Bolles 1981). GNSS is two to three times more accurate in plan than in height, surveys a hundred times; up resolves
+Bolles 1981). GNSS is two to three times more accurate in plan than in height, surveys a hundred times. Up resolves
 collinear positions.
 """
 
@@ -126,7 +126,7 @@ def _derivatives(turned: Array) -> Array:
 
 
 def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:
-    """RANSAC similarity that keeps `up` [3] vertical, by the median horizontal distance; target heights may be NaN."""
+    """RANSAC similarity that keeps `up` [3] vertical, by the median horizontal distance. Target heights may be NaN."""
     turn = turn_upright(up)
     s = matmul(source, turn.T)
     a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]

@@ -14,7 +14,7 @@ def _leave(number: int, frame: FrameType | None) -> None:
 
 
 def main() -> None:
-    """Run the command; Ctrl-C during loading also gives one line and exit code 130."""
+    """Run the command. Ctrl-C during loading also gives one line and exit code 130."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, _leave)
     from .cli.shell.cli import main as run  # loads click and the commands

@@ -1,4 +1,4 @@
-"""Load public names on first use; their only list is the package's stub, `__init__.pyi`."""
+"""Load public names on first use. Their only list is the package's stub, `__init__.pyi`."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ class _UnknownModules:
 
     @staticmethod
     def find_spec(fullname: str, path: Any = None, target: Any = None) -> None:
-        """Raise ModuleNotFoundError for a module of the package; find nothing else.
+        """Raise ModuleNotFoundError for a module of the package. Find nothing else.
 
         The error has no `name`: otherwise `from package import module` would replace it by another error.
         """
@@ -165,7 +165,7 @@ def _package_of(module: str, home: str) -> str:
 
 
 def _read(package: str) -> dict[str, str]:
-    """Module of each public name; a module maps to itself."""
+    """Module of each public name. A module maps to itself."""
     if package in _homes:
         return _homes[package]
     import ast

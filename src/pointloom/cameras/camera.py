@@ -128,7 +128,7 @@ class PinholeCameraIntrinsic(ToldNames):
 
     @property
     def matrix(self) -> NDArray[np.float64]:
-        """The calibration matrix K, shape (3, 3) [px]; a new array each time."""
+        """The calibration matrix K, shape (3, 3) [px]. A new array each time."""
         return np.array([[self.fx, 0.0, self.cx], [0.0, self.fy, self.cy], [0.0, 0.0, 1.0]])
 
     @property
@@ -156,7 +156,7 @@ class PinholeCameraIntrinsic(ToldNames):
     def set_intrinsics(
         self, width: int, height: int, fx: float, fy: float, cx: float, cy: float
     ) -> PinholeCameraIntrinsic:
-        """Return a camera with these values; the object itself is immutable."""
+        """Return a camera with these values. The object itself is immutable."""
         return PinholeCameraIntrinsic(width, height, fx, fy, cx, cy)
 
     @returns_new
@@ -216,7 +216,7 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
     """Read a camera from Open3D's JSON.
 
     Reads `{"width", "height", "intrinsic_matrix"}` with the 9 numbers of K column by column, or the intrinsic of a
-    PinholeCameraParameters object. Recorder metadata (`serial_number`, `depth_scale` and others) is ignored; unknown
+    PinholeCameraParameters object. Recorder metadata (`serial_number`, `depth_scale` and others) is ignored. Unknown
     keys raise, since they may change the projection.
 
     Raises:
@@ -247,7 +247,7 @@ def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCamera
 
 
 def write_pinhole_camera_intrinsic(path: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic) -> None:
-    """Write a camera as Open3D's JSON with all digits; an existing file is replaced.
+    """Write a camera as Open3D's JSON with all digits. An existing file is replaced.
 
     Raises:
         FileError: The file cannot be written.

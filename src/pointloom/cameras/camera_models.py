@@ -96,7 +96,7 @@ class CameraModel:
     Args:
         model: COLMAP's SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, OPENCV_FISHEYE, FULL_OPENCV, FOV,
             SIMPLE_RADIAL_FISHEYE, RADIAL_FISHEYE, THIN_PRISM_FISHEYE, SIMPLE_DIVISION, DIVISION, SIMPLE_FISHEYE,
-            FISHEYE or EUCM; METASHAPE or METASHAPE_FISHEYE (f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2).
+            FISHEYE or EUCM. METASHAPE or METASHAPE_FISHEYE (f, cx, cy, k1, k2, k3, k4, p1, p2, b1, b2).
         width: Columns [px].
         height: Rows [px].
         params: Parameters in COLMAP's order, as in its files: the image corner is (0, 0), so the principal point is
@@ -109,7 +109,7 @@ class CameraModel:
 
     Notes:
         Points outside the range where the distortion is monotonic, and rays 90 degrees or more off the axis, give NaN.
-        With extreme tangential or prism factors (0.02 is large) two rays may share a pixel; one of them is returned.
+        With extreme tangential or prism factors (0.02 is large) two rays may share a pixel. One of them is returned.
 
     Example:
         >>> import pointloom as loom
@@ -173,7 +173,7 @@ class CameraModel:
         """The equivalent pinhole camera.
 
         Raises:
-            ValueError: The lens has distortion; see `undistorted`.
+            ValueError: The lens has distortion. See `undistorted`.
         """
         if not self.is_pinhole:
             raise ValueError(f"model: {self.model} bends rays; straighten pictures with loom.undistort_picture")
@@ -199,7 +199,7 @@ class CameraModel:
             points: In the camera frame (x right, y down, z forward), shape (n, 3).
 
         Returns:
-            Columns and rows, shape (n, 2) [px], inside the image or not; NaN behind the camera or outside the lens.
+            Columns and rows, shape (n, 2) [px], inside the image or not. NaN behind the camera or outside the lens.
 
         Raises:
             TypeError: Not numbers.
@@ -223,7 +223,7 @@ class CameraModel:
             pixels: Columns and rows, shape (n, 2) [px].
 
         Returns:
-            Rays with z = 1 in the camera frame, shape (n, 3); NaN where the lens has no inverse.
+            Rays with z = 1 in the camera frame, shape (n, 3). NaN where the lens has no inverse.
 
         Raises:
             TypeError: Not numbers.
@@ -244,14 +244,14 @@ class CameraModel:
     ) -> PinholeCameraIntrinsic:
         """The pinhole camera of the undistorted images.
 
-        COLMAP's rule: focal lengths and the relative principal point stay; each side is between the largest size
+        COLMAP's rule: focal lengths and the relative principal point stay. Each side is between the largest size
         without blank pixels (`blank_share` 0) and the smallest without loss (1), limited to 0.2 to 2 times the
         original.
 
         Args:
             blank_share: 0 to 1, position between the two sizes.
             max_size: Maximum side length [px]; larger images are scaled down.
-            size: Width and height [px] to resize to, ignoring proportions; not with `max_size`.
+            size: Width and height [px] to resize to, ignoring proportions. Not with `max_size`.
 
         Returns:
             The camera, with integer pixel centers. A pinhole is unchanged.

@@ -1,7 +1,7 @@
 """Filters on depth images: denoising, edge removal, normals, pyramids.
 
 Depth is an array (h, w), divided by `depth_scale` and returned as float32 [m], or an RGBDImage, returned on its device.
-Pixels without depth (0) are ignored and never filled. Bitwise reproducible; memory for one more image.
+Pixels without depth (0) are ignored and never filled. Bitwise reproducible. Memory for one more image.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ def filter_depth_bilateral(
 
     Args:
         depth: Shape (h, w), or an RGBDImage, whose colors are unchanged.
-        kernel_size: Diameter of the disc of pixels [px], up to 255; the radius is kernel_size // 2.
+        kernel_size: Diameter of the disc of pixels [px], up to 255. The radius is kernel_size // 2.
         value_sigma: Standard deviation of the depth weight [m].
         dist_sigma: Standard deviation of the pixel weight [px].
         depth_scale: Units per meter of an array; None: 1000 for integers, 1 for floats.
         device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
-        Depth [m] of the same size; 0 where there was none.
+        Depth [m] of the same size. 0 where there was none.
 
     Raises:
         ValueError: A wrong shape, or a number out of range.
@@ -83,7 +83,7 @@ def erode_depth_edges(
         device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
-        Depth [m] of the same size; 0 where removed. The image border is no edge.
+        Depth [m] of the same size. 0 where removed. The image border is no edge.
 
     Raises:
         ValueError: A wrong shape, or a number out of range.
@@ -154,7 +154,7 @@ def pyrdown_depth(
         device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Returns:
-        Depth [m] of shape (h // 2, w // 2); 0 where the pixel had none. Its camera has half of fx, fy, cx and cy,
+        Depth [m] of shape (h // 2, w // 2). 0 where the pixel had none. Its camera has half of fx, fy, cx and cy,
         unlike `PinholeCameraIntrinsic.scaled`, since pixel (u, v) is pixel (2 u, 2 v) of the input.
 
     Raises:
@@ -194,7 +194,7 @@ def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
         TypeError: Not 8-bit.
 
     Notes:
-        As Open3D's Image.pyrdown for even sizes; for odd sizes Open3D samples off the grid of the depth.
+        As Open3D's Image.pyrdown for even sizes. For odd sizes Open3D samples off the grid of the depth.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -218,7 +218,7 @@ def create_depth_pyramid(
     depth_scale: float | None = None,
     device: Any = None,
 ) -> list[Depth]:
-    """A pyramid of depth images, the largest first; see `pyrdown_depth`.
+    """A pyramid of depth images, the largest first. See `pyrdown_depth`.
 
     Args:
         depth: Shape (h, w), or an RGBDImage.
@@ -228,7 +228,7 @@ def create_depth_pyramid(
         device: Device for an array; None: the GPU that it is on, else the CPU.
 
     Raises:
-        ValueError: As `pyrdown_depth`; levels < 1 or more than the size can be halved.
+        ValueError: As `pyrdown_depth`. Levels < 1 or more than the size can be halved.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -40,14 +40,14 @@ class RGBDImage(ToldNames):
 
     Args:
         color: 8-bit colors, shape (h, w, 3), or gray (h, w).
-        depth: Shape (h, w); integers of 16 bits and more, or floats.
+        depth: Shape (h, w). Integers of 16 bits and more, or floats.
         depth_scale: Depth units per meter; None: 1000 for integers, 1 for floats.
         depth_trunc: Maximum depth [m]; larger depths become 0 (no measurement).
         device: Device of the images; None: the GPU that the depth is on, else the CPU.
 
     Raises:
         ValueError: Wrong shapes, or depth and color of different sizes.
-        TypeError: Wrong element types; 8-bit depth.
+        TypeError: Wrong element types. 8-bit depth.
 
     Warns:
         UnitWarning: A scale or limit removes all depth, or float depth on the host seems to be millimeters.
@@ -103,7 +103,7 @@ class RGBDImage(ToldNames):
 
         Args:
             color: 8-bit colors, shape (h, w, 3), or gray (h, w).
-            depth: Shape (h, w); integers of 16 bits and more, or floats (Open3D takes 8 bits for 0..1).
+            depth: Shape (h, w). Integers of 16 bits and more, or floats (Open3D takes 8 bits for 0..1).
             depth_scale: Depth units per meter; None: 1000 for integers, 1 for floats (Open3D divides floats by 1000).
             depth_trunc: Maximum depth [m], included (excluded in Open3D).
             convert_rgb_to_intensity: Store 0.299 R + 0.587 G + 0.114 B, 0..1, instead of colors.
@@ -131,14 +131,14 @@ class RGBDImage(ToldNames):
     def create_from_redwood_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the Redwood data sets: millimeters, truncated at 4 m; see `create_from_color_and_depth`."""
+        """A frame of the Redwood data sets: millimeters, truncated at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 1000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
     def create_from_tum_format(
         cls, color: ArrayLike, depth: ArrayLike, convert_rgb_to_intensity: bool = True, *, device: Any = None
     ) -> Self:
-        """A frame of the TUM RGB-D data sets: 5000 units per meter, cut at 4 m; see `create_from_color_and_depth`."""
+        """A frame of the TUM RGB-D data sets: 5000 units per meter, cut at 4 m. See `create_from_color_and_depth`."""
         return cls.create_from_color_and_depth(color, depth, 5000.0, 4.0, convert_rgb_to_intensity, device=device)
 
     @classmethod
@@ -147,7 +147,7 @@ class RGBDImage(ToldNames):
     ) -> Self:
         """A frame of SUN3D: 16-bit millimeters rotated left by three bits, truncated at 7 m.
 
-        Arguments and errors as in `create_from_color_and_depth`; depth must be integers.
+        Arguments and errors as in `create_from_color_and_depth`. Depth must be integers.
         """
         return cls._from_raw("sun", color, depth, convert_rgb_to_intensity, device)
 
@@ -157,7 +157,7 @@ class RGBDImage(ToldNames):
     ) -> Self:
         """A raw frame of NYU Depth v2: 351.3 / (1092.5 - d) meters, truncated at 7 m.
 
-        Arguments and errors as in `create_from_color_and_depth`; depth is 16-bit integers as read from .pgm, whose
+        Arguments and errors as in `create_from_color_and_depth`. Depth is 16-bit integers as read from .pgm, whose
         swapped bytes are corrected here.
         """
         return cls._from_raw("nyu", color, depth, convert_rgb_to_intensity, device)
@@ -169,7 +169,7 @@ class RGBDImage(ToldNames):
 
     @property
     def depth(self) -> NDArray[np.float32]:
-        """Depth [m], float32 (h, w); 0 without measurement."""
+        """Depth [m], float32 (h, w). 0 without measurement."""
         return download(self.depth_array).reshape(self.height, self.width).copy()
 
     @property
@@ -193,7 +193,7 @@ class RGBDImage(ToldNames):
         return state | {"arrays": pickled({"color_array": self.color_array, "depth_array": self.depth_array})}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Restore the image on its device, else on the first GPU; raises `DeviceError` without GPU."""
+        """Restore the image on its device, else on the first GPU. Raises `DeviceError` without GPU."""
         with unpickling("image"):
             arrays = unpickled(state["arrays"], device_like("image", state["device"]))
             height, width = (check_count(name, state[name]) for name in ("height", "width"))
@@ -230,7 +230,7 @@ class RGBDImage(ToldNames):
 def upload_depth(
     depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, int, int]:
-    """Upload depth as flat float32 [m]; returns the array, the scale, height and width.
+    """Upload depth as flat float32 [m]. Returns the array, the scale, height and width.
     Zero, negative, NaN and infinite depths, and those beyond `depth_max`, become 0. `limit` is its name in errors."""
     raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, depth_max, device, limit=limit)
     return metric_depth(raw, scale, farthest)[0], scale, height, width
@@ -239,7 +239,7 @@ def upload_depth(
 def upload_raw_depth(
     depth: Any, depth_scale: float | None, depth_max: float, device: Any, *, limit: str = "depth_max"
 ) -> tuple[wp.array, float, float, int, int]:
-    """Upload checked depth as flat uint16 or float32; returns the array, the scale, the limit, height and width."""
+    """Upload checked depth as flat uint16 or float32. Returns the array, the scale, the limit, height and width."""
     image: Any = take_numbers("depth", depth, device) if is_on_gpu(depth) else _as_array("depth", depth)
     _check_size(image)
     scale = None if depth_scale is None else check_positive("depth_scale", depth_scale)
@@ -257,7 +257,7 @@ def upload_raw_depth(
 
 
 def integer_scale(depth: Any, depth_scale: float) -> float | None:
-    """The depth scale of a source of integers; None for floats, which are in meters."""
+    """The depth scale of a source of integers. None for floats, which are in meters."""
     if isinstance(depth, RGBDImage):
         return None
     if is_on_gpu(depth):

@@ -1,8 +1,8 @@
 """One lens model that contains all camera models, forward and inverse, on the host in float64.
 
 A ray (x, y, 1) of radius r is first mapped by lens type: unchanged, atan r (fisheye), atan(2 r tan(w / 2)) / w (FOV),
-division or unified. Then p' = p N(r^2) / D(r^2) + tangential + prism terms, u = fx x' + skew y' + cx, v = fy y' + cy;
-NaN beyond `reach`. Brown 1966; Devernay and Faugeras 2001; Fitzgibbon 2001 (division); Khomutenko et al. 2016
+division or unified. Then p' = p N(r^2) / D(r^2) + tangential + prism terms, u = fx x' + skew y' + cx, v = fy y' + cy.
+NaN beyond `reach`. Brown 1966. Devernay and Faugeras 2001. Fitzgibbon 2001 (division). Khomutenko et al. 2016
 (unified); terms as in COLMAP.
 """
 
@@ -35,7 +35,7 @@ class Lens:
     Args:
         kind: PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION or UNIFIED.
         focal: fx, fy [px].
-        center: Principal point [px]; pixel centers are integers.
+        center: Principal point [px]. Pixel centers are integers.
         extent: Maximum radius x' / z of the image.
         skew: Factor of y' in the column [px].
         radial: Factors of r^2, r^4, r^6, r^8 in the numerator.
@@ -73,7 +73,7 @@ class Lens:
         return reach if self.is_symmetric or reach == 0 else _narrowed(self, reach)
 
     def project(self, rays: Array) -> Array:
-        """Pixels (n, 2) of rays (x, y, 1) given as (n, 2); NaN outside the lens."""
+        """Pixels (n, 2) of rays (x, y, 1) given as (n, 2). NaN outside the lens."""
         with np.errstate(all="ignore"):
             places = rays * _shortening(self, np.hypot(rays[:, 0], rays[:, 1]))[:, None]
             radii = np.hypot(places[:, 0], places[:, 1])
@@ -87,7 +87,7 @@ class Lens:
         return pixels
 
     def unproject(self, pixels: Array) -> Array:
-        """Rays (n, 2) with z = 1 of pixels (n, 2); NaN without an inverse."""
+        """Rays (n, 2) with z = 1 of pixels (n, 2). NaN without an inverse."""
         with np.errstate(all="ignore"):
             bent = np.empty(pixels.shape)
             bent[:, 1] = (pixels[:, 1] - self.center[1]) / self.focal[1]
@@ -103,7 +103,7 @@ class Lens:
 
 
 def _shortening(lens: Lens, r: Array) -> Array:
-    """Factor of the first step at radius r; NaN without such a ray."""
+    """Factor of the first step at radius r. NaN without such a ray."""
     if lens.kind == PERSPECTIVE:
         return np.ones_like(r)
     first, second = lens.shape
@@ -121,7 +121,7 @@ def _shortening(lens: Lens, r: Array) -> Array:
 
 
 def _lengthening(lens: Lens, r: Array) -> Array:
-    """Inverse factor at the mapped radius; NaN if no ray in front of the camera maps to it."""
+    """Inverse factor at the mapped radius. NaN if no ray in front of the camera maps to it."""
     if lens.kind == PERSPECTIVE:
         return np.ones_like(r)
     first, second = lens.shape
@@ -249,7 +249,7 @@ def _orientation(lens: Lens, places: Array) -> Array:
 
 
 def _straighten(lens: Lens, bent: Array) -> Array:
-    """Inverse of `bend` within reach; NaN without a solution."""
+    """Inverse of `bend` within reach. NaN without a solution."""
     places = _straighten_radially(lens, bent)
     if lens.is_symmetric:
         return places

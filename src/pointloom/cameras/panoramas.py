@@ -36,10 +36,10 @@ class Panorama:
     """Splits panoramas of one size into cube faces, with a map that is computed once.
 
     Args:
-        width: Width of the panoramas [px]; twice their height.
+        width: Width of the panoramas [px]. Twice their height.
         height: Height of the panoramas [px].
-        side: Side of the faces [px]; None keeps the angular resolution at the horizon.
-        device: Device to use; None for the CPU.
+        side: Side of the faces [px]. None keeps the angular resolution at the horizon.
+        device: Device to use. None for the CPU.
 
     Attributes:
         intrinsic: The camera of every face: 90 degrees wide.
@@ -50,7 +50,7 @@ class Panorama:
         TypeError, ValueError: A number out of range, or an image that is not twice as wide as high.
 
     Notes:
-        8 B of device memory per pixel of the faces. Bilinear; bitwise identical on every device.
+        8 B of device memory per pixel of the faces. Bilinear. Bitwise identical on every device.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -23,7 +23,7 @@ def _own_stem(name: str) -> str:
     return re.sub(r"^\d{4,}_(?=.)", "", Path(name).stem)
 
 
-# From strict to loose; the first rule with a match wins.
+# From strict to loose. The first rule with a match wins.
 _WAYS: tuple[Callable[[str], str], ...] = (
     str,
     lambda name: str(Path(name).with_suffix("")) if name else name,
@@ -34,7 +34,7 @@ _WAYS: tuple[Callable[[str], str], ...] = (
 
 
 def meant_pictures(said: str, names: Sequence[str]) -> list[int]:
-    """Indices of the images that match a name or number; several if ambiguous.
+    """Indices of the images that match a name or number. Several if ambiguous.
 
     Example:
         >>> names = ["0000_IMG_9.jpg", "0001_porch.jpg", "left/0002_porch.png"]

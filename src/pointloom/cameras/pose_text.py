@@ -19,7 +19,7 @@ from .camera import LARGEST_NUMBER
 # Open3D (0.20) ends this comment without a line break, so the first pose of its TUM files follows on the same line.
 _OPEN3D_TUM_HEADER = "# TUM trajectory, format: <t> <x> <y> <z> <qx> <qy> <qz> <qw>"
 
-# Maximum deviation of a quaternion's length from 1: 4 decimals leave 1e-4; more is not a rotation.
+# Maximum deviation of a quaternion's length from 1: 4 decimals leave 1e-4. More is not a rotation.
 _QUATERNION_TOLERANCE = 1e-2
 
 _OF_C = re.compile(r"[-+]?(nan\(\w*\)|1\.#\w+)", re.I)  # NaN and infinity as printed by C runtimes
@@ -30,7 +30,7 @@ Line = tuple[int, list[str]]
 
 
 def read_pose(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """Read one 4x4 pose; raises `FileError` if it is not rigid."""
+    """Read one 4x4 pose. Raises `FileError` if it is not rigid."""
     return _read_pose(path, gaps=False)
 
 

@@ -1,6 +1,6 @@
 """Camera trajectories as text: Open3D's .log and .json, TUM, KITTI.
 
-All poses are T_world_camera, camera to world; Open3D's JSON stores the inverse. Rotations are returned as stored:
+All poses are T_world_camera, camera to world. Open3D's JSON stores the inverse. Rotations are returned as stored:
 rounding up to 0.02 from orthonormal is accepted and not corrected.
 """
 
@@ -80,7 +80,7 @@ class Trajectory(ToldNames):
 
 
 def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False) -> Trajectory:
-    """Read a trajectory; the extension and the number of columns determine the format.
+    """Read a trajectory. The extension and the number of columns determine the format.
 
     - `.log`: three integers and four matrix rows per pose, camera to world (Open3D, Redwood).
     - `.json`: Open3D's PinholeCameraTrajectory, extrinsics world to camera, column by column; intrinsics are ignored.
@@ -98,7 +98,7 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
         The poses; n >= 1.
 
     Raises:
-        FileError: Unreadable, another format, empty, or a pose that is not rigid; with the line.
+        FileError: Unreadable, another format, empty, or a pose that is not rigid. With the line.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -171,7 +171,7 @@ def write_trajectory(
     Args:
         path: The file.
         trajectory: At least one pose.
-        format: "log", "tum", "kitti" or "json"; None uses the extension (ambiguous for .txt).
+        format: "log", "tum", "kitti" or "json". None uses the extension (ambiguous for .txt).
         intrinsic: The camera, for JSON only.
         overwrite: Replace an existing file.
 

@@ -31,7 +31,7 @@ class Undistortion:
         blank_share: As in `CameraModel.undistorted`.
         max_size: As in `CameraModel.undistorted` [px].
         size: As in `CameraModel.undistorted`, width and height [px].
-        device: Device to use; None for the CPU.
+        device: Device to use. None for the CPU.
 
     Attributes:
         camera: As given.
@@ -89,7 +89,7 @@ class Undistortion:
             picture: Image of the camera, uint8 (h, w) or (h, w, 3).
 
         Returns:
-            The same kind of array; 0 where the lens did not see.
+            The same kind of array. 0 where the lens did not see.
 
         Raises:
             TypeError: Not uint8.
@@ -133,7 +133,7 @@ def undistort_picture(
     Args:
         picture: The distorted image, uint8 (h, w) or (h, w, 3).
         camera: The lens.
-        blank_share: From 0 (almost no blank pixels) to 1 (nothing is cropped); see `CameraModel.undistorted`.
+        blank_share: From 0 (almost no blank pixels) to 1 (nothing is cropped). See `CameraModel.undistorted`.
         max_size: Maximum side length of the result [px].
         size: Width and height of the result [px], instead of `max_size`.
         device: Device to use; None: the GPU that the image is on, else the CPU.

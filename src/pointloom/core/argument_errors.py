@@ -17,7 +17,7 @@ SHORT = 24  # maximum characters of a value in the suggested call
 
 
 def told_arguments(operation: Callable[P, R]) -> Callable[P, R]:
-    """Decorator for helpful argument errors; free for valid calls."""
+    """Decorator for helpful argument errors. Free for valid calls."""
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:

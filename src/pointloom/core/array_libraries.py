@@ -1,7 +1,7 @@
 """Results in the array library of the input, without a copy: NumPy, torch, cupy, jax or Warp (docs/arrays.md).
 
 The first array argument, or the arrays of the cloud, determine the library. Only that library is imported. Python array
-API standard (`__dlpack__`); CUDA array interface, version 3.
+API standard (`__dlpack__`). CUDA array interface, version 3.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _OTHER_NAMES = {"jaxlib": "jax"}  # packages whose classes are arrays of another
 
 
 def library_of(values: Any) -> str:
-    """The library of an array, one of LIBRARIES; unknown ones count as NumPy, on a GPU as Warp."""
+    """The library of an array, one of LIBRARIES. Unknown ones count as NumPy, on a GPU as Warp."""
     for kind in type(values).__mro__:
         package = kind.__module__.partition(".")[0]
         package = _OTHER_NAMES.get(package, package)
@@ -37,7 +37,7 @@ def library_of(values: Any) -> str:
 
 
 def check_library(name: str, value: Any) -> str:
-    """A library name; raises `ValueError` if unknown and `ImportError` if not installed."""
+    """A library name. Raises `ValueError` if unknown and `ImportError` if not installed."""
     if not isinstance(value, str) or value not in LIBRARIES:
         raise ValueError(f"{name}: expected one of {', '.join(LIBRARIES)}, got {shown(value)}")
     _import(value)
@@ -53,8 +53,8 @@ def hand_out(
     on_host: bool = False,
 ) -> Any:
     """Return a device array that has no other owner as an array of a library, reshaped and cast as requested.
-    NumPy gets a copy from a GPU and shared memory on the CPU; others share memory and are ordered after Warp's current
-    stream. `shape` replaces the first axes; a `dtype` of the same size shares memory."""
+    NumPy gets a copy from a GPU and shared memory on the CPU. Others share memory and are ordered after Warp's current
+    stream. `shape` replaces the first axes. A `dtype` of the same size shares memory."""
     if library == NUMPY:
         return _formed(download(array), array.ndim, dtype, shape)
     if on_host:
@@ -118,7 +118,7 @@ def _import(library: str) -> Any:
 
 
 def _as_type(array: wp.array, scalar: Any) -> wp.array:
-    """Cast scalars; same-size types share memory."""
+    """Cast scalars. Same-size types share memory."""
     own = getattr(array.dtype, "_wp_scalar_type_", array.dtype)
     if own == scalar:
         return array

@@ -26,7 +26,7 @@ _MAX_ATTEMPTS = 5  # attempts to replace a folder while another process restores
 
 
 def check_writable(path: str | os.PathLike[str], *, overwrite: bool = True) -> Path:
-    """Check that a file can be created, before long computations; raises `FileError` otherwise."""
+    """Check that a file can be created, before long computations. Raises `FileError` otherwise."""
     path = path_of(path)
     folder = path.parent
     if not folder.is_dir():
@@ -85,7 +85,7 @@ def _raise_write_error(path: Path, error: BaseException, failed: BaseException |
 
 
 def part_name(path: Path, ending: str = "part") -> Path:
-    """A new hidden name in the same folder; unlike `tempfile`, permissions are those of `open` and `mkdir`."""
+    """A new hidden name in the same folder. Unlike `tempfile`, permissions are those of `open` and `mkdir`."""
     return path.absolute().with_name(f".{path.name}.{secrets.token_hex(8)}.{ending}")
 
 
@@ -111,7 +111,7 @@ class _Written(io.BufferedWriter):
         self.write = writing.send  # type: ignore[method-assign, assignment]
 
     def _writing(self) -> Generator[int, Any, None]:
-        """Write what is sent. A generator resumes inside its try block; a signal may hit a method before it."""
+        """Write what is sent. A generator resumes inside its try block. A signal may hit a method before it."""
         try:
             count = 0
             while True:
@@ -124,7 +124,7 @@ class _Written(io.BufferedWriter):
 
 
 def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool = True) -> Path:
-    """Check that a folder can be created, or may replace one that contains `marker`; raises `FileError` otherwise."""
+    """Check that a folder can be created, or may replace one that contains `marker`. Raises `FileError` otherwise."""
     path = path_of(path)
     restore_folder(path)
     if path.exists() and not path.is_dir():
@@ -186,7 +186,7 @@ def _replace_folder(part: Path, path: Path) -> None:
 
 
 def restore_folder(path: str | os.PathLike[str]) -> None:
-    """Restore a folder renamed by an interrupted replacement, outermost first; call it before reporting it missing."""
+    """Restore a folder renamed by an interrupted replacement, outermost first. Call it before reporting it missing."""
     path = path_of(path).absolute()
     if os.path.lexists(path):
         return
@@ -208,7 +208,7 @@ def _old_folders(path: Path) -> list[Path]:
 
 @contextlib.contextmanager
 def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
-    """A hidden folder whose files move to `folder` together when the block succeeds; other `known` files are removed.
+    """A hidden folder whose files move to `folder` together when the block succeeds. Other `known` files are removed.
     The last `known` file is removed first and replaced last, so that readers never see a mixture. After a crash,
     `finish_files` continues."""
     finish_files(folder, known)
@@ -235,7 +235,7 @@ def atomic_files(folder: Path, known: Sequence[str]) -> Iterator[Path]:
 
 
 def finish_files(folder: Path, known: Sequence[str]) -> None:
-    """Complete an interrupted `atomic_files`; only files with `known` names are touched. Call it before reading."""
+    """Complete an interrupted `atomic_files`. Only files with `known` names are touched. Call it before reading."""
     with contextlib.suppress(OSError, ValueError):  # a read-only folder, or another process is faster
         _finish_files(folder, known)
 

@@ -1,4 +1,4 @@
-"""Validation of user input: shapes, types and ranges; every message names the argument."""
+"""Validation of user input: shapes, types and ranges. Every message names the argument."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def is_on_gpu(values: Any) -> bool:
 
 
 def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, dtype: Any = None) -> NDArray[Any]:
-    """Convert to a numeric array (n, width), copied only if needed; raises `TypeError` or `ValueError`."""
+    """Convert to a numeric array (n, width), copied only if needed. Raises `TypeError` or `ValueError`."""
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.ndim > 2 or len(array):
@@ -75,7 +75,7 @@ def remedy_of_shape(shape: Sequence[int], width: int) -> str:
 
 
 def _cast(name: str, array: NDArray[Any], dtype: Any) -> NDArray[Any]:
-    """Cast an array; raises if a finite number becomes infinite."""
+    """Cast an array. Raises if a finite number becomes infinite."""
     with np.errstate(over="ignore", invalid="ignore"):  # infinity, and signaling NaN
         cast = array.astype(dtype, copy=False)
     if cast.dtype.itemsize < array.dtype.itemsize and array.dtype.kind == cast.dtype.kind == "f":
@@ -125,7 +125,7 @@ def check_color(name: str, color: Any) -> NDArray[np.float64]:
 
 
 def check_colors(name: str, colors: NDArray[Any]) -> NDArray[np.float32]:
-    """Rows of RGB in 0..1; 8-bit colors are divided by 255."""
+    """Rows of RGB in 0..1. 8-bit colors are divided by 255."""
     if colors.dtype == np.uint8:
         return colors.astype(np.float32) / np.float32(255)
     if colors.size and not (colors.min() >= -1e-3 and colors.max() <= 1 + 1e-3):
@@ -153,7 +153,7 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
 
 
 def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infinite: bool = False) -> float:
-    """A real number, finite by default; booleans, strings and arrays raise `TypeError`."""
+    """A real number, finite by default. Booleans, strings and arrays raise `TypeError`."""
     if isinstance(value, bool | np.bool_ | str | bytes | bytearray) or getattr(value, "ndim", 0):
         raise TypeError(f"{name}: expected a number, got {shown(value)}")
     try:
@@ -170,7 +170,7 @@ def check_number(name: str, value: Any, *, allow_nan: bool = False, allow_infini
 def check_positive(
     name: str, value: Any, *, allow_zero: bool = False, allow_infinite: bool = False, maximum: float = math.inf
 ) -> float:
-    """A finite number > 0 and <= `maximum`; zero or infinity if allowed."""
+    """A finite number > 0 and <= `maximum`. Zero or infinity if allowed."""
     number = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not number >= 0 or (number == 0 and not allow_zero) or (math.isinf(number) and not allow_infinite):
         expected = f"{'a' if allow_infinite else 'a finite'} number {'>= 0' if allow_zero else '> 0'}"
@@ -190,7 +190,7 @@ def check_share(name: str, value: Any) -> float:
 def check_count(
     name: str, value: Any, *, minimum: int = 1, maximum: int = MAX_COUNT, because: str = "counts have 32 bits"
 ) -> int:
-    """An integer from `minimum` to `maximum` (for the reason `because`); booleans and 3.0 raise `TypeError`."""
+    """An integer from `minimum` to `maximum` (for the reason `because`). Booleans and 3.0 raise `TypeError`."""
     try:
         if isinstance(value, bool | np.bool_):
             raise TypeError
@@ -261,12 +261,12 @@ def check_callback(name: str, value: Any) -> Any:
 
 
 def check_progress(value: Any) -> ReportProgress:
-    """The progress callback; None gives one that logs long jobs."""
+    """The progress callback. None gives one that logs long jobs."""
     return check_callback("progress", value) or LoggedProgress()
 
 
 def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
-    """Limits of a neighbor search: radius [m] (infinite if None) and count (None: all); raises if both are None."""
+    """Limits of a neighbor search: radius [m] (infinite if None) and count (None: all). Raises if both are None."""
     if radius is None and max_nn is None:
         raise ValueError("radius, max_nn: give at least one of them")
     reach = math.inf if radius is None else check_positive("radius", radius)

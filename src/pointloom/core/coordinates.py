@@ -77,7 +77,7 @@ def origin_of_sample(sample: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _spread_of(sample: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The median and the median deviation per axis; the extent if most points coincide."""
+    """The median and the median deviation per axis. The extent if most points coincide."""
     middle = np.median(sample, axis=0)
     spread = np.median(np.abs(sample - middle), axis=0)
     return middle, spread if spread.any() else np.ptp(sample, axis=0)
@@ -124,7 +124,7 @@ def origin_under(
 
 @quiet()
 def written_steps(points: NDArray[Any]) -> NDArray[np.float64] | None:
-    """Decimal steps of coordinates from formats that do not store them, for `choose_origin`; None if not needed."""
+    """Decimal steps of coordinates from formats that do not store them, for `choose_origin`. None if not needed."""
     if points.dtype != np.float64 or not len(points):
         return None
     sample = sample_points(points)
@@ -156,7 +156,7 @@ def _refine(
 
 
 def sample_points(points: NDArray[Any], size: int = MEDIAN_SAMPLE) -> NDArray[np.float64]:
-    """The finite nonzero points (scanners may write zero for no return), subsampled if many; one zero point if none."""
+    """The finite nonzero points (scanners may write zero for no return), subsampled if many. One zero point if none."""
     for step in (len(points) // size | 1, 1):  # odd, so that it is not synchronous with image rows
         part = usable_points(points[::step])
         if len(part):
@@ -169,7 +169,7 @@ def usable_points(points: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def finite_rows(rows: NDArray[Any]) -> NDArray[np.bool_]:
-    """Mask (n,) of finite rows (n, 3); by columns, as NumPy is six times slower along short rows."""
+    """Mask (n,) of finite rows (n, 3). By columns, as NumPy is six times slower along short rows."""
     finite = np.isfinite(rows)
     return finite[:, 0] & finite[:, 1] & finite[:, 2]
 
@@ -182,7 +182,7 @@ def finite_box(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 @quiet()
 def box_of_finite(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """Bounds of the finite points, float64 (3,) each; None if there are none."""
+    """Bounds of the finite points, float64 (3,) each. None if there are none."""
     if not len(points):
         return None
     if points.dtype.kind != "f":
@@ -199,6 +199,6 @@ def box_of_finite(points: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np
 
 
 def describe_bounds(points: NDArray[Any]) -> dict[str, list[float]] | None:
-    """Bounds of the finite points as JSON types, for `format_bounds`; None if there are none."""
+    """Bounds of the finite points as JSON types, for `format_bounds`. None if there are none."""
     box = box_of_finite(points)
     return None if box is None else {"min": box[0].tolist(), "max": box[1].tolist()}

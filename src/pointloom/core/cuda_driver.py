@@ -14,7 +14,7 @@ OLDEST_DRIVERS = {11: 450, 12: 525, 13: 580}
 
 
 def installed_driver() -> str | None:
-    """Version of the loaded driver, such as "535.183.01"; None without one, and in WSL."""
+    """Version of the loaded driver, such as "535.183.01". None without one, and in WSL."""
     try:
         text = PROC.read_text(errors="replace")
     except OSError:
@@ -24,7 +24,7 @@ def installed_driver() -> str | None:
 
 
 def needed_driver() -> int | None:
-    """The oldest driver for Warp's CUDA version, such as 580; None if unknown."""
+    """The oldest driver for Warp's CUDA version, such as 580. None if unknown."""
     import warp as wp
 
     toolkit = wp.get_cuda_toolkit_version()

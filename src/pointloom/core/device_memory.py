@@ -15,10 +15,10 @@ def free_memory(device: Any = None) -> int:
     completed operations; live objects keep their memory. The next operation allocates again and takes slightly longer.
 
     Args:
-        device: The GPU; None for all that this process has used.
+        device: The GPU. None for all that this process has used.
 
     Returns:
-        Number of bytes released; 0 on the CPU.
+        Number of bytes released. 0 on the CPU.
 
     Raises:
         DeviceError: No such device.

@@ -49,7 +49,7 @@ class Pair(tuple[Any, ...]):
 
 def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
     """Mark an operation that returns a new object where Open3D changes in place or returns another type.
-    A statement such as `cloud.estimate_normals()` warns; the check reads one bytecode instruction of the caller. Other
+    A statement such as `cloud.estimate_normals()` warns. The check reads one bytecode instruction of the caller. Other
     dropped results do not warn. Mismatched arguments raise the error of `told_arguments`."""
 
     @functools.wraps(operation)
@@ -90,7 +90,7 @@ def _is_dropped(caller: FrameType, name: str) -> bool:
 @functools.lru_cache(MAX_CALLS)
 def _calls(code: CodeType, at: int, name: str) -> bool:
     """True if the call at a bytecode offset is `name(...)` or `x.name(...)`, not for example `map`.
-    The load of a callee has the source position of its call; without positions nothing is detected."""
+    The load of a callee has the source position of its call. Without positions nothing is detected."""
     steps = {step.offset: step for step in dis.get_instructions(code)}
     starts = {k: step.positions[::2] if step.positions else (None,) for k, step in steps.items()}  # line and column
     call = max(offset for offset in steps if offset <= at)  # `at` may be in the inline cache after it

@@ -1,7 +1,7 @@
 """Share device memory with other libraries: DLPack, or `__cuda_array_interface__` on a GPU.
 
 Streams synchronize by events, not on the host. Nothing is copied or converted: an error explains how to convert. The
-source stays alive. Python array API standard (`__dlpack__`); CUDA array interface, version 3.
+source stays alive. Python array API standard (`__dlpack__`). CUDA array interface, version 3.
 """
 
 from __future__ import annotations

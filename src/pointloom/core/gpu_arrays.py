@@ -77,7 +77,7 @@ def take_vectors(name: str, values: Any, device: Any, *, rows: int | None = None
 
 
 def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None) -> wp.array:
-    """Colors (n, 3) as vec3 in 0..1; 8-bit colors are divided by 255."""
+    """Colors (n, 3) as vec3 in 0..1. 8-bit colors are divided by 255."""
     array = take_rows(name, values, 3, device, rows=rows)
     count = int(array.shape[0])
     if array.dtype == uint8:
@@ -201,7 +201,7 @@ def _as(array: wp.array, dtype: Any) -> wp.array:
 
 
 def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
-    """`choose_origin` for vec3 or vec3d on the GPU; also True if a coordinate exceeds 10 km.
+    """`choose_origin` for vec3 or vec3d on the GPU. Also True if a coordinate exceeds 10 km.
     Copies about 128 points to the host, about 4,096 if the origin is not zero, and all if none of these is finite."""
     if not points.size:
         return np.zeros(3), False
@@ -213,6 +213,6 @@ def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
 
 
 def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:
-    """Finite nonzero points of a sample; of all points if there are none."""
+    """Finite nonzero points of a sample. Of all points if there are none."""
     usable = usable_points(sample)
     return usable if len(usable) else sample_points(download(points))

@@ -10,7 +10,7 @@ from typing import Any
 
 def signal_exception(error: BaseException, handled: BaseException | None = None) -> BaseException | None:
     """The exception of a signal handler, KeyboardInterrupt or SystemExit among an error and its causes, or None.
-    A handler may run inside code that reads or writes a file; its exception must not be reported as a damaged file.
+    A handler may run inside code that reads or writes a file. Its exception must not be reported as a damaged file.
     `handled` was already being handled and is not searched."""
     handlers = _handler_codes()
     seen: set[int] = set()

@@ -8,7 +8,7 @@ import numpy as np
 
 
 def unmasked(name: str, values: Any, *, missing: float | None = None) -> Any:
-    """A masked array, or list of them, as a plain array with `missing` (None: NaN); other values are unchanged.
+    """A masked array, or list of them, as a plain array with `missing` (None: NaN). Other values are unchanged.
     Raises `ValueError` for masked integers or booleans without `missing`."""
     if isinstance(values, list | tuple) and any(isinstance(part, np.ma.MaskedArray) for part in values):
         values = np.ma.array(values)

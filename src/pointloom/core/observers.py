@@ -44,7 +44,7 @@ def watch(callback: Watcher) -> Iterator[None]:
 
 @contextlib.contextmanager
 def standing_for(**data: Any) -> Iterator[None]:
-    """Override data of events inside the block, such as clouds before downsampling; the outer block wins."""
+    """Override data of events inside the block, such as clouds before downsampling. The outer block wins."""
     token = _standing.set(data | (_standing.get() or {}))
     try:
         yield

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-MODULES = (  # sections of Open3D's modules; the others are of classes or arguments
+MODULES = (  # sections of Open3D's modules. The others are of classes or arguments
     "modules", "geometry", "io", "camera", "utility", "visualization", "registration", "odometry", "integration",
     "slac", "slam", "tensor",
 )  # fmt: skip

@@ -10,7 +10,7 @@ from .errors import FileError
 
 
 def path_of(path: Any, name: str = "path") -> Path:
-    """A path with `~` and `~name` expanded; raises `TypeError`, naming the argument, for other types."""
+    """A path with `~` and `~name` expanded. Raises `TypeError`, naming the argument, for other types."""
     text = path.__fspath__() if isinstance(path, os.PathLike) else path
     if not isinstance(text, str):
         hint = "; it comes first" if name == "path" else ""
@@ -23,21 +23,21 @@ def path_of(path: Any, name: str = "path") -> Path:
 
 
 def refuse_link(path: Path) -> Path:
-    """The path of a job file; raises `FileError` for a symbolic link, which would redirect writes and removals."""
+    """The path of a job file. Raises `FileError` for a symbolic link, which would redirect writes and removals."""
     if path.is_symlink():
         raise FileError(path, "is a symbolic link", remedy="Replace it by the file or folder it leads to")
     return path
 
 
 def plain_name(path: Path, name: Any, *, remedy: str = "") -> str:
-    """A file name read from `path`; raises `FileError` if it is not a plain name in the same folder."""
+    """A file name read from `path`. Raises `FileError` if it is not a plain name in the same folder."""
     if not isinstance(name, str) or name in ("", ".", "..") or any(sign in name for sign in "/\\\0"):
         raise FileError(path, f"expected a plain file name, got {name!r}", remedy=remedy)
     return name
 
 
 def is_file(path: Path) -> bool:
-    """True if the file exists; False for invalid names."""
+    """True if the file exists. False for invalid names."""
     try:
         return path.is_file()
     except (OSError, ValueError):

@@ -26,7 +26,7 @@ def pickled(arrays: dict[str, wp.array]) -> dict[str, tuple[NDArray[Any], str]]:
 
 
 def unpickled(state: dict[str, tuple[NDArray[Any], str]], device: Any) -> dict[str, wp.array]:
-    """The arrays on a device; raises for entries of a wrong type."""
+    """The arrays on a device. Raises for entries of a wrong type."""
     return {name: _upload_checked(name, *entry, device) for name, entry in state.items()}
 
 
@@ -52,7 +52,7 @@ def check_form(name: str, array: wp.array, *forms: tuple[Any, tuple[int, ...]]) 
 
 @contextmanager
 def unpickling(what: str) -> Iterator[None]:
-    """Convert all errors caused by a damaged state to one ValueError; a missing GPU stays a DeviceError."""
+    """Convert all errors caused by a damaged state to one ValueError. A missing GPU stays a DeviceError."""
     try:
         yield
     except (MemoryError, DeviceError):
@@ -64,7 +64,7 @@ def unpickling(what: str) -> Iterator[None]:
 
 
 def device_like(what: str, name: str) -> Any:
-    """The device of that name, else the first GPU; raises `DeviceError` without a GPU."""
+    """The device of that name, else the first GPU. Raises `DeviceError` without a GPU."""
     if name != "cpu" and not wp.get_cuda_device_count():
         raise DeviceError(
             f"the {what} was pickled on {name}, and there is no CUDA device here; pickle {what}.to('cpu') instead"

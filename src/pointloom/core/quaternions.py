@@ -1,4 +1,4 @@
-"""Convert rotations to and from unit quaternions (x, y, z, w); nearest rotations of matrices."""
+"""Convert rotations to and from unit quaternions (x, y, z, w). Nearest rotations of matrices."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import det, eigh
 
-NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm; a rotation's is 0.19
+NEARLY_SINGULAR = 1e-3  # a determinant, as a fraction of the cube of the Frobenius norm. A rotation's is 0.19
 MAX_NEWTON_STEPS = 20
 NEARLY_ONE = 0.1
 ROUNDING = 1e-15  # smaller steps count as zero, so a rotation is unchanged bitwise

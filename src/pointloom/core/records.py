@@ -1,6 +1,6 @@
 """Records of job stages: digests of inputs and output files, so that later runs can reuse results.
 
-A record is written last; files without a valid record, or with another digest, are recomputed.
+A record is written last. Files without a valid record, or with another digest, are recomputed.
 """
 
 from __future__ import annotations

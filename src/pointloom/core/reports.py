@@ -10,7 +10,7 @@ from .escaped_text import escaped
 from .html_tables import html_table
 from .wording import plain
 
-# Labels and values for people; a value may have several lines.
+# Labels and values for people. A value may have several lines.
 Fields = list[tuple[str, str]]
 
 
@@ -70,7 +70,7 @@ def quality(result: HasWarnings) -> dict[str, Any]:
 
 
 def failed(*checks: str | None) -> tuple[str, ...]:
-    """The messages of failed checks; None and "" are passed checks.
+    """The messages of failed checks. None and "" are passed checks.
 
     Example:
         >>> failed("the mesh is empty", None, "2 frames were lost")

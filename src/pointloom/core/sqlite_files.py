@@ -54,7 +54,7 @@ def check_no_code(base: sqlite3.Connection, path: str | os.PathLike[str], *, rem
 
 
 def ascending(path: str | os.PathLike[str], rows: Iterator[tuple[Any, ...]]) -> Iterator[tuple[Any, ...]]:
-    """Yield rows with ascending ids; raises `FileError` otherwise: a page of a damaged file is read twice."""
+    """Yield rows with ascending ids. Raises `FileError` otherwise: a page of a damaged file is read twice."""
     last: int | None = None
     for row in rows:
         if last is not None and row[0] <= last:

@@ -49,7 +49,7 @@ class Stage:
         make: Writes the files to an empty folder, calls progress(step, done, total), returns a report; reads only
             `after`'s files.
         settings: Other inputs, as JSON types.
-        version, code: Version of the stage and of the packages used; a change invalidates the result.
+        version, code: Version of the stage and of the packages used. A change invalidates the result.
         goes_on: If True, `make` gets a third argument, a folder that survives interruptions.
     """
 

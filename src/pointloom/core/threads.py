@@ -12,7 +12,7 @@ def set_num_threads(count: int | None) -> None:
 
     Args:
         count: From 1 to 1024. None: `POINTLOOM_CPU_THREADS`, else the cores available to the process (affinity, control
-            group); 1 on macOS and Windows, where more is untested.
+            group). 1 on macOS and Windows, where more is untested.
 
     Raises:
         ValueError: Another number.
@@ -35,7 +35,7 @@ def set_num_threads(count: int | None) -> None:
 
 
 def get_num_threads() -> int:
-    """The number of CPU threads, including the caller's; 1 if kernels are not parallel.
+    """The number of CPU threads, including the caller's. 1 if kernels are not parallel.
 
     Raises:
         ValueError: POINTLOOM_CPU_THREADS is no integer from 1 to 1024.

@@ -50,7 +50,7 @@ class Clock:
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
-        """Report a stage and measure the block; nothing is added if it raises."""
+        """Report a stage and measure the block. Nothing is added if it raises."""
         self._tell(name, 0, 0)
         self.restart()
         yield

@@ -39,7 +39,7 @@ class UnitWarning(UserWarning):
 
 
 class NonFiniteWarning(UserWarning):
-    """Normals, covariances, colors or speeds of some points are NaN or infinite; these points are not used.
+    """Normals, covariances, colors or speeds of some points are NaN or infinite. These points are not used.
 
     Example:
         >>> import warnings, pointloom as loom
@@ -56,7 +56,7 @@ class LengthUnit:
     Attributes:
         name: Such as "foot".
         symbol: The suffix of numbers.
-        meters: Length of one unit [m]; None for degrees of longitude and latitude.
+        meters: Length of one unit [m]. None for degrees of longitude and latitude.
 
     Raises:
         TypeError: Name or symbol is no string, or the length is no number.
@@ -148,7 +148,7 @@ def check_unit(name: str, value: Any) -> LengthUnit | None:
 
 
 def unit_by_length(name: str, meters: float) -> LengthUnit | None:
-    """The unit with this name and length [m]; None if they contradict each other."""
+    """The unit with this name and length [m]. None if they contradict each other."""
     if not (math.isfinite(meters) and meters > 0):
         return None
     named = unit_by_name(name)
@@ -171,7 +171,7 @@ def text_of(unit: LengthUnit) -> str:
 
 
 def unit_of_text(text: str) -> LengthUnit | None:
-    """Inverse of `text_of`; None for other text."""
+    """Inverse of `text_of`. None for other text."""
     name, is_told, length = text.strip().rpartition(" = ")
     if not is_told:
         unit = unit_by_name(text)
@@ -192,7 +192,7 @@ def symbol_of(unit: LengthUnit | None) -> str:
 
 
 def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | None:
-    """The common unit; unknown units adopt that of the others. Returns None with a warning if units differ."""
+    """The common unit. Unknown units adopt that of the others. Returns None with a warning if units differ."""
     known = [unit for unit in units if unit is not None]
     other = next((unit for unit in known if not is_same(unit, known[0])), None)
     if other is None:

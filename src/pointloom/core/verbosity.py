@@ -23,7 +23,7 @@ PATIENCE = 3.0  # [s] before a call reports progress, and between reports
 
 
 class VerbosityLevel(enum.Enum):
-    """Verbosity levels, as in Open3D; each includes the previous ones.
+    """Verbosity levels, as in Open3D. Each includes the previous ones.
 
     Example:
         >>> import pointloom as loom

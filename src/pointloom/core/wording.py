@@ -10,7 +10,7 @@ from typing import Any
 
 from .escaped_text import escaped, escaped_json
 
-MAX_DECIMALS = 15  # decimals that `rounded` leaves; Python has no more near 1
+MAX_DECIMALS = 15  # decimals that `rounded` leaves. Python has no more near 1
 
 
 def few_of(names: Sequence[str], most: int) -> str:
@@ -18,7 +18,7 @@ def few_of(names: Sequence[str], most: int) -> str:
 
 
 def format_share(share: float) -> str:
-    """A fraction as a percentage; only 0 prints 0.0% and only 1 prints 100.0%."""
+    """A fraction as a percentage. Only 0 prints 0.0% and only 1 prints 100.0%."""
     rest = min(share, 1 - share)
     digits = max(1, math.ceil(-math.log10(100 * rest))) if rest > 0 else 1
     return f"{share:.{digits}%}"

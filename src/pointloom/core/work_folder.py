@@ -35,7 +35,7 @@ def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite:
 
 @contextlib.contextmanager
 def held(folder: FilePath) -> Iterator[None]:
-    """Lock a folder against other processes; the lock ends with the process. Raises `FileError` if it is locked."""
+    """Lock a folder against other processes. The lock ends with the process. Raises `FileError` if it is locked."""
     if fcntl is None:
         yield
         return

@@ -1,4 +1,4 @@
-"""Synthetic scenes with ground truth, and public data sets by name; names are loaded on first use.
+"""Synthetic scenes with ground truth, and public data sets by name. Names are loaded on first use.
 
 Example:
     >>> import pointloom as loom

@@ -83,7 +83,7 @@ def _write(path: Path, key: str, arrays: Arrays) -> None:
 
 
 def _make_room(newest: Path) -> None:
-    """Remove the least recently used files until the limit holds; the newest stays."""
+    """Remove the least recently used files until the limit holds. The newest stays."""
     found = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
     total = 0
     for _, file in found:

@@ -1,6 +1,6 @@
 """Rows of numbers as text, for ASCII PLY, PCD and XYZ; blank lines are ignored.
 
-Two vectorized passes find and parse the tokens; only on failure are lines scanned to report the first error.
+Two vectorized passes find and parse the tokens. Only on failure are lines scanned to report the first error.
 """
 
 from __future__ import annotations
@@ -73,14 +73,14 @@ class AsciiRows:
         return bool(in_rows and (values[:, :-1] < between).all() and (between < values[:, 1:]).all())
 
     def numbers(self) -> NDArray[np.float64]:
-        """All tokens as flat float64, exact for integers up to 2^53; raises `FileError` with the line."""
+        """All tokens as flat float64, exact for integers up to 2^53. Raises `FileError` with the line."""
         if not len(self._tokens):
             return np.empty(0)
         try:
             values = np.fromstring(self._body, dtype=np.float64, sep=" ")
         except (ValueError, DeprecationWarning):
             raise self._bad_token() from None
-        if len(values) != len(self._tokens):  # "1-2" parses as two numbers; NumPy before 2.3 stops at a bad token
+        if len(values) != len(self._tokens):  # "1-2" parses as two numbers. NumPy before 2.3 stops at a bad token
             raise self._bad_token()
         self._check_infinities(values)
         return values

@@ -70,7 +70,7 @@ def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel
 def rename(
     path: Any, format: str, attributes: dict[str, NDArray[Any]], rules: NameRules, *, stacklevel: int = 3
 ) -> dict[str, NDArray[Any]]:
-    """The attributes with valid names; warns of changes."""
+    """The attributes with valid names. Warns of changes."""
     renamed = new_names(attributes, rules)
     if not renamed:
         return attributes

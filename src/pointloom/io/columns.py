@@ -25,7 +25,7 @@ def stack_points(columns: Sequence[NDArray[Any]]) -> NDArray[Any]:
 
 
 def stack_normals(path: Any, columns: Sequence[NDArray[Any]]) -> NDArray[np.float32]:
-    """Three columns as normals, float32 (n, 3); raises `FileError` beyond float32."""
+    """Three columns as normals, float32 (n, 3). Raises `FileError` beyond float32."""
     with quiet():
         normals = _stack(columns, np.float32)
     for axis, column in enumerate(columns):
@@ -61,7 +61,7 @@ def colors_or_loss(
     path: Any, columns: Sequence[NDArray[Any]], *, what: str = "colors", stacklevel: int = 3
 ) -> NDArray[np.float32] | None:
     """Color channels of a mesh, float32 (n, 3) in 0..1, or None.
-    Out-of-range colors are scaled or clamped; NaN, infinity or mixed types drop all colors; both with a warning."""
+    Out-of-range colors are scaled or clamped. NaN, infinity or mixed types drop all colors. Both with a warning."""
     try:
         return stack_colors(path, columns)
     except FileError as error:
@@ -81,7 +81,7 @@ def colors_or_loss(
 
 def color_scale(columns: Sequence[NDArray[Any]]) -> int:
     """Maximum channel value: 65535 for uint16, 255 for other integers.
-    Floats: 255 if one is above 2, or one is above 1 and all are integers; else 1."""
+    Floats: 255 if one is above 2, or one is above 1 and all are integers. Else 1."""
     if columns[0].dtype.kind != "f":
         return 65535 if columns[0].dtype.kind == "u" and columns[0].dtype.itemsize == 2 else 255
     high = max((float(column.max()) for column in columns if len(column)), default=0.0)
@@ -107,7 +107,7 @@ def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> N
 
 
 def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
-    """Warn at the writer's caller of content that the format cannot store; no-op without names."""
+    """Warn at the writer's caller of content that the format cannot store. No-op without names."""
     if names:
         message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
@@ -126,7 +126,7 @@ def check_reach(path: Any, points: NDArray[Any]) -> None:
 
 
 def colors_to_bytes(path: Any, colors: NDArray[Any]) -> NDArray[np.uint8]:
-    """Round colors in 0..1 to 8 bits, shape (n, 3); raises `FileError` if out of range."""
+    """Round colors in 0..1 to 8 bits, shape (n, 3). Raises `FileError` if out of range."""
     _refuse_colors(path, _outside(colors), "0..1")
     return np.rint(np.clip(colors, 0, 1) * np.float32(255)).astype(np.uint8)
 
@@ -145,7 +145,7 @@ def check_type(path: Any, name: str, values: NDArray[Any], allowed: str, remedy:
 
 
 def narrow_integers(values: NDArray[Any]) -> NDArray[Any] | None:
-    """64-bit integers as 32 bits or float64 if lossless, else None; other values unchanged."""
+    """64-bit integers as 32 bits or float64 if lossless, else None. Other values unchanged."""
     if values.dtype.kind not in "iu" or values.dtype.itemsize < 8:
         return values
     low, high = (int(values.min()), int(values.max())) if len(values) else (0, 0)
@@ -180,7 +180,7 @@ def _refuse_colors(path: Any, bad: NDArray[np.bool_], span: str) -> None:
 
 
 def _stack(columns: Sequence[NDArray[Any]], dtype: Any) -> NDArray[Any]:
-    """Stack columns; columns that are already adjacent in the file are copied in one pass."""
+    """Stack columns. Columns that are already adjacent in the file are copied in one pass."""
     rows = np.empty((len(columns[0]), len(columns)), dtype)
     first = columns[0]
     step = first.dtype.itemsize

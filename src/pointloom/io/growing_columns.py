@@ -1,6 +1,6 @@
 """Columns that grow with the delivered data, as a header's count is not trusted with memory.
 
-Memory: at most twice the delivered data and never more than the count; arrays are reallocated in place.
+Memory: at most twice the delivered data and never more than the count. Arrays are reallocated in place.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class GrowingColumns:
         self._filled = 0
 
     def append(self, block: dict[str, NDArray[Any]]) -> None:
-        """Add rows; the first block, possibly empty, defines the types."""
+        """Add rows. The first block, possibly empty, defines the types."""
         added = len(next(iter(block.values())))
         if not (self._arrays or self._is_proven):
             width = sum(values.dtype.itemsize * math.prod(values.shape[1:]) for values in block.values())

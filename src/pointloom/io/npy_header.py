@@ -19,7 +19,7 @@ _STRUCTURED = re.compile(r"\s*\{\s*'descr'\s*:\s*\[")
 
 
 def read_npy_header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype]:
-    """Shape, Fortran order and type of the next array (`void` if structured); raises NumPy's errors of any class."""
+    """Shape, Fortran order and type of the next array (`void` if structured). Raises NumPy's errors of any class."""
     begin = stream.tell()
     version = np.lib.format.read_magic(stream)
     if version not in _LENGTHS:

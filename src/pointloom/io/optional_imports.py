@@ -14,7 +14,7 @@ from ..core.interrupts import signal_exception
 
 
 def import_for(path: Any, module: str, extra: str) -> Any:
-    """Import a module of an optional package for a file; raises `FileError` naming the `extra` that installs it."""
+    """Import a module of an optional package for a file. Raises `FileError` naming the `extra` that installs it."""
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -58,5 +58,5 @@ def ignored_errors() -> Iterator[None]:
 
 
 def _is_panic(error: BaseException) -> bool:
-    """True for a panic of a Rust package; each package has its own class of this name."""
+    """True for a panic of a Rust package. Each package has its own class of this name."""
     return (type(error).__module__, type(error).__name__) == ("pyo3_runtime", "PanicException")

@@ -91,7 +91,7 @@ def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
 
 
 def parse_whole(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
-    """A decimal count in a header, at most `maximum`; raises `FileError` with the line otherwise."""
+    """A decimal count in a header, at most `maximum`. Raises `FileError` with the line otherwise."""
     where = f"line {line}"
     if text.startswith("-") and text[1:].isdigit():
         raise FileError(path, f"{what} is negative: {text[:40]}", where=where)

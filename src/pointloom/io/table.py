@@ -41,7 +41,7 @@ class PointTable:
     viewpoint: tuple[float, ...] | None = None
 
     def checked(self) -> PointTable:
-        """The table with validated arrays, for writers; raises `TypeError` or `ValueError`."""
+        """The table with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
         points = _floating(check_rows("points", self.points, 3))
         count = len(points)
         if self.grid is not None and (min(self.grid) < 1 or self.grid[0] * self.grid[1] != count):
@@ -89,7 +89,7 @@ class MeshTable:
     unit: LengthUnit | None = field(default=None, kw_only=True)
 
     def checked(self) -> MeshTable:
-        """The mesh with validated arrays, for writers; raises `TypeError` or `ValueError`."""
+        """The mesh with validated arrays, for writers. Raises `TypeError` or `ValueError`."""
         vertices = _floating(check_rows("vertices", self.vertices, 3))
         count = len(vertices)
         triangles = check_rows("triangles", self.triangles, 3)

@@ -2,7 +2,7 @@
 
 A face becomes a fan around its first corner if all triangles have its orientation. Otherwise a quad is split along its
 other diagonal (nonplanar quads: the shorter one), a larger face by ear clipping, in lockstep for many polygons and
-deterministic. Self-intersecting faces stay fans, with a warning. Meisters, "Polygons have ears" (1975); Held, "FIST"
+deterministic. Self-intersecting faces stay fans, with a warning. Meisters, "Polygons have ears" (1975). Held, "FIST"
 (2001).
 """
 
@@ -20,7 +20,7 @@ from ..core.escaped_text import escaped
 # Maximum corners of a polygon: the cost is quadratic, and 10,000 take about 5 s.
 MAX_CORNERS = 10_000
 
-# Polygons with more corners skip the pairwise edge test; their triangles reveal most intersections.
+# Polygons with more corners skip the pairwise edge test. Their triangles reveal most intersections.
 _MAX_CROSSED = 2_048
 
 _PAIRS_AT_A_TIME = 1 << 21
@@ -42,7 +42,7 @@ Places = NDArray[np.int64]
 
 def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
     """Triangulate counterclockwise polygons, coordinates (p, n).
-    Returns corner indices (p, n - 2, 3) and a mask; triangles of self-intersecting polygons are invalid."""
+    Returns corner indices (p, n - 2, 3) and a mask. Triangles of self-intersecting polygons are invalid."""
     count, n = x.shape
     triangles, good = np.zeros((count, n - 2, 3), np.int64), np.zeros(count, bool)
     if n > MAX_CORNERS:
@@ -89,7 +89,7 @@ def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
 
 
 def _wind_twice(x: Floats, y: Floats) -> NDArray[np.bool_]:
-    """Mask (p,) of polygons without duplicate corners whose turning number is not 1; they intersect themselves."""
+    """Mask (p,) of polygons without duplicate corners whose turning number is not 1. They intersect themselves."""
     along_x, along_y = np.roll(x, -1, 1) - x, np.roll(y, -1, 1) - y
     next_x, next_y = np.roll(along_x, -1, 1), np.roll(along_y, -1, 1)
     zero = np.zeros_like(x)
@@ -121,7 +121,7 @@ def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
 
 
 class _Clipping:
-    """Ear clipping of polygons (p, n) in lockstep; the search begins at corner `start`."""
+    """Ear clipping of polygons (p, n) in lockstep. The search begins at corner `start`."""
 
     def __init__(self, x: Floats, y: Floats, start: int):
         count, n = x.shape
@@ -147,7 +147,7 @@ class _Clipping:
         return self.triangles, self.good
 
     def _step(self, rows: Places) -> Places:
-        """Test the next corner of each polygon; returns the unfinished polygons."""
+        """Test the next corner of each polygon. Returns the unfinished polygons."""
         b = self.at[rows]
         a, c = self.before[rows, b], self.after[rows, b]
         area = self._turn_at(rows, a, b, c)
@@ -220,7 +220,7 @@ Mask = NDArray[np.bool_]
 
 
 def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDArray[Any]) -> Places:
-    """Triangles as indices into all corners, shape (t, 3); warns of self-intersecting faces."""
+    """Triangles as indices into all corners, shape (t, 3). Warns of self-intersecting faces."""
     small = np.flatnonzero(lengths < 3)
     if len(small):
         row = int(small[0])

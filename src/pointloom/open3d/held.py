@@ -6,7 +6,7 @@ content, and a new pointloom object is made if it differs. In-place operations w
 as Open3D's arrays follow its objects.
 
 To write a class: set `_kind`, declare arrays as `Rows`, and implement `_read`, `_made` and `_token`. Mutating methods
-return `self._become(self._ours.method(...))`, others `Class._of(self._ours.method(...))`; arguments go through `ours`.
+return `self._become(self._ours.method(...))`, others `Class._of(self._ours.method(...))`. Arguments go through `ours`.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class Held(KnownNames):
         return self
 
     def _read(self, name: str) -> NDArray[Any]:
-        """Values of an array of `_held`; empty if it has none."""
+        """Values of an array of `_held`. Empty if it has none."""
         raise NotImplementedError
 
     def _made(self, changed: list[str]) -> Any:
@@ -106,7 +106,7 @@ class Held(KnownNames):
         raise NotImplementedError
 
     def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
-        """Identity (objects or bytes) of an array for comparison; None if there is none."""
+        """Identity (objects or bytes) of an array for comparison. None if there is none."""
         raise NotImplementedError
 
     def _vector(self, name: str) -> Any:

@@ -27,7 +27,7 @@ def indices_of(name: str, values: Any, count: int, of: str) -> NDArray[np.int64]
 
 
 def flagged(name: str, values: Any, count: int, of: str) -> NDArray[np.bool_]:
-    """True for each of `count` elements that the indices contain; errors as in `indices_of`."""
+    """True for each of `count` elements that the indices contain. Errors as in `indices_of`."""
     flags = np.zeros(count, bool)
     flags[indices_of(name, values, count, of)] = True
     return flags

@@ -68,7 +68,7 @@ class Vector(ToldNames):
         return rows.astype(self._dtype)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """The memory itself, or a copy; NumPy converts to `dtype`."""
+        """The memory itself, or a copy. NumPy converts to `dtype`."""
         return self._values.copy() if copy else self._values
 
     def __len__(self) -> int:

@@ -33,7 +33,7 @@ class Joined:
 
 
 def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
-    """Write a tile's border data; FileError if the file cannot be written."""
+    """Write a tile's border data. FileError if the file cannot be written."""
     path = folder / LEFT / str(step) / f"{tile}.npy"
     try:
         refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
@@ -57,7 +57,7 @@ class Leavings:
         return tile in self._counts
 
     def __getitem__(self, tile: int) -> dict[str, NDArray[Any]]:
-        """Arrays of a tile; FileError if missing, damaged or not as in the manifest."""
+        """Arrays of a tile. FileError if missing, damaged or not as in the manifest."""
         return self._open(tile)
 
     def __iter__(self) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
@@ -95,7 +95,7 @@ def _mapped(whole: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
 
 
 def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) -> Joined:
-    """Join the border data of a step and remove unfinished joins; FileError if data is damaged or the disk full."""
+    """Join the border data of a step and remove unfinished joins. FileError if data is damaged or the disk full."""
     done = folder / JOINED / str(number)
     part = done.with_name(f"{done.name}.{owner}.part")
     for old in (done, *done.parent.glob(f"{done.name}.*.part")):
@@ -117,7 +117,7 @@ def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) 
 
 
 def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any] | None]:
-    """Global count of a join, and its result for a tile or None; FileError if unreadable."""
+    """Global count of a join, and its result for a tile or None. FileError if unreadable."""
     place = folder / JOINED / str(number)
     try:
         count = int(json.loads((place / WHOLE).read_text())["count"])

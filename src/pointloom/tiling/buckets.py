@@ -32,12 +32,12 @@ _MAX_CELLS = 4  # along a side
 _BLOCK = struct.Struct("<4sIIII4dI")  # magic, rows, bytes of rows, bytes of numbers, packing, box, checksum
 _MARK = b"LOOM"
 _ZLIB, _LASZIP = 0, 1
-Window = tuple[float, float, float, float]  # low x, low y, high x, high y; low ends inclusive
+Window = tuple[float, float, float, float]  # low x, low y, high x, high y. Low ends inclusive
 
 _ANEW = "Remove {} and call retry_tiles(folder)"
-REMOTE = "remote-"  # prefix of workers without a local lock; their leftovers are removed at the end
+REMOTE = "remote-"  # prefix of workers without a local lock. Their leftovers are removed at the end
 _LASZIP_FORMATS = (0, 1, 2, 3, 6, 7, 8)
-_LASZIP_ROWS = 500  # from which LASzip compresses better than zlib; its start takes 0.5 ms
+_LASZIP_ROWS = 500  # from which LASzip compresses better than zlib. Its start takes 0.5 ms
 
 
 class Filled(NamedTuple):
@@ -181,7 +181,7 @@ def inside(places: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
 
 
 def _lazrs_record(file: LasFile) -> Any:
-    """lazrs's description of the row format; None if unsupported."""
+    """lazrs's description of the row format. None if unsupported."""
     if file.header.point_format not in _LASZIP_FORMATS:
         return None
     lazrs = import_for("buckets.laz", "lazrs", "las")
@@ -212,7 +212,7 @@ def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArr
 def read_buckets(
     plan: Any, folder: Path, number: int, file: LasFile, window: Any
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """Rows of a file in a window in file order, and their numbers; FileError if a bucket is damaged."""
+    """Rows of a file in a window in file order, and their numbers. FileError if a bucket is damaged."""
     place = folder_of(folder, number)
     counts = _index_of(place, _time_of(place))
     rows, numbers = [], []

@@ -22,7 +22,7 @@ from .steps.step import Step
 def describe_epochs(
     steps: list[Step], sources: list[dict[str, Any]], folder: Path, report: ReportProgress
 ) -> list[dict[str, Any]]:
-    """Plan entries of compared epochs, unique and in step order; FileError if one does not match the survey."""
+    """Plan entries of compared epochs, unique and in step order. FileError if one does not match the survey."""
     epochs: list[dict[str, Any]] = []
     for step in steps:
         if not step.epoch or any(epoch["paths"] == step.epoch for epoch in epochs):
@@ -57,7 +57,7 @@ def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], st
 
 
 def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:
-    """Points of a step's epoch in a window, in file order, about the plan's origin; FileError if damaged or changed."""
+    """Points of a step's epoch in a window, in file order, about the plan's origin. FileError if damaged or changed."""
     number = [epoch["paths"] for epoch in plan.epochs].index(step.epoch)
     table = read_window(plan, folder, fulls, window, epoch=number)
     table.attributes, table.normals, table.colors = {}, None, None

@@ -42,7 +42,7 @@ class ExactSums:
         return ExactSums(self.count + other.count, self.total + other.total, self.squares + other.squares)
 
     def mean_and_deviation(self) -> tuple[float, float]:
-        """Mean and standard deviation with n - 1, rounded once or twice; NaN if empty."""
+        """Mean and standard deviation with n - 1, rounded once or twice. NaN if empty."""
         if not self.count:
             return math.nan, math.nan
         mean = Fraction(self.total, self.count << _PLACES)

@@ -47,19 +47,19 @@ def finish_tiles(
 ) -> Path:
     """Merge all tiles into one file and remove the job's intermediate data.
 
-    LAZ is written tile by tile; the octree equals that of `write_point_cloud`, from two passes over the tiles. Bitwise
-    independent of workers. Memory: 1 GB; no temporary disk space.
+    LAZ is written tile by tile. The octree equals that of `write_point_cloud`, from two passes over the tiles. Bitwise
+    independent of workers. Memory: 1 GB. No temporary disk space.
 
     Args:
         folder: Folder of `plan_tiles`, all tiles done.
         path: The file. If None: `result.laz` or, if planned, `result.copc.laz` in the folder.
         output: "laz", "las" or "copc". If None: by the name, or the plan.
-        workers: Processes for an octree, 1 GB of memory each, as of `run_tiles`; 0 uses this process.
+        workers: Processes for an octree, 1 GB of memory each, as of `run_tiles`. 0 uses this process.
         overwrite: Allow replacing an existing file.
         progress: Called with "points", the points read and to read (twice for an octree).
 
     Returns:
-        The file; the first raster if no point remains and `rasterize` is a step.
+        The file. The first raster if no point remains and `rasterize` is a step.
 
     Raises:
         ValueError, FileError: If the output is unknown, or if tiles are not done, missing or damaged, millions of
@@ -130,7 +130,7 @@ def _check_finished(manifest: Manifest, plan: Plan) -> None:
 
 
 def _check_tiles(manifest: Manifest, plan: Plan) -> None:
-    """Check that tile files are those that were written; reset others."""
+    """Check that tile files are those that were written. Reset others."""
     with manifest.change() as base:
         base.execute(CHECKSUMS)
     query = "SELECT id, crc FROM tiles JOIN checksums ON tile = id WHERE state = 'done' ORDER BY id"
@@ -179,7 +179,7 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
 
 
 def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:
-    """Write an octree as COPC; FileError if a tile is damaged or the file cannot be written."""
+    """Write an octree as COPC. FileError if a tile is damaged or the file cannot be written."""
     first = open_las(tree.files[0].path)
     table = table_of(first, first.decode(np.zeros(1, first.layout.dtype())))
     layout = lay_out(path, table, tree.scales, tree.offsets, first.header, is_part=True)

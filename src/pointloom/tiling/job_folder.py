@@ -28,7 +28,7 @@ def nothing_left(folder: Path) -> Iterator[None]:
 
 
 def make_folder(folder: Path) -> None:
-    """Create a run's folder, which may exist and be empty; FileError otherwise."""
+    """Create a run's folder, which may exist and be empty. FileError otherwise."""
     check_folder(folder)
     try:
         folder.mkdir(exist_ok=True)

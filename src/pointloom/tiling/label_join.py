@@ -1,7 +1,7 @@
 """Join clusters of tiles: a point in two clusters merges them.
 
 Clusters seen by one tile are complete. Halo points of the others are listed with their home tile, and each point common
-to clusters of two tiles is a link. Memory: 40 B per such cluster, 30 B per link; lists are mapped. Clusters are
+to clusters of two tiles is a link. Memory: 40 B per such cluster, 30 B per link. Lists are mapped. Clusters are
 numbered by (major, minor) keys, sizes and first points, in bounded parts of that order.
 """
 
@@ -149,7 +149,7 @@ def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -
 def _rank_stretch(
     left: Leavings, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
 ) -> int:
-    """Number the clusters of a part from `begin` on; returns the next number."""
+    """Number the clusters of a part from `begin` on. Returns the next number."""
     kept, names = named
     owners, lows, pieces = [], [], []
     for tile, keys in [(None, groups), *((tile, (arrays["majors"], arrays["minors"])) for tile, arrays in left)]:

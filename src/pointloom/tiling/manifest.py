@@ -1,7 +1,7 @@
 """Manifest of a job: one SQLite file with its plan, tasks and owners.
 
 Changes are transactions, so processes of one machine, or of several on a file system with locks, can share a folder. An
-owner holds a locked file, which the system releases when its process ends; then its claims are returned.
+owner holds a locked file, which the system releases when its process ends. Then its claims are returned.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class Manifest:
     """An open manifest, for one thread: `folder`, `plan` in JSON's types, `version` of pointloom that planned it."""
 
     def __init__(self, folder: Path, *, is_job: bool = False):
-        """Open a manifest of tiles or another job (jobs/job.py); FileError if missing or of another kind."""
+        """Open a manifest of tiles or another job (jobs/job.py). FileError if missing or of another kind."""
         self.folder, path = folder, folder / NAME
         try:
             is_there = path.is_file()
@@ -128,7 +128,7 @@ class Manifest:
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
-        """Claim the first waiting row of a table for a worker; None if there is none."""
+        """Claim the first waiting row of a table for a worker. None if there is none."""
         with self.change() as base:
             query = f"SELECT * FROM {table} WHERE state = 'waiting' AND {where} ORDER BY id LIMIT 1"
             row = base.execute(query, values).fetchone()
@@ -137,7 +137,7 @@ class Manifest:
         return row
 
     def settle(self, table: str, row: int, owner: str, **values: Any) -> bool:
-        """Record the result of a claimed row; False if the worker no longer owns it."""
+        """Record the result of a claimed row. False if the worker no longer owns it."""
         with self.change() as base:
             return self.settle_in(base, table, row, owner, **values)
 
@@ -148,7 +148,7 @@ class Manifest:
         return base.execute(query, (*values.values(), row, owner)).rowcount == 1
 
     def give_back(self, *, is_death: bool = True) -> int:
-        """Release the claims of dead workers; returns the number of rows. A task is quarantined after several deaths; a
+        """Release the claims of dead workers. Returns the number of rows. A task is quarantined after several deaths. A
         requested stop does not count."""
         given = 0
         for owner in self.owners():
@@ -298,7 +298,7 @@ def damage_as_file_errors(path: Path) -> Iterator[None]:
 
 
 def lock_of(folder: Path, owner: Any) -> Path:
-    """Path of a worker's lock; FileError if the owner's name is invalid, such as a path."""
+    """Path of a worker's lock. FileError if the owner's name is invalid, such as a path."""
     if not isinstance(owner, str) or not _OWNER.fullmatch(owner):
         reason = f"the manifest is damaged: expected the name of a worker, got {owner!r}"
         raise FileError(folder / NAME, reason, remedy="Plan it anew in another folder")
@@ -308,7 +308,7 @@ def lock_of(folder: Path, owner: Any) -> Path:
 @contextlib.contextmanager
 def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
     """Name of an owner of tasks for the duration of the block, or until the process ends. A process that only
-    distributes tasks has a name ending in DISTRIBUTES; its death is not counted against tasks."""
+    distributes tasks has a name ending in DISTRIBUTES. Its death is not counted against tasks."""
     owner = uuid.uuid4().hex + ("" if computes else DISTRIBUTES)
     path = lock_of(folder, owner)
     with told_as_file_errors(path):
@@ -326,7 +326,7 @@ def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
 
 @contextlib.contextmanager
 def only_one(folder: Path, name: str) -> Iterator[None]:
-    """Enter a named block exclusively; FileError if another process is in it."""
+    """Enter a named block exclusively. FileError if another process is in it."""
     path = folder / LOCKS / name
     with told_as_file_errors(path):
         path.parent.mkdir(exist_ok=True)
@@ -344,7 +344,7 @@ def only_one(folder: Path, name: str) -> Iterator[None]:
 
 
 def clear_locks(folder: Path) -> None:
-    """Remove locks of dead workers when no task is left; a worker that starts now is ignored."""
+    """Remove locks of dead workers when no task is left. A worker that starts now is ignored."""
     for path in (folder / LOCKS).glob("*"):
         if _OWNER.fullmatch(path.name) and is_dead(folder, path.name):
             path.unlink(missing_ok=True)

@@ -65,7 +65,7 @@ class Plan:
         return [*enumerate(self.files)][first:last]
 
     def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Tile number of each position (n, 2); the nearest tile's beyond the grid."""
+        """Tile number of each position (n, 2). The nearest tile's beyond the grid."""
         cells = np.floor((places - self.corner) / self.size)
         cells = np.clip(cells, 0, np.array(self.shape) - 1).astype(np.int64)
         return cells[:, 1] * self.shape[0] + cells[:, 0]
@@ -97,7 +97,7 @@ class Plan:
 
     @property
     def passes(self) -> list[int | None]:
-        """Step that each pass measures for; None for the last one, which runs all steps."""
+        """Step that each pass measures for. None for the last one, which runs all steps."""
         return [*(k for k, step in enumerate(self.steps) if step.needs_numbers or step.joins), None]
 
     @property
@@ -118,18 +118,18 @@ def plan_tiles(
     output: str = "laz",
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
-    """Plan a tiled job in a folder: files, steps and tiles; of LAS only headers are read.
+    """Plan a tiled job in a folder: files, steps and tiles. Of LAS only headers are read.
 
-    A folder with the same plan keeps its finished work; one with another plan is rejected. The result is bitwise that
+    A folder with the same plan keeps its finished work. One with another plan is rejected. The result is bitwise that
     of the operations on the complete cloud, for any tile size, except: the voxel grid starts at whole units or the
-    step's `corner`; statistics of outliers are exact sums, so points within 1e-12 of the limit may differ; ties for the
-    k-th neighbor after a step that removed outer points may differ. Memory: 300 B per point of a tile and its halo; 4
+    step's `corner`. Statistics of outliers are exact sums, so points within 1e-12 of the limit may differ. Ties for the
+    k-th neighbor after a step that removed outer points may differ. Memory: 300 B per point of a tile and its halo. 4
     million rows while sorting into tiles.
 
     Args:
-        sources: Paths of .las and .laz files, folders of them, or a .vpc. COPC files are read by windows; other LAS
+        sources: Paths of .las and .laz files, folders of them, or a .vpc. COPC files are read by windows. Other LAS
             files are sorted into tiles on disk first. PLY, PCD, E57 and text files are first converted to LAZ in the
-            folder, with a resolution of 1e-4 units, finer within 100; in a folder only if there is no LAS file.
+            folder, with a resolution of 1e-4 units, finer within 100. In a folder only if there is no LAS file.
         steps: Dictionaries such as `{"step": "voxel_down_sample", "voxel_size": 0.5}`, or a TOML file of [[step]]
             tables. Steps: voxel_down_sample, remove_radius_outlier, remove_statistical_outlier, estimate_normals,
             smooth_mls, crop, function, classify_ground, height_above_ground, rasterize, features, thin, distance, m3c2,
@@ -196,7 +196,7 @@ def plan_tiles(
 
 
 def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
-    """Open a manifest and its plan; FileError if missing, or if version or files changed."""
+    """Open a manifest and its plan. FileError if missing, or if version or files changed."""
     manifest = Manifest(path_of(folder, "folder"))
     try:
         if manifest.version != __version__:
@@ -212,7 +212,7 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
 
 
 def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunction | str]) -> None:
-    """Set the functions of a plan's steps; FileError if the plan names another one."""
+    """Set the functions of a plan's steps. FileError if the plan names another one."""
     if callable(functions) or isinstance(functions, str):
         raise TypeError(f"functions: expected a list of functions, got {shown(functions)}")
     try:

@@ -1,7 +1,7 @@
 """Areas as polygons from GeoJSON (RFC 7946), well-known text (OGC 06-103r4) or corners, and point tests.
 
 An area is a list of polygons, a polygon a list of rings, a ring corners (n, 2). Even-odd rule per polygon, union of
-polygons; edges as in `SelectionPolygonVolume`.
+polygons. Edges as in `SelectionPolygonVolume`.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ def bounds_of(area: Area) -> tuple[Ring, Ring]:
 
 
 def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, Any]]) -> Area:
-    """Transform an area from `crs` (None: the survey's) to a survey's coordinates; edges stay straight."""
+    """Transform an area from `crs` (None: the survey's) to a survey's coordinates. Edges stay straight."""
     filled = [source for source in sources if source["points"]]
     if crs is not None:
         area = _transformed(name, area, crs, Path(sources[0]["path"]))

@@ -64,7 +64,7 @@ def run_tasks(
     security: Any = None,
     device: str = "cpu",
 ) -> None:
-    """Run all tasks that this run can claim; FileError or DeviceError if workers cannot be started. `book_of` returns
+    """Run all tasks that this run can claim. FileError or DeviceError if workers cannot be started. `book_of` returns
     the book of the named run, `call` is imported by workers and gets a task and a device, `tell` is called after each
     task. Without `workers` and `scheduler` (an address, with `security`) tasks run in this process. With "cuda" each
     process gets its own GPU."""
@@ -87,7 +87,7 @@ def run_tasks(
 
 
 class Processes:
-    """Local worker processes that map functions; count 0 uses this process. `path` is the output file, for errors."""
+    """Local worker processes that map functions. Count 0 uses this process. `path` is the output file, for errors."""
 
     def __init__(self, count: int, path: Any):
         self.count, self._path, self._client = count, path, None
@@ -102,7 +102,7 @@ class Processes:
         self._stack.close()
 
     def map(self, call: Callable[..., Result], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Result]:
-        """Yield `call(*task)` in task order, about one per process ahead; FileError after repeated deaths."""
+        """Yield `call(*task)` in task order, about one per process ahead. FileError after repeated deaths."""
         if self._client is None:
             yield from (call(*task) for task in tasks)
             return
@@ -273,7 +273,7 @@ def _workers(client: Any, path: Path) -> set[str]:
 
 
 def _prepared(client: Any, path: Path, workers: set[str], device: str) -> set[str]:
-    """Reserve devices of new workers and check their versions; returns those that answered."""
+    """Reserve devices of new workers and check their versions. Returns those that answered."""
     told = client.run(_prepare, device, workers=[*workers], on_error="return") if workers else {}
     told = {address: version for address, version in told.items() if not isinstance(version, OSError)}
     for address, version in told.items():
@@ -299,7 +299,7 @@ def _device(asked: str) -> str:
 
 
 def _prepare(device: str) -> str:
-    """In a worker: reserve its device; returns its version of pointloom."""
+    """In a worker: reserve its device. Returns its version of pointloom."""
     with _ONE:
         _device(device)
     return __version__

@@ -77,7 +77,7 @@ def grid_cells(step: Rasterize, plan: Plan) -> list[int]:
 
 
 def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[np.int64] | None:
-    """Cells with centers in a tile: (x0, y0, x1, y1), upper ends exclusive; None if there are none."""
+    """Cells with centers in a tile: (x0, y0, x1, y1), upper ends exclusive. None if there are none."""
     every, found = grid_cells(step, plan), np.empty(4, np.int64)
     for axis in range(2):
         corner, begin = step.params["corner"][axis], plan.corner[axis] + place[axis] * plan.size
@@ -98,7 +98,7 @@ def raster_path(folder: Path, name: str, place: tuple[int, int]) -> Path:
 
 
 def crs_of(plan: Plan) -> str | None:
-    """Coordinate system of the files for rasterio; None if unknown."""
+    """Coordinate system of the files for rasterio. None if unknown."""
     header = file_of(plan.sources[0]).header
     text = find_text(header)
     if text:
@@ -114,7 +114,7 @@ def mosaics_of(plan: Plan, path: Path) -> list[Path]:
 
 
 def write_mosaics(manifest: Manifest, plan: Plan, paths: list[Path], overwrite: bool) -> None:
-    """Write a GeoTIFF per raster, window by window; FileError if a tile's raster is wrong or writing fails."""
+    """Write a GeoTIFF per raster, window by window. FileError if a tile's raster is wrong or writing fails."""
     steps = [step for step in plan.steps if isinstance(step, Rasterize)]
     for step, path in zip(steps, paths, strict=True):
         _write_mosaic(manifest, plan, step, path, overwrite)
@@ -162,7 +162,7 @@ class _Tiles:
         self.files.clear()
 
     def lay(self, place: tuple[int, int], own: Any, box: Any, out: NDArray[np.float32]) -> None:
-        """Copy a tile's values in a box of cells; a tile without points has no file."""
+        """Copy a tile's values in a box of cells. A tile without points has no file."""
         path = raster_path(self.folder, self.step.raster, place)
         if self.files.find(place) is None and not path.exists():
             return

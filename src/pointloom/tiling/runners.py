@@ -32,14 +32,14 @@ def run_tiles(
     functions: Iterable[Callable[..., Any]] = (),
     progress: ReportProgress = say_nothing,
 ) -> TileStatus:
-    """Process the tiles of a folder; finished ones stay.
+    """Process the tiles of a folder. Finished ones stay.
 
-    Several runs may share a folder; each tile belongs to one run. A tile is repeated if its worker dies and is
+    Several runs may share a folder. Each tile belongs to one run. A tile is repeated if its worker dies and is
     quarantined after three deaths. If a step fails on a tile, the others continue. Interrupted tiles wait again.
 
     Args:
         folder: Folder of `plan_tiles`.
-        workers: Number of local dask.distributed processes with one thread each; 0 uses this process. Needs
+        workers: Number of local dask.distributed processes with one thread each. 0 uses this process. Needs
             `pip install "pointloom[tiling]"`, and in a script a call below `if __name__ == "__main__":`.
         part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
             needs others.
@@ -53,7 +53,7 @@ def run_tiles(
         progress: Called with "files", "tiles" or "pass 1 of 2", the progress and the total.
 
     Returns:
-        A TileStatus; check `failed` and `aside`.
+        A TileStatus. Check `failed` and `aside`.
 
     Raises:
         FileError: If there is no plan, files or version changed, a function was not passed, sorting fails, or workers
@@ -100,7 +100,7 @@ def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
 
 
 def retry_tiles(folder: FilePath) -> TileStatus:
-    """Reset failed and quarantined tiles and files to waiting; then call `run_tiles`."""
+    """Reset failed and quarantined tiles and files to waiting. Then call `run_tiles`."""
     with Manifest(path_of(folder, "folder")) as manifest:
         manifest.give_back()
         with manifest.change() as base:

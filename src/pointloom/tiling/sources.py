@@ -37,7 +37,7 @@ from .unindexed_files import SUFFIXES as LOOSE
 from .unindexed_files import taken_over
 
 IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # these may be notes
-ROW_BITS = 40  # bits of a point's key for its row; the rest is the file number
+ROW_BITS = 40  # bits of a point's key for its row. The rest is the file number
 
 
 def list_files(sources: Any) -> list[Path]:
@@ -109,7 +109,7 @@ def _state_on_disk(path: Path) -> dict[str, Any]:
 
 
 def describe(path: Path) -> dict[str, Any]:
-    """Description of a LAS file in JSON's types; FileError if damaged or in degrees."""
+    """Description of a LAS file in JSON's types. FileError if damaged or in degrees."""
     file = open_las(path)
     header = file.header
     if is_geographic(header):
@@ -213,7 +213,7 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
 
 
 class NotLaidError(Exception):
-    """A tile needs a file that was far from all tiles during planning; the argument is its number."""
+    """A tile needs a file that was far from all tiles during planning. The argument is its number."""
 
 
 def read_window(plan: Any, folder: Path, fulls: dict[int, int], window: Window, epoch: int | None = None) -> PointTable:
@@ -309,7 +309,7 @@ INDEX = ".vpc"
 
 
 def files_of_index(path: Path) -> list[Path]:
-    """Files listed in a virtual point cloud (.vpc: STAC items); FileError if an entry is wrong."""
+    """Files listed in a virtual point cloud (.vpc: STAC items). FileError if an entry is wrong."""
     try:
         items = read_json_object(path)["features"]
         hrefs = [_data_of(item["assets"])["href"] for item in items]

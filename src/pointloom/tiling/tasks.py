@@ -80,7 +80,7 @@ class Taskbook:
         self._fulls: dict[int, int] | None = None
 
     def take(self) -> Task | bool:
-        """Claim the next task; True if one may follow, False if none is left."""
+        """Claim the next task. True if one may follow, False if none is left."""
         manifest = self._manifest
         row = manifest.claim("sources", self.owner)
         if row is not None:
@@ -108,7 +108,7 @@ class Taskbook:
         return bool(manifest.counts("tiles", *here)["waiting"])  # otherwise other parts still process this pass
 
     def _join_task(self, number: int) -> Task | bool | None:
-        """Join after a pass; as `take`, or None if done."""
+        """Join after a pass. As `take`, or None if done."""
         if self._manifest.claim("joins", self.owner, "id = ?", number) is not None:
             rows = self._manifest.rows("SELECT tile, count FROM numbers WHERE pass = ? AND count > 0", number)
             return Task("joins", number, left={row["tile"]: row["count"] for row in rows})
@@ -151,7 +151,7 @@ class Taskbook:
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
     def fail(self, task: Task, error: Exception) -> None:
-        """Record the error of a task; a tile that needs an unsorted file waits for it."""
+        """Record the error of a task. A tile that needs an unsorted file waits for it."""
         if isinstance(error, NotLaidError):
             self._fulls = None
             with self._manifest.change() as base:
@@ -178,7 +178,7 @@ def lay_again(manifest: Manifest) -> None:
 
 
 def next_pass(manifest: Manifest) -> int | None:
-    """Current pass; the next one starts when all tiles are through."""
+    """Current pass. The next one starts when all tiles are through."""
     query = "SELECT pass FROM tiles WHERE state = ? ORDER BY pass LIMIT 1"
     found = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
     return min(found, default=None)

@@ -1,8 +1,8 @@
 """Octree over the points of many LAZ files in bounded memory; io/points/copc_writer.py writes its nodes as COPC.
 
-The tree equals that of `write_copc` over all points in file order. The cube is halved until each cell fits in memory;
-levels are computed per cell, along the Morton curve, with one open node per level. Cells smaller than a voxel of the
-coarsest level (1/128 of the cube) first compare their representative points. Two passes over the files; 150 B per point
+The tree equals that of `write_copc` over all points in file order. The cube is halved until each cell fits in memory.
+Levels are computed per cell, along the Morton curve, with one open node per level. Cells smaller than a voxel of the
+coarsest level (1/128 of the cube) first compare their representative points. Two passes over the files. 150 B per point
 of a cell, 256 MiB of chunks.
 """
 
@@ -70,7 +70,7 @@ class _Chunks:
 
 
 class TileTree:
-    """Octree over LAZ files of one format, scale and offset; FileError if a file changed or too many points coincide.
+    """Octree over LAZ files of one format, scale and offset. FileError if a file changed or too many points coincide.
     `counts` are the points per file; `report` is called with "points" and progress of twice the points; `pool` reads
     and packs. `corner`, `side`, `low` and `high` are the cube and the bounds; `leaves` the cells in Morton order."""
 
@@ -100,7 +100,7 @@ class TileTree:
         return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
-        """(halvings, codes, counts) of cells with points; also stores chunk boxes."""
+        """(halvings, codes, counts) of cells with points. Also stores chunk boxes."""
         grid, at = _Grid(), 0
         boxes: list[list[NDArray[Any]]] = []
         tasks = [(file, which) for file in self.files for which in _runs(file.counts, _BATCH)]

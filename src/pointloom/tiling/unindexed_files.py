@@ -1,7 +1,7 @@
 """Convert PLY, PCD, text, E57 and PTX files to LAZ for tiling.
 
 The first pass finds common bounds and types, the second writes LAZ files with a common offset and scale. Binary PLY and
-PCD and text are read in parts, E57 and PTX by scan; text PLY, rows with lists and compressed PCD at once.
+PCD and text are read in parts, E57 and PTX by scan. Text PLY, rows with lists and compressed PCD at once.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class Found:
     counts: list[int] = field(default_factory=list)
 
     def add(self, path: Path, table: PointTable, *, is_first: bool) -> None:
-        """Add a part; FileError if it has a point that is not finite."""
+        """Add a part. FileError if it has a point that is not finite."""
         count = len(table.points)
         if is_first:
             if self.counts and _metres(self.unit) != _metres(table.unit):
@@ -109,7 +109,7 @@ class Found:
 
 
 def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
-    """Attributes that LAS stores under another name only; FileError without a LAS type."""
+    """Attributes that LAS stores under another name only. FileError without a LAS type."""
     shaped = with_scan_angle(table)
     renamed = new_names(shaped.attributes, name_rules(path, shaped))
     under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
@@ -132,7 +132,7 @@ def is_made(path: Path) -> bool:
 def taken_over(
     paths: list[Path], folder: Path, report: ReportProgress, name: str = FOLDER
 ) -> Iterator[dict[Path, Path]]:
-    """Convert files to LAZ in a subfolder and yield their new paths; they are kept only if the block succeeds."""
+    """Convert files to LAZ in a subfolder and yield their new paths. They are kept only if the block succeeds."""
     making = folder / MAKING
     for old in (making, folder / name):  # of an interrupted plan
         shutil.rmtree(old, ignore_errors=True)
@@ -169,7 +169,7 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Part
 
 
 def opened(path: Path) -> Parts:
-    """Reader of a file's points in parts, repeatable; at least one part, possibly empty."""
+    """Reader of a file's points in parts, repeatable. At least one part, possibly empty."""
     suffix = path.suffix.lower()
     by_suffix = {".e57": _scans_of, ".ptx": iterate_placed, ".ply": _rows_of, ".pcd": _rows_of}
     return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)

@@ -62,7 +62,7 @@ class HaloError(Exception):
 def work_tile(
     plan: Plan, folder: Path, tile: int, number: int, numbers: dict[int, ExactSums], fulls: dict[int, int]
 ) -> Outcome:
-    """Run one pass over a tile; the last one writes its file if it has points."""
+    """Run one pass over a tile. The last one writes its file if it has points."""
     iy, ix = divmod(tile, plan.shape[0])
     target = plan.passes[number]
     steps = plan.steps if target is None else plan.steps[: target + 1]
@@ -70,7 +70,7 @@ def work_tile(
     reaches = [step.reach for step in chain]
     for _ in range(MAX_DOUBLINGS):
         halos = halos_of(chain, reaches, plan.slack)
-        # Borders are rounded: read slightly more; the tile number decides.
+        # Borders are rounded: read slightly more. The tile number decides.
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
         table, keys = read_rows(plan, folder, fulls, window)
         if not len(table.points):
@@ -145,7 +145,7 @@ def _run(
 
 
 def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[int, int]) -> NDArray[np.bool_]:
-    """Mask of homes in a tile and its halo; without a halo by tile number, which defines the rounding."""
+    """Mask of homes in a tile and its halo. Without a halo by tile number, which defines the rounding."""
     if window == plan.window(*place, 0.0):
         return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
     x, y = homes[:, 0], homes[:, 1]
@@ -153,7 +153,7 @@ def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[i
 
 
 def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
-    """Sight of a tile within a halo; other tiles have the same halo."""
+    """Sight of a tile within a halo. Other tiles have the same halo."""
     owners = plan.tile_of(part.homes)
     own = owners == place[1] * plan.shape[0] + place[0]
     unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
@@ -191,7 +191,7 @@ def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: fl
 
 
 def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
-    """Write a tile's points in the files' scale, unmoved positions exactly; returns the CRC-32."""
+    """Write a tile's points in the files' scale, unmoved positions exactly. Returns the CRC-32."""
     told = table_of(part.cloud)
     if part.exact is not None:
         told.points = part.exact

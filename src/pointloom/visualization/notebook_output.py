@@ -51,7 +51,7 @@ def in_notebook() -> bool:
 
 
 def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
-    """JPEG of an image, at most 200 kB and 960 pixels wide; RGBA is composited over white."""
+    """JPEG of an image, at most 200 kB and 960 pixels wide. RGBA is composited over white."""
     image, most = Image.fromarray(np.ascontiguousarray(picture)), MAX_WIDTH
     if image.mode == "RGBA":
         image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")

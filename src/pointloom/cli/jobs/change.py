@@ -47,7 +47,7 @@ class ChangeReport(JobReport):
     """Report of `change_files`.
 
     `cores`, `known` and `significant` are the numbers of core points, of those with a distance, and of those that
-    changed by more than the level of detection; the latter have the given median and 98% range [m]. `level` is the
+    changed by more than the level of detection. The latter have the given median and 98% range [m]. `level` is the
     median level of detection [m], `lengths` are the radii and the maximum distance [m].
     """
 
@@ -101,14 +101,14 @@ def change_files(
 
     Unreliable if fewer than half of the core points have a distance, or if nearly all moved in one direction (epochs
     not registered). By default half of the points have 20 neighbors within `cylinder_radius` [m], and `normal_radii`
-    and `max_distance` follow from it; for a mesh, it is the radius of averaging.
+    and `max_distance` follow from it. For a mesh, it is the radius of averaging.
 
     Args:
         output: Core points with distance and level of detection as attributes.
         picture: A .png or .webp file: change from blue to red, gray if not significant.
         painted: Core points in the colors of the image.
-        cores: Cell size of core points [m]; None uses all points.
-        limit: Distance of the darkest colors [m]; None fits them to the changes.
+        cores: Cell size of core points [m]. None uses all points.
+        limit: Distance of the darkest colors [m]. None fits them to the changes.
     """
     job = Job("change", earlier, **settings)
     job.check(output, LABELLED, what="attributes")

@@ -49,7 +49,7 @@ def clean_file(
     removed: FilePath | None = None,
     **settings: Unpack[Settings],
 ) -> CleanReport:
-    """Write a cloud without outliers; non-finite points are always removed first, then filters run in this order.
+    """Write a cloud without outliers. Non-finite points are always removed first, then filters run in this order.
 
     `duplicates` keeps the first point of each position, compared in float32 relative to the origin; `statistical` and
     `radius` are the arguments of `remove_statistical_outlier` and `remove_radius_outlier`, or None. `removed` is a file

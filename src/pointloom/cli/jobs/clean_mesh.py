@@ -22,7 +22,7 @@ def clean_mesh_file(
     min_area: float = 0.0,
     **settings: Unpack[Settings],
 ) -> ResultReport:
-    """Write a repaired mesh and report the repairs and remaining defects; nothing if no triangle is left.
+    """Write a repaired mesh and report the repairs and remaining defects. Nothing if no triangle is left.
 
     `merge` and `fill` are `merge_distance` and `hole_size` of `clean_mesh`.
     """

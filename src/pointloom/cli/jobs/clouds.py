@@ -57,7 +57,7 @@ def convert_file(
     up: str = "y",
     columns: Sequence[str] | None = None,
 ) -> ConvertReport:
-    """Write a cloud or mesh in another format without rounding; a mesh becomes a cloud if the output has no triangles.
+    """Write a cloud or mesh in another format without rounding. A mesh becomes a cloud if the output has no triangles.
 
     In .las and .laz, coordinates are rounded to thousandths, unless the source is LAS: then its scale and coordinate
     system are kept. Warns if 16-bit colors are rounded, attributes are renamed, or records are omitted.

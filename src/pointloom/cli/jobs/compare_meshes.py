@@ -55,7 +55,7 @@ class ErrorMaps:
 
 @dataclass(frozen=True)
 class ComparisonReport(JobReport):
-    """Report of `compare_mesh_files`; the first file is the source."""
+    """Report of `compare_mesh_files`. The first file is the source."""
 
     second: str
     found: MeshComparison
@@ -81,7 +81,7 @@ def compare_mesh_files(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> ComparisonReport:
-    """Measure distances between the surfaces of two meshes; options as in `compare_meshes`."""
+    """Measure distances between the surfaces of two meshes. Options as in `compare_meshes`."""
     job, drawn = Job("compare-meshes", first, **settings), maps or ErrorMaps()
     drawn.check(job)
     where = job.device

@@ -55,7 +55,7 @@ class SurfaceErrors:
 
     @classmethod
     def of(cls, errors: NDArray[np.float64], voxel_size: float) -> SurfaceErrors | None:
-        """Statistics of distances from the true surface [m]; None if none is finite."""
+        """Statistics of distances from the true surface [m]. None if none is finite."""
         errors = errors[np.isfinite(errors)]
         if not len(errors):
             return None
@@ -161,7 +161,7 @@ def run_demo(
 
 @contextlib.contextmanager
 def _output_folder(folder: Path, *, overwrite: bool) -> Iterator[tuple[str, ...]]:
-    """Paths of the outputs in a folder, created if missing and removed if it stays empty; raises FileError."""
+    """Paths of the outputs in a folder, created if missing and removed if it stays empty. Raises FileError."""
     if folder.exists() and not folder.is_dir():
         raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
     made = not folder.exists()

@@ -57,7 +57,7 @@ def evaluate_files(
     picture: FilePath | None = None,
     overwrite: bool = False,
 ) -> EvaluateReport:
-    """Compute the errors of a trajectory file against the true one; raises FileError or ValueError.
+    """Compute the errors of a trajectory file against the true one. Raises FileError or ValueError.
 
     Reads .log, .tum, .kitti, .txt or .json files. `align` is one of ALIGNMENTS, `extrinsic` a file of T_truth_estimate
     between two sensors: 4 rows of 4 numbers, or KITTI's calib.txt with `Tr`. `picture` is a .png file of both paths.
@@ -81,7 +81,7 @@ def evaluate_files(
 
 
 def read_extrinsic(path: FilePath) -> NDArray[np.float64]:
-    """Extrinsic from a 4x4 matrix or the line `Tr` of KITTI's calib.txt; raises FileError."""
+    """Extrinsic from a 4x4 matrix or the line `Tr` of KITTI's calib.txt. Raises FileError."""
     lines = read_lines(path)
     found = [(number, columns[1:]) for number, columns in lines if columns[0].rstrip(":") in KITTI_EXTRINSICS]
     return read_pose(path) if not found else kitti_poses(path, found[:1], gaps=False)[0]
@@ -95,7 +95,7 @@ def compare(
     align: str,
     extrinsic: NDArray[np.float64] | None = None,
 ) -> TrajectoryError:
-    """Errors of a trajectory; paths are for messages. Raises FileError if the trajectories do not match."""
+    """Errors of a trajectory. Paths are for messages. Raises FileError if the trajectories do not match."""
     if (estimate.timestamps is None or truth.timestamps is None) and len(estimate) != len(truth):
         reason = f"has {len(estimate)} poses, and {os.fspath(true_path)} has {len(truth)}"
         remedy = "Give files with as many poses, or both as TUM with timestamps"

@@ -17,7 +17,7 @@ Bounds = dict[str, list[float]] | None  # of `describe_bounds`
 class Facts(Report):
     """Facts of one kind of file or folder: ordered attributes. Nested `Facts` are flattened in place.
 
-    None becomes null in JSON and is not printed. KIND is the displayed kind, empty for a part; SPARE lists attributes
+    None becomes null in JSON and is not printed. KIND is the displayed kind, empty for a part. SPARE lists attributes
     that are omitted from JSON if None.
     """
 
@@ -129,7 +129,7 @@ class Mesh(Shape):
 
 @dataclass(frozen=True)
 class Las(Shape):
-    """A LAS or LAZ cloud, from its header; lengths are in its unit.
+    """A LAS or LAZ cloud, from its header. Lengths are in its unit.
 
     `unit_doubt` is a contradiction to the unit in the file, such as another unit of z, or None.
     """
@@ -271,7 +271,7 @@ class Cameras(Facts):
 class ColmapModel(Facts):
     """A COLMAP model in a subfolder (None: the given folder), `form` "binary" or "text".
 
-    `mean_views` is the number of images per point, `mean_error_px` the known reprojection error [px]; None without
+    `mean_views` is the number of images per point, `mean_error_px` the known reprojection error [px]. None without
     points.
     """
 

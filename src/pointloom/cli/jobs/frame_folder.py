@@ -33,8 +33,8 @@ class FolderOptions:
     Attributes:
         intrinsic: Camera as Open3D's JSON, replacing that of the folder.
         every: Use every k-th frame, starting with the first.
-        depth_scale: Stored depth of one meter, replacing that of the folder; not with posed frames.
-        skip_missing: Skip frames without an image or with a non-finite pose; only with posed frames.
+        depth_scale: Stored depth of one meter, replacing that of the folder. Not with posed frames.
+        skip_missing: Skip frames without an image or with a non-finite pose. Only with posed frames.
     """
 
     layout: str = "auto"
@@ -56,7 +56,7 @@ class FrameFolder(Assessed):
 
     @classmethod
     def open(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
-        """Open a folder of frames that need no poses; raises FileError."""
+        """Open a folder of frames that need no poses. Raises FileError."""
         if is_recording(path_of(path)):
             return cls(path, _frames_of_recording(path, options), options.intrinsic)
         given = dataclasses.asdict(options)
@@ -69,7 +69,7 @@ class FrameFolder(Assessed):
 
     @classmethod
     def open_posed(cls, path: FilePath, options: FolderOptions) -> FrameFolder:
-        """Open a folder of posed frames; raises FileError, with a hint for frames without poses."""
+        """Open a folder of posed frames. Raises FileError, with a hint for frames without poses."""
         camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
         given: dict[str, Any] = {"layout": options.layout, "intrinsic": camera, "every": options.every}
         given["skip_missing"] = options.skip_missing
@@ -103,7 +103,7 @@ class FrameFolder(Assessed):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class FramesReport(JobReport):
-    """Report of a command on a folder of frames; base class. `peak` is the peak memory [B]."""
+    """Report of a command on a folder of frames. Base class. `peak` is the peak memory [B]."""
 
     folder: FrameFolder
     peak: int = dataclasses.field(default_factory=peak_bytes, kw_only=True)

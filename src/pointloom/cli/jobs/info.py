@@ -1,6 +1,6 @@
 """Descriptions of files and folders: `describe` for clouds, meshes, trajectories, cameras, models, images, data sets.
 
-Clouds and meshes are read as tables, without a runtime and without rounding; of LAS and LAZ only the header is read and
+Clouds and meshes are read as tables, without a runtime and without rounding. Of LAS and LAZ only the header is read and
 checked.
 """
 
@@ -102,7 +102,7 @@ class Description(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """The damage of a recording; empty otherwise."""
+        """The damage of a recording. Empty otherwise."""
         damage = self.facts.damage if isinstance(self.facts, RecordedTopics) else None
         return (f"{self.path}: {damage}",) if damage else ()
 
@@ -135,7 +135,7 @@ class CloudFolder(Facts):
 def describe(
     path: str | os.PathLike[str], *, layout: str = "auto", columns: Sequence[str] | None = None
 ) -> Description:
-    """Describe a file, or the folder of a data set, a COLMAP model, clouds or meshes; raises FileError.
+    """Describe a file, or the folder of a data set, a COLMAP model, clouds or meshes. Raises FileError.
 
     `layout` is that of a folder; `columns` names the columns of .bin, .csv, .txt and .xyz.
     """
@@ -268,7 +268,7 @@ def _describe_picture(path: Path) -> Picture | DepthMap:
 
 
 def _measure_depth(depth: NDArray[Any]) -> DepthMap:
-    """Facts of a depth map in its own unit; 65535 is invalid in 7-Scenes."""
+    """Facts of a depth map in its own unit. 65535 is invalid in 7-Scenes."""
     with np.errstate(invalid="ignore"):
         measured = depth[(depth > 0) & np.isfinite(depth)]
     limits: dict[str, float] = {}
@@ -300,7 +300,7 @@ def _describe_json(path: Path) -> Facts:
 
 
 def _describe_text(path: Path) -> Facts:
-    """A trajectory; in .txt also one pose, a 3x3 camera matrix, or a table of points."""
+    """A trajectory. In .txt also one pose, a 3x3 camera matrix, or a table of points."""
     if path.suffix.lower() != ".txt":
         return _describe_trajectory(path)
     lines = read_lines(path)
@@ -356,7 +356,7 @@ SHOWN = 20  # listed cameras and images without a pose
 
 
 def describe_colmap_model(folder: Path) -> ColmapModel:
-    """A COLMAP model in a folder or below it; raises FileError if damaged or not unique."""
+    """A COLMAP model in a folder or below it. Raises FileError if damaged or not unique."""
     place, form = find_colmap_model(folder)
     model = read_colmap_model(place)
     below = str(place.relative_to(folder))

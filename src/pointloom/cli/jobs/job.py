@@ -37,7 +37,7 @@ class Settings(TypedDict, total=False):
         as_text: Text instead of binary, for .ply and .pcd.
         progress: Called at the start of each stage.
         up: Up axis of the data, "y" or "z"; .glb and .gltf use y, so "z" rotates those.
-        columns: Column names of the source for .bin, .csv, .txt and .xyz; None uses those of the file.
+        columns: Column names of the source for .bin, .csv, .txt and .xyz. None uses those of the file.
     """
 
     device: Any
@@ -79,7 +79,7 @@ class Done:
 
 @dataclass(frozen=True)
 class JobReport(Report, Assessed):
-    """Report of a command on files; base class with the common results `done`, first in JSON."""
+    """Report of a command on files. Base class with the common results `done`, first in JSON."""
 
     done: Done
 
@@ -124,7 +124,7 @@ class JobReport(Report, Assessed):
 
 
 class Job:
-    """Workflow of a command on files: output checks, timed stages, reading, writing, report; options as in `Settings`.
+    """Workflow of a command on files: output checks, timed stages, reading, writing, report. Options as in `Settings`.
 
     Attributes:
         clock: Seconds of the stages.
@@ -155,17 +155,17 @@ class Job:
 
     @cached_property
     def device(self) -> Any:
-        """The device, resolved on first use; raises DeviceError."""
+        """The device, resolved on first use. Raises DeviceError."""
         return resolve_device(self._device)
 
     def check(self, output: FilePath | None, formats: tuple[str, ...] = WRITTEN, *, what: str = "clouds") -> None:
-        """Check before any work that an output can be written in one of the formats; raises FileError."""
+        """Check before any work that an output can be written in one of the formats. Raises FileError."""
         if output is not None:
             outputs.check_output(output, formats, what=what, **self.form)
 
     @contextmanager
     def stage(self, name: str, *, told: bool = True, judged: bool = False) -> Iterator[None]:
-        """Report a stage (unless not `told`) and time it; if `judged`, length warnings are left to the report."""
+        """Report a stage (unless not `told`) and time it. If `judged`, length warnings are left to the report."""
         if told:
             self.tell(name, 0, 0)
         self.clock.restart()
@@ -174,7 +174,7 @@ class Job:
         self.clock.stop(name)
 
     def up_of(self, path: FilePath) -> str:
-        """The up axis for a format that defines one; else "y" (no rotation)."""
+        """The up axis for a format that defines one. Else "y" (no rotation)."""
         return self.up if Path(path).suffix.lower() in UPRIGHT else "y"
 
     def read_table(self) -> PointTable | MeshTable:
@@ -187,7 +187,7 @@ class Job:
         self.wrote(output, tables.write_mesh_table(output, held, **self.form))
 
     def read_points(self) -> PointTable:
-        """Points as stored in the source; vertices of a mesh."""
+        """Points as stored in the source. Vertices of a mesh."""
         table = self.read_table()
         self.unit = table.unit
         if isinstance(table, MeshTable):
@@ -214,7 +214,7 @@ class Job:
         return mesh
 
     def write_points(self, table: PointTable, output: FilePath) -> None:
-        """Write points atomically; LAS keeps the scale of a LAS source."""
+        """Write points atomically. LAS keeps the scale of a LAS source."""
         with self.stage("write"):
             table = replace(table, viewpoint=table.viewpoint or self._viewpoint)
             self.wrote(output, tables.write_cloud_table(output, table, source=self.source, **self.form))

@@ -78,7 +78,7 @@ def register_folder(
     Args:
         output: Poses T_reference_cloud: .txt or .tum (TUM), .log (Open3D), with the cloud's number from 0 as TUM time
             and as first number in .log.
-        voxel_size: Voxel size of the downsampled clouds [m]; None chooses it.
+        voxel_size: Voxel size of the downsampled clouds [m]. None chooses it.
         level: All clouds are level.
         merged: File for all placed clouds, with their common attributes.
         graph: A .json file for the pose graph.
@@ -133,7 +133,7 @@ def _write_results(
     merged: FilePath | None,
     graph: FilePath | None,
 ) -> None:
-    """Write the outputs; data that the merged cloud cannot store or that not all clouds have is omitted."""
+    """Write the outputs. Data that the merged cloud cannot store or that not all clouds have is omitted."""
     write_poses_and_graph(job, found, output, graph)
     if merged is not None:
         whole = found.merge(clouds)

@@ -53,7 +53,7 @@ def place_scans(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> PlacedReport:
-    """Like `register_folder`, with one task per pair in a job on disk; a repeated call resumes it and retries failures.
+    """Like `register_folder`, with one task per pair in a job on disk. A repeated call resumes it and retries failures.
 
     `places` is a file of approximate poses, matched by number from 0 in .log files and where times are such numbers,
     else in order; `place_error` is their maximum error [m]. `workers` 0 works in this process. See `plan_registration`
@@ -88,7 +88,7 @@ def place_scans(
 
 
 def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:
-    """Poses of a file by scan; raises FileError if they are of other scans."""
+    """Poses of a file by scan. Raises FileError if they are of other scans."""
     found = read_trajectory(Path(path))
     if found.ids is not None:
         numbers = found.ids[:, 0]

@@ -79,7 +79,7 @@ def odometry_of_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> OdometryReport:
-    """Find the pose of each scan of a folder and write them; output and truth are checked before the work.
+    """Find the pose of each scan of a folder and write them. Output and truth are checked before the work.
 
     Nothing is written if no scan has points in range. See `LidarOdometry` for the ranges.
 
@@ -87,9 +87,9 @@ def odometry_of_folder(
         folder: Scans in natural order: .bin as in KITTI, or clouds; or a recording, .bag, .mcap, .db3 or a folder of
             those.
         output: Poses: .txt or .tum (TUM), .log (Open3D) or .kitti.
-        format: "kitti", "tum" or "log"; None for that of the extension. TUM times are scan numbers.
-        truth: File of true poses, one per scan; errors are aligned by se3.
-        topic: Topic of a recording; None for the only one of clouds.
+        format: "kitti", "tum" or "log". None for that of the extension. TUM times are scan numbers.
+        truth: File of true poses, one per scan. Errors are aligned by se3.
+        topic: Topic of a recording. None for the only one of clouds.
     """
     job = Job("odometry", folder, device=device, overwrite=overwrite, progress=progress)
     form = _check_output(job, output, format)

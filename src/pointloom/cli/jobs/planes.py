@@ -102,7 +102,7 @@ def label_planes(
 ) -> PlaneReport:
     """Write a cloud with the int32 attribute `plane`: index of the plane, -1 for none.
 
-    Finds up to `most` planes one after another; fewer than `min_points` points end the search.
+    Finds up to `most` planes one after another. Fewer than `min_points` points end the search.
     """
     job = Job("plane", source, **settings)
     job.check(output, LABELLED, what="labels")

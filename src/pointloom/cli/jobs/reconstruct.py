@@ -38,7 +38,7 @@ class StageOptions:
     def check(
         self, mesh: FilePath, voxel_size: float | None, depth_max: float | None, *, overwrite: bool
     ) -> FragmentOptions:
-        """Options of `loom.reconstruct` after checking configuration and folder; raises FileError or ValueError."""
+        """Options of `loom.reconstruct` after checking configuration and folder. Raises FileError or ValueError."""
         config = None if self.config is None else ReconstructionConfig.read(self.config)
         settings = settings_for(config, voxel_size, depth_max)
         folder = self.work or default_work_folder(mesh)
@@ -57,7 +57,7 @@ class ReconstructReport(FramesReport):
 
     @property
     def rate(self) -> float | None:
-        """Tracked frames per second, without other work; None if not tracked."""
+        """Tracked frames per second, without other work. None if not tracked."""
         account = self.result.account
         return rate_of(account.path, self.done.seconds) if isinstance(account, SlamAccount) else None
 
@@ -96,7 +96,7 @@ def reconstruct_folder(
 ) -> ReconstructReport:
     """Reconstruct a mesh from a folder of frames; outputs are checked first, and an empty mesh is not written.
 
-    Poses in the folder are only used as truth. `stages` selects the method with fragments; None tracks each frame
+    Poses in the folder are only used as truth. `stages` selects the method with fragments. None tracks each frame
     against the model with loop closure.
     """
     outputs.check(overwrite=overwrite)

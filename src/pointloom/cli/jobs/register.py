@@ -39,7 +39,7 @@ _REMEDIES = {
 
 @dataclass(frozen=True)
 class RegisterReport(JobReport):
-    """Report of `register_files`; the `init` of `found` is as given by the user."""
+    """Report of `register_files`. The `init` of `found` is as given by the user."""
 
     target: str
     device: str
@@ -111,7 +111,7 @@ def register_files(
 
 
 def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None) -> PointCloud:
-    """A cloud with all attributes, or the vertices of a mesh; raises FileError without finite points."""
+    """A cloud with all attributes, or the vertices of a mesh. Raises FileError without finite points."""
     table = tables.read_table(path, columns)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
@@ -121,14 +121,14 @@ def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None
 
 
 def _start(init: FilePath) -> np.ndarray | None:
-    """The initial pose; None for a search."""
+    """The initial pose. None for a search."""
     if str(init) == GLOBAL:
         return None
     return np.eye(4) if str(init) == IDENTITY else read_pose(init)
 
 
 def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior | None:
-    """The prior pose and its deviations, both or neither; raises FileError or ValueError."""
+    """The prior pose and its deviations, both or neither. Raises FileError or ValueError."""
     if prior is None and sigma is None:
         return None
     if prior is None or sigma is None:

@@ -42,7 +42,7 @@ class RowsReport(JobReport):
 
 
 def read_rows(job: Job) -> Rows:
-    """Read the points of a job's source; raises FileError or DeviceError."""
+    """Read the points of a job's source. Raises FileError or DeviceError."""
     where = job.device
     with job.stage("read"):
         table = job.read_points()

@@ -41,7 +41,7 @@ def sample_mesh_file(
     seed: int = 0,
     **settings: Unpack[Settings],
 ) -> MeshSamplesReport:
-    """Write points on the surface of a mesh as a cloud; nothing if it has no area.
+    """Write points on the surface of a mesh as a cloud. Nothing if it has no area.
 
     `even` uses Poisson disk sampling, `triangle_normals` the normals of triangles.
     """

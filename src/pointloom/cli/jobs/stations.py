@@ -1,6 +1,6 @@
 """Registration of the scans of one or several E57 files: `register_scans`.
 
-Tables are text with commas, semicolons, tabs or spaces; lines with # and a header are skipped. Targets: station (scan
+Tables are text with commas, semicolons, tabs or spaces. Lines with # and a header are skipped. Targets: station (scan
 name or number from 0), name, x, y, z and optionally a standard deviation [m]. Control: name, x, y, z and optionally one
 or three standard deviations.
 """
@@ -154,7 +154,7 @@ MAX_BYTES = 1 << 26  # a table of 500,000 points
 
 
 def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
-    """Read observed targets; raises FileError with the line."""
+    """Read observed targets. Raises FileError with the line."""
     found = []
     numbers = {name: i for i, name in enumerate(stations)}
     numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
@@ -172,7 +172,7 @@ def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservat
 
 
 def read_control(path: FilePath) -> list[ControlPoint]:
-    """Read control points; raises FileError with the line."""
+    """Read control points. Raises FileError with the line."""
     found = []
     for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
         x, y, z, *sigma = _numbers(path, line, fields[1:])

@@ -85,7 +85,7 @@ def texture_folder(
 
 @dataclass(frozen=True)
 class Task:
-    """Input of the coloring; pixels beyond `depth_max` [m] are ignored."""
+    """Input of the coloring. Pixels beyond `depth_max` [m] are ignored."""
 
     mesh: str
     dataset: str

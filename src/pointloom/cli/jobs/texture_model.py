@@ -48,7 +48,7 @@ def texture_model(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> ModelTextureReport:
-    """Write a mesh with a texture from the images of a model; the output is checked before the work.
+    """Write a mesh with a texture from the images of a model. The output is checked before the work.
 
     `folder` is a COLMAP project with images in `images`, or the work folder of `pointloom video`; `output` an .obj,
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See

@@ -13,7 +13,7 @@ from ...tiling.buckets import FOLDER as BUCKETS
 from ...tiling.finish import finish_tiles
 from ...tiling.status import TileStatus, tile_status
 
-MAX_NAMED = 20  # tiles per line; JSON has all
+MAX_NAMED = 20  # tiles per line. JSON has all
 
 
 @dataclass(frozen=True)

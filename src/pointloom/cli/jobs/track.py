@@ -62,10 +62,10 @@ def track_folder(
     overwrite: bool = False,
     progress: ReportProgress | None = None,
 ) -> TrackReport:
-    """Track the frames of a folder and write the poses; the output is checked before the work.
+    """Track the frames of a folder and write the poses. The output is checked before the work.
 
     Poses in the folder are only used as truth. The output has T_world_camera with the first frame as world, .txt or
-    .tum (TUM) or .log, without lost frames; it is not written if all are lost.
+    .tum (TUM) or .log, without lost frames. It is not written if all are lost.
     """
     form, where, clock = check_trajectory_output(output, overwrite=overwrite), resolve_device(device), Clock()
     opened = FrameFolder.open(folder, options or FolderOptions())

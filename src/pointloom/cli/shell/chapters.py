@@ -27,7 +27,7 @@ class Chapter:
     words: str
 
     def speaks_of(self, words: tuple[str, ...]) -> bool:
-        """True if it contains all words; a number is the chapter's own."""
+        """True if it contains all words. A number is the chapter's own."""
         text = " ".join([self.title, self.slug, *self.names, *self.commands, self.words]).lower()
         return all(word.lower() in text if not word.isdigit() else int(word) == self.number for word in words)
 

@@ -162,7 +162,7 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
 def doctor(as_json: bool) -> int:
     """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
 
-    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp; the line
+    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp. The line
     that mends it is shown.
 
     \b
@@ -181,14 +181,14 @@ def doctor(as_json: bool) -> int:
 def convert(
     source: Path, output: Path, topic: str | None, frame: str | None, poses: Path | None, **options: Any
 ) -> Answer:
-    """Write the cloud or mesh IN to OUT, whose extension names the format; no value is rounded that OUT can hold.
+    """Write the cloud or mesh IN to OUT, whose extension names the format. No value is rounded that OUT can hold.
 
     \b
     clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .asc .bin .ptx
     meshes      .ply .obj .stl .off .glb .gltf
     recordings  from .bag .mcap .db3 and folders of those: to a folder of scans, or to one cloud
 
-    What OUT cannot hold is left out, and the summary names it; a mesh becomes a cloud of its vertices that way. LAS and
+    What OUT cannot hold is left out, and the summary names it. A mesh becomes a cloud of its vertices that way. LAS and
     LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths. An attribute whose name OUT
     cannot hold gets another, and an intensity that LAS cannot hold becomes intensity_value; warnings name them.
 

@@ -23,7 +23,7 @@ CLOUDS = (
 )  # fmt: skip
 MESHES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf")
 POSES = (".txt", ".tum", ".log", ".kitti", ".json")
-# File extensions by the metavar of a parameter; folders are always shown.
+# File extensions by the metavar of a parameter. Folders are always shown.
 EXTENSIONS = {
     "IN": CLOUDS + MESHES, "OUT": CLOUDS + MESHES, "A": CLOUDS + MESHES, "B": CLOUDS + MESHES, "MESH": MESHES,
     "POSES": POSES, "TRUTH": POSES, "JSON": (".json",), "PNG": (".png",), "HTML": (".html",), "ONNX": (".onnx",),
@@ -33,7 +33,7 @@ EXTENSIONS = {
 
 
 def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
-    """Files that match a parameter, and folders; all files if none matches."""
+    """Files that match a parameter, and folders. All files if none matches."""
     extensions = EXTENSIONS.get(metavar or "")
     found: list[CompletionItem] = []
     if extensions is not None:

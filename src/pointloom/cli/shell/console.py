@@ -28,7 +28,7 @@ class OutputLostError(OSError):
 
 
 class Progress:
-    """Progress on stderr: a bar in a terminal, lines elsewhere; a `ReportProgress`. `rates` adds steps per second."""
+    """Progress on stderr: a bar in a terminal, lines elsewhere. A `ReportProgress`. `rates` adds steps per second."""
 
     def __init__(self, *, rates: bool = False):
         self._rates, self._began = rates, time.monotonic()
@@ -101,7 +101,7 @@ class CompileNotice(logging.Handler):
 
 
 def print_json(report: dict[str, Any]) -> None:
-    """Print one JSON object; non-finite numbers become null."""
+    """Print one JSON object. Non-finite numbers become null."""
     _say(json_text(report))
 
 

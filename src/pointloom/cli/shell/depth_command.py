@@ -11,7 +11,7 @@ from .answer import answer_with
 from .console import Progress
 from .options import FILE, SCALE, device_option, force_option, json_option, refuse_same
 
-# Names of src/pointloom/photogrammetry/depth/presets.py, which would import NumPy; a test compares them.
+# Names of src/pointloom/photogrammetry/depth/presets.py, which would import NumPy. A test compares them.
 PRESETS = (
     "depth-anything-v2", "midas-v2.1", "midas-v2.1-small", "midas-v2.1-onnx", "midas-v2.1-small-onnx", "dpt",
     "depth-anything-v2-metric", "zoedepth", "depth-pro", "moge-2", "unidepth-v2", "metric3d-v2", "metric3d-convnext",
@@ -49,7 +49,7 @@ def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: boo
 
     \b
     .png .npy   a depth map of the same view, 16 bits by --depth-scale or float32 meters
-    .txt .csv   distances, a line of column, row and meters each; two settle scale and shift without a check
+    .txt .csv   distances, a line of column, row and meters each. Two settle scale and shift without a check
     FOLDER      a COLMAP model, whose unit it then is
 
     The exit code is 3 where the map and what it is aligned to do not agree, and where hardly a point is left.

@@ -64,7 +64,7 @@ class Cuda:
 
 @dataclass(frozen=True)
 class Trial:
-    """A small kernel on one device, run twice as the first run may compile it; the error, or None."""
+    """A small kernel on one device, run twice as the first run may compile it. The error, or None."""
 
     device: str
     seconds: dict[str, float]

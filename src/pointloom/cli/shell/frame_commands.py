@@ -55,7 +55,7 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 @json_option()
 @force_option()
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh; for frames without see pointloom reconstruct.
+    """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh. For frames without see pointloom reconstruct.
 
     \b
     Layouts (auto tells them apart by their files):
@@ -64,12 +64,12 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
       tum      depth.txt, rgb.txt, groundtruth.txt
 
     The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
-    intrinsics.K.txt, ...), else the layout's own; the summary says which, and the exit code is 3 where the pictures
-    contradict it. A voxel counts as surface once 4 frames saw it; of fewer than 30 frames 2 are enough, of fewer
+    intrinsics.K.txt, ...), else the layout's own. The summary says which, and the exit code is 3 where the pictures
+    contradict it. A voxel counts as surface once 4 frames saw it. Of fewer than 30 frames 2 are enough, of fewer
     than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
 
     --refine aligns each frame with the model, from its pose. It pays where poses err by a centimetre or more, and takes
-    from poses that are better than that. A frame that does not fit keeps its pose; the summary names those.
+    from poses that are better than that. A frame that does not fit keeps its pose. The summary names those.
 
     \b
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
@@ -104,7 +104,7 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     \b
     Layouts as of pointloom fuse, with or without poses, and
-      pictures  1.png and 1_depth.png, ...; take --intrinsic and --depth-scale with it
+      pictures  1.png and 1_depth.png, .... Take --intrinsic and --depth-scale with it
 
     FRAMES may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
 
@@ -145,12 +145,12 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     """Make a colored mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
 
     \b
-    slam       each frame is held against the model of those before it; where the camera comes back to a place the loop
+    slam       each frame is held against the model of those before it. Where the camera comes back to a place the loop
                is closed
-    fragments  runs of some 100 frames become fragments, which are registered with each other from any pose; in stages,
+    fragments  runs of some 100 frames become fragments, which are registered with each other from any pose. In stages,
                whose files stay: after an interruption --resume goes on. --work, --config and --slac go with it
 
-    The exit code is 3 where frames were lost or fragments could not be joined; the summary names them, and the mesh is
+    The exit code is 3 where frames were lost or fragments could not be joined. The summary names them, and the mesh is
     written all the same. Where true poses lie beside the frames they are not used, and the errors are printed (ATE,
     RPE). Layouts as of pointloom track.
 

@@ -82,7 +82,7 @@ class CommandLine(Commands):
 
 
 def exit_code(warnings: Iterable[str]) -> int:
-    """Exit code of a result: 3, with the warnings on stderr, if there are any; else 0."""
+    """Exit code of a result: 3, with the warnings on stderr, if there are any. Else 0."""
     lines = [escaped(f"unreliable result: {warning}", lines=True) for warning in warnings]
     for line in lines:
         click.echo(line, err=True)
@@ -101,7 +101,7 @@ def report_error(error: Exception) -> str:
 
 
 def _flushed(code: int) -> int:
-    """The exit code after flushing output; 1 if that fails.
+    """The exit code after flushing output. 1 if that fails.
 
     Unwritable output is dropped: Python would retry at exit and print its own message.
     """

@@ -23,7 +23,7 @@ def completion(shell: str | None, as_json: bool) -> int:
     Without a name it is that of the shell that you are in ($SHELL). In its start-up file:
 
     \b
-    bash    eval "$(pointloom completion bash)"      # in ~/.bashrc; from bash 4.4
+    bash    eval "$(pointloom completion bash)"      # in ~/.bashrc. From bash 4.4
     zsh     eval "$(pointloom completion zsh)"       # in ~/.zshrc
     fish    pointloom completion fish | source       # in ~/.config/fish/config.fish
 
@@ -50,7 +50,7 @@ def completion(shell: str | None, as_json: bool) -> int:
 @click.option("--skill", is_flag=True, help="Print the guide for coding assistants, which is in the package.")
 @json_option()
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
-    """Name the chapters that speak of all WORDS, or have that number; all of them without words.
+    """Name the chapters that speak of all WORDS, or have that number. All of them without words.
 
     Of each: what to call in Python (`help(loom.NAME)` says the rest, with an example), the commands that do the like,
     and its page. Pages are those that `make docs` built in this checkout, else the project's address, where it has one.

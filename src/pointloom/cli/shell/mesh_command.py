@@ -77,9 +77,9 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     """Write to OUT (.ply .obj .stl .off .glb .gltf) a surface through the points of the cloud IN.
 
     \b
-    poisson  a smooth closed surface, cut off where it is made up; needs normals
-    ball     triangles between points that a ball rolls over, nothing added; needs normals
-    alpha    the hull of the points as seen by balls of one radius; needs no normals
+    poisson  a smooth closed surface, cut off where it is made up. Needs normals
+    ball     triangles between points that a ball rolls over, nothing added. Needs normals
+    alpha    the hull of the points as seen by balls of one radius. Needs no normals
 
     Where IN has no normals they are made and oriented, and the summary says so. The exit code is 3 where the surface
     is empty, torn or in pieces, where much of it lies far from all points, or where neighboring normals point to

@@ -1,4 +1,4 @@
-"""The commands clean-mesh, simplify, smooth-mesh, sample-mesh and compare-meshes; no expensive imports here."""
+"""The commands clean-mesh, simplify, smooth-mesh, sample-mesh and compare-meshes. No expensive imports here."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
     """Write the mesh IN to OUT without what is commonly wrong with one, and say what was done.
 
     In this order: triangles with a corner that is not finite or that name a vertex twice go; borders that lie on each
-    other are sewn up; edges of more than two triangles become sheets; copies and second sides go; the others are wound
-    alike; holes are closed (--fill); closed parts are turned by what they lie within; small parts go. What is right
+    other are sewn up. Edges of more than two triangles become sheets; copies and second sides go. The others are wound
+    alike; holes are closed (--fill). Closed parts are turned by what they lie within. Small parts go. What is right
     stays as it is.
 
     The exit code is 3 where more than 2 % of the triangles or 1 % of the area went that were no copies, a closed mesh

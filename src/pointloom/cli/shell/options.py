@@ -39,7 +39,7 @@ class Scale(Length):
 
 
 class DeviceName(click.ParamType):
-    """The name of a device; its existence is checked later."""
+    """The name of a device. Its existence is checked later."""
 
     name = "device"
 
@@ -50,7 +50,7 @@ class DeviceName(click.ParamType):
 
 
 class RecordingFile(click.Path):
-    """A file for a recording; the suffix defines the format."""
+    """A file for a recording. The suffix defines the format."""
 
     name = "file"
 
@@ -163,7 +163,7 @@ def refuse(message: str) -> NoReturn:
 
 
 def refuse_same(**files: Path | None) -> None:
-    """Usage error if two outputs are one file; each is named by its option."""
+    """Usage error if two outputs are one file. Each is named by its option."""
     taken: dict[Path, str] = {}
     for name, path in files.items():
         if path is None:

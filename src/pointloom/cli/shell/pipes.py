@@ -27,7 +27,7 @@ INPUT, OUTPUT = "standard input", "standard output"
 _PIPE = Path("-")
 
 # Extensions of io/bags/recording.py, io/points/formats.py and io/meshes/tables.py, which are too expensive to import
-# for --help; a test compares them.
+# for --help. A test compares them.
 RECORDINGS = (".bag", ".mcap", ".db3")
 _MESHES = ["obj", "stl", "off", "glb", "gltf"]
 READ = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "csv", "txt", "asc", "bin", "las", "laz", "e57", "ptx"]
@@ -92,7 +92,7 @@ def open_pipes(
     write_as: str | None = None,
     as_json: bool = False,
 ) -> Iterator[Ends]:
-    """Context that replaces `-` by temporary files; at its end the output is copied to standard output.
+    """Context that replaces `-` by temporary files. At its end the output is copied to standard output.
 
     `read_as` and `write_as` are the extensions of `-`. Raises click.UsageError for an extension without `-` or the
     reverse, or a terminal in place of a pipe.

@@ -25,7 +25,7 @@ def recorded(
     progress: ReportProgress,
     **options: Any,
 ) -> Made:
-    """Run `make` with the arguments, `overwrite` and `progress`; record it to `record_as` (checked first) if given."""
+    """Run `make` with the arguments, `overwrite` and `progress`. Record it to `record_as` (checked first) if given."""
     given: dict[str, Any] = {"overwrite": overwrite, "progress": progress}
     if record_as is None:
         return make(*arguments, **given, **options)

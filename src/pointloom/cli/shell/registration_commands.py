@@ -84,7 +84,7 @@ def register(
     --voxel the edge is a 32nd of the distance from the middle within which 3 of 4 points lie, of the smaller cloud.
     From a start that was given, ICP begins with voxels 4 and 2 times as large, unless --distance is given too.
     Methods to planes estimate the normals of clouds that have none, within 3 voxels. One of A and B may be -, standard
-    input. --free fixes all motions that it does not name, of x, y, z, roll, pitch and yaw, as --init has them; a search
+    input. --free fixes all motions that it does not name, of x, y, z, roll, pitch and yaw, as --init has them. A search
     takes x,y,z,yaw of level clouds. What the clouds do not determine is held at --prior.
 
     The exit code is 3 where the surfaces hardly lie on each other (a score below 0.5 of 1), or less than 10 % of A
@@ -149,8 +149,8 @@ def _motions(free: str | None, init: str) -> list[str] | None:
 def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
     """Find where the clouds of DIR lie on each other, from any poses, and write T_reference_cloud of each.
 
-    They are taken in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init global;
-    a pose graph weighs them against each other and drops those that contradict the rest. Without --voxel the edge is
+    They are taken in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init global.
+    A pose graph weighs them against each other and drops those that contradict the rest. Without --voxel the edge is
     the median of those that register would choose. POSES names each cloud by its number, from 0 (TUM's time), and
     leaves out those that could not be placed; there are such where the exit code is 3.
 

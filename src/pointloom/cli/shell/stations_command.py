@@ -42,10 +42,10 @@ LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 def stations(scans: Path, free: str, no_poses: bool, as_json: bool, force: bool, **options: Any) -> int:
     """Find where the stations of SCANS.E57 (or .ptx) stood, and how well that is known.
 
-    Scans that overlap are registered in pairs, from the poses of the file where it has any; then all poses are adjusted
+    Scans that overlap are registered in pairs, from the poses of the file where it has any. Then all poses are adjusted
     together, with targets and control points. Observations that contradict the rest are taken out and named. The
     report has tables of stations with their standard deviations, of residuals with their tests, of how pairs close
-    around, and a plan with ellipses of errors. Tables of targets are text: one row each, a head if you like; the
+    around, and a plan with ellipses of errors. Tables of targets are text: one row each, a head if you like. The
     station is a scan's name or its number, from 0.
 
     The exit code is 3 where something was taken out, a station floats free, residuals are larger than said, or nothing

@@ -44,11 +44,11 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 
     \b
     .ply              a color at each vertex
-    .obj .glb .gltf   a texture; where MESH has no texture coordinates an atlas is made
+    .obj .glb .gltf   a texture. Where MESH has no texture coordinates an atlas is made
 
     \b
     FRAMES may also be a project of COLMAP, with its pictures in the folder images, or the work folder of `video`. Then
-    each triangle takes its texture from the best picture, at one exposure and without seams; poses stay as they are.
+    each triangle takes its texture from the best picture, at one exposure and without seams. Poses stay as they are.
 
     \b
     rigid      the poses move until the pictures agree at each vertex
@@ -80,7 +80,7 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
 
 
 def _for_model(options: dict[str, Any]) -> dict[str, Any]:
-    """Options for a model of images; others cause a usage error."""
+    """Options for a model of images. Others cause a usage error."""
     context = click.get_current_context()
     taken = ("size", "depth_max", "device", "up")
     given = [name for name in options if context.get_parameter_source(name) == ParameterSource.COMMANDLINE]

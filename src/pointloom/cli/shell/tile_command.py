@@ -14,7 +14,7 @@ from .console import Progress
 from .group import Commands
 from .options import FILE, LENGTH, DeviceName, force_option, json_option, refuse
 
-# Names of src/pointloom/tiling/plan.py, which would import NumPy; a test compares them.
+# Names of src/pointloom/tiling/plan.py, which would import NumPy. A test compares them.
 OUTPUTS = ("laz", "copc")
 AREAS = (".geojson", ".json", ".wkt")  # of src/pointloom/tiling/polygons.py
 FILES = ("laz", "las", "copc")  # of src/pointloom/tiling/finish.py, likewise
@@ -57,7 +57,7 @@ class Part(click.ParamType):
 
 
 class TileName(click.ParamType):
-    """3_4: column and row of a tile; its existence is checked later."""
+    """3_4: column and row of a tile. Its existence is checked later."""
 
     name = "tile"
 
@@ -179,10 +179,10 @@ def run(
     device: str,
     as_json: bool,
 ) -> int:
-    """Work the tiles of DIR off; what is done stays, so that the same command goes on after an end of any kind.
+    """Work the tiles of DIR off. What is done stays, so that the same command goes on after an end of any kind.
 
-    Any number of runs may work on one DIR at once. Exit code 3 where tiles failed or were set aside, with their names;
-    each has the command that repeats it alone.
+    Any number of runs may work on one DIR at once. Exit code 3 where tiles failed or were set aside, with their names.
+    Each has the command that repeats it alone.
 
     \b
     pointloom tile run job
@@ -208,7 +208,7 @@ def run(
 @FOLDER
 @json_option()
 def status(folder: Path, as_json: bool) -> int:
-    """Say how many tiles of DIR wait, are done, failed or were set aside; also while others work on it.
+    """Say how many tiles of DIR wait, are done, failed or were set aside. Also while others work on it.
 
     Exit code 3 where tiles failed or were set aside.
 

@@ -69,11 +69,11 @@ def clean(
 ) -> Answer:
     """Write the cloud IN to OUT without points that should not be there.
 
-    The options choose the filters, which run in this order, each on what the last one left; without any, the first
+    The options choose the filters, which run in this order, each on what the last one left. Without any, the first
     and the third:
 
     \b
-      non-finite   points with a NaN or infinite coordinate; always removed
+      non-finite   points with a NaN or infinite coordinate. Always removed
       duplicates   (--duplicates) points at the place of an earlier one
       statistical  (--neighbors, --deviations) points farther from their neighbors than the mean of the cloud by more
                    than R standard deviations

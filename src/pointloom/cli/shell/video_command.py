@@ -136,18 +136,18 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
 
     --control brings the model to surveyed points: three or more that are not on a line, each marked in two or more
     pictures. Points named CHK... are check points, which are measured against alone. The residual of each point and
-    each scale bar is told; one that contradicts the others is left out and named, with exit code 3.
+    each scale bar is told. One that contradicts the others is left out and named, with exit code 3.
 
     With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
     --max-size begins at undistorted, another --scale makes the mesh alone.
 
     With --cameras nothing is placed: points and depth are found at the poses and lenses of the file, in its unit.
-    Pictures are those that it names, with or without their ending; a trajectory (.log, TUM, KITTI) wants --intrinsic
+    Pictures are those that it names, with or without their ending. A trajectory (.log, TUM, KITTI) wants --intrinsic
     too. Poses that the pictures contradict are told, with the likely mistake.
 
     The exit code is 3 where fewer than 60 % of the pictures could be placed, where they fall apart into several
     models, where the camera turned without moving, where the pictures ask for another focal length than --intrinsic
-    has or fix none and EXIF tells none, and where less than 20 % of the depth is confirmed; the remedy is told, and a
+    has or fix none and EXIF tells none, and where less than 20 % of the depth is confirmed. The remedy is told, and a
     mesh is written where there is one.
 
     \b

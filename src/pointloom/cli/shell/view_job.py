@@ -44,9 +44,9 @@ def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) ->
 
 
 class ViewJob:
-    """Files to show or render; arguments are the options of `pointloom view`. Raises FileError or ValueError.
+    """Files to show or render. Arguments are the options of `pointloom view`. Raises FileError or ValueError.
 
-    `ends` are the files, with names for pipes; clouds of a recording's `topic` are transformed into `frame`.
+    `ends` are the files, with names for pipes. Clouds of a recording's `topic` are transformed into `frame`.
     """
 
     def __init__(
@@ -84,7 +84,7 @@ class ViewJob:
         self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
     def read(self, tell: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
-        """Read the files with progress; with `in_parts`, only the coarse levels of large COPC files."""
+        """Read the files with progress. With `in_parts`, only the coarse levels of large COPC files."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
 
@@ -120,7 +120,7 @@ class ViewJob:
         return answer_with(self._ends.rename(report), title, as_json)
 
     def serve(self, as_json: bool) -> int:
-        """Show the files in the browser until the last page closes; Ctrl-C is raised."""
+        """Show the files in the browser until the last page closes. Ctrl-C is raised."""
         from ...visualization.viewer.draw import announce, open_page
         from ...visualization.viewer.viewer import Viewer
 

@@ -47,7 +47,7 @@ class PosedPictures:
         pictures: uint8 RGB (h, w, 3) each.
         intrinsic: The camera, without distortion.
         poses: T_world_camera, float64 (n, 4, 4) [m].
-        depths: True depth along the optical axis, float32 (h, w) [m] each; 0 for background.
+        depths: True depth along the optical axis, float32 (h, w) [m] each. 0 for background.
     """
 
     pictures: list[NDArray[np.uint8]]

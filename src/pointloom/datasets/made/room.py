@@ -41,14 +41,14 @@ def room_frames(
     """Synthetic RGB-D frames of a camera that moves through a furnished room, with true poses.
 
     The room is 5 x 4 x 2.6 m: x along the long wall, y into the room, z up, its corner at the origin. Frames are 3
-    degrees and about 5 cm apart; 120 are a full circle.
+    degrees and about 5 cm apart. 120 are a full circle.
 
     Args:
-        count: Number of frames; the first ones do not depend on it.
+        count: Number of frames. The first ones do not depend on it.
         width: Columns [px].
-        height: Rows [px]; the focal length is 525 px at 640 columns.
+        height: Rows [px]. The focal length is 525 px at 640 columns.
         noise: Simulate a structured-light camera: depth noise of 1.2 mm near and 14 mm at 3 m, holes at grazing angles,
-            whole millimeters; color noise of 2 of 255. Without it both are exact.
+            whole millimeters. Color noise of 2 of 255. Without it both are exact.
         seed: Seed of the noise.
 
     Returns:
@@ -128,7 +128,7 @@ def room_mesh() -> TriangleMesh:
     """The furnished room as a colored mesh, fused from exact views at 2 cm.
 
     Returns:
-        Vertices [m] in the frame of `room_frames`, with colors and normals; open where no camera saw.
+        Vertices [m] in the frame of `room_frames`, with colors and normals. Open where no camera saw.
 
     Notes:
         Bitwise reproducible. Cached in the user's cache folder if it took long.

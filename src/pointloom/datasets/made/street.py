@@ -24,10 +24,10 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
     """Synthetic scans of a LiDAR on a car that drives along a street, with true poses.
 
     32 rings of 1024 directions at 10 Hz and 10 m/s, so scans are 1 m apart. The motion skews each scan by up to 1 m;
-    `deskew_point_cloud` corrects it. Range noise is 1 cm; the range is 1 to 80 m.
+    `deskew_point_cloud` corrects it. Range noise is 1 cm. The range is 1 to 80 m.
 
     Args:
-        count: Number of scans; 10 are one second.
+        count: Number of scans. 10 are one second.
         seed: Seed of the street and the noise.
 
     Returns:
@@ -36,7 +36,7 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
         up), with `colors` and the attributes `time` (float64 [s] since the start), `ring` (uint8, 0 to 31 from the
         lowest), `intensity` (float32, 0 to 1) and `label` (uint8, ground truth: 1 road, 2 pavement, 3 grass, 4 house, 5
         car, 6 tree, 7 pole, 8 fence).
-        `poses`: T_street_scanner at the end of each rotation, float64 (n, 4, 4) [m]; the ground is at z = 0.
+        `poses`: T_street_scanner at the end of each rotation, float64 (n, 4, 4) [m]. The ground is at z = 0.
 
     Raises:
         TypeError: A count that is not an integer.

@@ -35,13 +35,13 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
 
     Args:
         name: One of `public_sets()`.
-        folder: Folder of the sets; None for `pointloom/datasets/public` in the user's cache folder.
+        folder: Folder of the sets. None for `pointloom/datasets/public` in the user's cache folder.
 
     Returns:
-        The file of a set that is one plain file; else the folder `<folder>/<name>`.
+        The file of a set that is one plain file. Else the folder `<folder>/<name>`.
 
     Raises:
-        TypeError, ValueError: No such set; the message suggests the nearest name.
+        TypeError, ValueError: No such set. The message suggests the nearest name.
         FileError: Download failed (with instructions for manual download), wrong checksum, an archive with names
             outside its folder, a folder that is not writable, or pooch is missing.
 
@@ -100,7 +100,7 @@ def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
 
 
 def _settle(part: Path, place: Path) -> None:
-    """Rename a complete set, replacing a damaged one; another process may have done so already."""
+    """Rename a complete set, replacing a damaged one. Another process may have done so already."""
     if place.exists() and not _is_whole(place):
         shutil.rmtree(place)
     try:
@@ -130,7 +130,7 @@ def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
                 return Path(source)
             missing = not Path(source).exists()
             reasons.append(f"{source} " + ("is not there" if missing else "has another checksum"))
-        except (ValueError, OSError) as error:  # pooch's error for a wrong checksum; all errors of requests
+        except (ValueError, OSError) as error:  # pooch's error for a wrong checksum. All errors of requests
             reasons.append(f"{source}: {_brief(error)}")
     remedy = (
         f"Download {file.url} by hand and put it at {path}, or name a mirror (an address or a folder that holds "
@@ -198,7 +198,7 @@ class PublicFile:
     Attributes:
         url: Address at its host.
         checksum: "sha256:..." or "md5:...", as published.
-        unpack: Subfolder where a ZIP archive is unpacked ("" for the set's folder); None for a plain file.
+        unpack: Subfolder where a ZIP archive is unpacked ("" for the set's folder). None for a plain file.
     """
 
     url: str
@@ -331,7 +331,7 @@ SETS: dict[str, PublicSet] = {one.name: one for one in _SETS}
 
 
 def public_sets() -> list[PublicSet]:
-    """The data sets of `fetch`; print one to read its contents, license and citation.
+    """The data sets of `fetch`. Print one to read its contents, license and citation.
 
     Example:
         >>> import pointloom as loom

@@ -71,7 +71,7 @@ def _meadow(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float6
 
 
 def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64]:
-    """Houses on both sides of the lane; returns positions (n, 2)."""
+    """Houses on both sides of the lane. Returns positions (n, 2)."""
     taken = []
     parts.label = BUILDING
     for k in range(HOUSES):

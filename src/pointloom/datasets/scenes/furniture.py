@@ -95,7 +95,7 @@ def _window(room: SolidBuilder) -> None:
 
 def _sofa(room: SolidBuilder) -> None:
     cloth, dark = (0.30, 0.42, 0.47), (0.24, 0.35, 0.40)
-    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0; its x is along the wall, its y into the room
+    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0. Its x is along the wall, its y into the room
     room.box((0, 0.0, 0.24), (2.0, 0.84, 0.24), dark, radius=0.05)
     room.box((0, -0.36, 0.52), (2.0, 0.2, 0.62), cloth, radius=0.08)
     for side in (-1, 1):
@@ -309,7 +309,7 @@ Color = tuple[float, float, float]
 
 
 class SolidBuilder:
-    """Collects solids, in the frame set by `place`; its arrays are those of `Solids` and `Room`."""
+    """Collects solids, in the frame set by `place`. Its arrays are those of `Solids` and `Room`."""
 
     def __init__(self):
         self.kinds: list[int] = []

@@ -87,7 +87,7 @@ class PaintedParts:
         return np.concatenate(self._triangles)
 
     def scene(self, device: Any = "cpu") -> RaycastingScene:
-        """All triangles as one geometry; triangle ids are rows of `colors` and `labels`."""
+        """All triangles as one geometry. Triangle ids are rows of `colors` and `labels`."""
         scene = RaycastingScene(device)
         scene.add_triangles(self.vertices.astype(np.float32), self.triangles)
         return scene

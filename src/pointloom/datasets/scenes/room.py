@@ -71,7 +71,7 @@ def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -
 
 
 def round_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a circle around the center, looking across it; up and down three times."""
+    """Camera to world [m] on a circle around the center, looking across it. Up and down three times."""
     a = 2 * math.pi * share
     yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
     behind = 0.75 + 0.25 * math.sin(2 * a + 1)
@@ -80,7 +80,7 @@ def round_pose(share: float) -> NDArray[np.float64]:
 
 
 def eight_pose(share: float) -> NDArray[np.float64]:
-    """Camera to world [m] on a figure of eight along the room; up and down four times."""
+    """Camera to world [m] on a figure of eight along the room. Up and down four times."""
     a = -2 * math.pi * share
     yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
     pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
@@ -116,7 +116,7 @@ COLOR_NOISE = 2.0  # [of 255] standard deviation of color noise with texture, as
 
 @dataclasses.dataclass(frozen=True, eq=False, kw_only=True)
 class RoomFrame(Frame):
-    """A frame of the room, with `intrinsic`; depth is uint16 [mm] with noise and float32 [m] without."""
+    """A frame of the room, with `intrinsic`. Depth is uint16 [mm] with noise and float32 [m] without."""
 
     T_world_camera: NDArray[np.float64]
     intrinsic: PinholeCameraIntrinsic
@@ -154,7 +154,7 @@ class RoomSequence:
         return np.array([self._path(i / self.frame_count) for i in range(self.frame_count)])
 
     def read(self, index: int) -> RoomFrame:
-        """Render a frame; the same index always gives the same frame."""
+        """Render a frame. The same index always gives the same frame."""
         if not 0 <= index < self.frame_count:
             raise IndexError(f"index: expected 0 to {self.frame_count - 1}, got {index}")
         camera, effects, share = self.intrinsic, self._effects, index / self.frame_count
@@ -198,7 +198,7 @@ class RoomSequence:
 
 @functools.lru_cache(maxsize=2)
 def _kept_room(device: str, compiler: str) -> Room:
-    """The cached room of a device; its lighting takes seconds to compute."""
+    """The cached room of a device. Its lighting takes seconds to compute."""
     return build_room(resolve_device(device))
 
 
@@ -216,13 +216,13 @@ def room_sequence(
     """RGB-D frames of the furnished room along a smooth walk.
 
     Args:
-        frame_count: Frames of the whole walk of four rounds; 120 are 12 to 15 degrees and about 15 cm apart.
+        frame_count: Frames of the whole walk of four rounds. 120 are 12 to 15 degrees and about 15 cm apart.
         width: Columns [px].
-        height: Rows [px]; the focal length is 525 px at 640 columns, as of PrimeSense cameras.
+        height: Rows [px]. The focal length is 525 px at 640 columns, as of PrimeSense cameras.
         seed: Seed of the noise.
         noise: Depth noise of a structured-light camera (Nguyen et al. 2012: 1.2 mm standard deviation near, 14 mm at 3
             m; holes at grazing angles and edges, whole millimeters). Without noise, depth is exact.
-        texture: Add texture of 12 cm to 15 mm for feature matching; a number in 0..1 scales its contrast.
+        texture: Add texture of 12 cm to 15 mm for feature matching. A number in 0..1 scales its contrast.
         color_noise: Standard deviation of the color noise [of 255]. None: 2 with texture, else 0.
         device: Device that renders.
 
@@ -259,7 +259,7 @@ def room_loop_sequence(
 
     Args:
         frame_count: Frames of the loop. 600 are 5 to 15 mm and up to 1.5 degrees apart, as of a hand-held camera.
-        path: "round" or "eight"; each sees 95 % of the room.
+        path: "round" or "eight". Each sees 95 % of the room.
         width, height, seed, noise, texture, color_noise, device: As `room_sequence`.
         color: Render color.
         blur: Exposure time of the color camera as a fraction of the frame time (mean of 5 renderings). Depth has no
@@ -338,7 +338,7 @@ def _prime_sense(width: int, height: int) -> PinholeCameraIntrinsic:
 
 
 def surface_errors(points: Any, *, device: Any = "cpu") -> NDArray[np.float64]:
-    """Distance of points from the room's true surface, shape (n,) float64 [m]; NaN for non-finite points.
+    """Distance of points from the room's true surface, shape (n,) float64 [m]. NaN for non-finite points.
 
     Exact in the air; inside solids deeper than their thickness, a lower bound.
 
@@ -397,7 +397,7 @@ WAVES = (2.3, 0.7)  # [s] periods of the exposure
 FRAME_TIME = 1 / 30  # [s]
 
 PERSON_AWAY = 1.9  # [m] from the camera
-PERSON_SWING = math.radians(45)  # to both sides; a view of 63 degrees ends at 31
+PERSON_SWING = math.radians(45)  # to both sides. A view of 63 degrees ends at 31
 PERSON_PASSES = 3  # back and forth on a loop
 
 
@@ -458,7 +458,7 @@ class RoomEffects:
 
 
 def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> Room:
-    """The room with a person in front of the camera; the lighting does not change."""
+    """The room with a person in front of the camera. The lighting does not change."""
     parts, eye, forward = furnished_room(), T_world_camera[:3, 3], T_world_camera[:3, 2]
     angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
     x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)

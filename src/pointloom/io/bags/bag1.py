@@ -1,6 +1,6 @@
 """ROS 1 bags, format 2.0, parsed by record headers, so that an index is not required.
 
-A chunk index is used only if it matches the list of chunks at the end; otherwise the chunk is unpacked and searched.
+A chunk index is used only if it matches the list of chunks at the end. Otherwise the chunk is unpacked and searched.
 rosbag format 2.0, ROS wiki.
 """
 

@@ -2,8 +2,8 @@
 
 Per-point times become `time` [s] since the first point if their unit is certain, as drivers differ: `time` is s
 (velodyne_pointcloud); `t`, `offset_time` are ns (ouster_ros, livox_ros_driver2); `timestamp` is s (hesai_ros_driver,
-rslidar_sdk) or ns (livox_ros_driver2); some data use microseconds. The unit must match the header time or a sweep of 2
-ms to 1.5 s; units differ by 1,000, so at most one does. CustomMsg: header, base time [ns], count, scanner, then 19 B
+rslidar_sdk) or ns (livox_ros_driver2). Some data use microseconds. The unit must match the header time or a sweep of 2
+ms to 1.5 s. Units differ by 1,000, so at most one does. CustomMsg: header, base time [ns], count, scanner, then 19 B
 per point (ROS 2: 20).
 """
 
@@ -59,13 +59,13 @@ WRITTEN = {("time", "f"): "s", ("t", "u"): "ns", ("offset_time", "u"): "ns"}  # 
 SWEEP = (2e-3, 1.5)  # [s] plausible duration of a message
 SHORTEST = 5e-4  # [s] plausible duration of a message with a documented unit
 APART = 2.0  # [s] maximum difference of header time and first point, same clock
-SINCE = 60.0  # [s] minimum clock time; an earlier one may be relative to the sweep
+SINCE = 60.0  # [s] minimum clock time. An earlier one may be relative to the sweep
 COARSEST = 1e-3  # [s] float resolution beyond which point times are useless
 
 
 def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[Any], stamp: float) -> dict[str, Any]:
     """Replace the driver's times by `time` [s] since the first point, if their unit is certain.
-    `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units; without a
+    `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units. Without a
     unit the values are unchanged, with `time` renamed to `timestamps`."""
     kept = dict(columns)
     name = next((name for name in NAMES if name in kept and kept[name].ndim == 1), None)
@@ -101,7 +101,7 @@ def _steps(kind: np.dtype[Any], times: NDArray[Any]) -> float:
 
 
 def _unit(times: NDArray[Any], written: str | None, stamp: float, step: float) -> str | None:
-    """The unit consistent with the header or a sweep; the documented one if there is no contradiction."""
+    """The unit consistent with the header or a sweep. The documented one if there is no contradiction."""
     if not times.any():
         return written or "s"  # as good as any
     first, span = float(times.min()), float(times.max() - times.min())
@@ -120,7 +120,7 @@ _OWN = ("points", "normals", "colors")
 
 
 def table_of_message(path: Path, message: Any) -> PointTable:
-    """The points of a PointCloud2, including non-finite ones; raises `FileError` if its fields are invalid."""
+    """The points of a PointCloud2, including non-finite ones. Raises `FileError` if its fields are invalid."""
     columns = _columns(path, message)
     missing = [name for name in "xyz" if name not in columns]
     if missing:

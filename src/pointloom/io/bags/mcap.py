@@ -1,6 +1,6 @@
 """MCAP files, parsed by record headers, so that a summary is not required.
 
-A chunk index is used only if it is consistent and the file statistics agree; otherwise chunks are unpacked and
+A chunk index is used only if it is consistent and the file statistics agree. Otherwise chunks are unpacked and
 searched. MCAP format specification, version 0.
 """
 
@@ -134,7 +134,7 @@ class _File:
 
     def settle(self) -> None:
         """Choose the messages of each chunk: from its index, or from the chunk itself.
-        The statistics confirm the indexes; a truncated file has none and is reported as damaged."""
+        The statistics confirm the indexes. A truncated file has none and is reported as damaged."""
         for chunk in self.chunks:
             if not self.is_trusted(chunk):
                 self.search(chunk)

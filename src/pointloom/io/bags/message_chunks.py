@@ -1,6 +1,6 @@
 """Common structure of recording containers: pieces of bytes and the position of each message.
 
-A piece is a chunk or the whole file. The index (20 B a message) stays in memory; only the last used chunks do.
+A piece is a chunk or the whole file. The index (20 B a message) stays in memory. Only the last used chunks do.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Chunk:
 
 
 class Channel(NamedTuple):
-    """Messages of one topic and type; only the encodings "ros1" and "cdr" are decoded."""
+    """Messages of one topic and type. Only the encodings "ros1" and "cdr" are decoded."""
 
     topic: str
     type: str
@@ -66,7 +66,7 @@ class Contents:
     damage: str | None = None
 
     def note(self, damage: str) -> None:
-        """Record damage; only the first is reported."""
+        """Record damage. Only the first is reported."""
         self.damage = self.damage or damage
 
     def add_channel(self, key: int, channel: Channel) -> None:
@@ -76,7 +76,7 @@ class Contents:
 
 
 def unpack(path: Path, data: bytes, compression: str, size: int) -> bytes:
-    """Decompress a chunk; memory is bounded by its declared size, which is bounded by the compressed size."""
+    """Decompress a chunk. Memory is bounded by its declared size, which is bounded by the compressed size."""
     if size > min(MAX_CHUNK, max(_MAX_SMALL, _MAX_RATIO * len(data))):
         reason = f"the header of a chunk of {len(data)} bytes claims {size} unpacked bytes"
         raise FileError(path, reason, remedy="The file is damaged there")

@@ -32,8 +32,8 @@ class ImuReadings:
     Attributes:
         times: Header times [s], float64 (n,).
         angular_velocity: [rad/s], float64 (n, 3).
-        linear_acceleration: [m/s^2], float64 (n, 3); points up at rest.
-        orientation: Quaternions (w, x, y, z) of the sensor's filter, float64 (n, 4); NaN if missing.
+        linear_acceleration: [m/s^2], float64 (n, 3). Points up at rest.
+        orientation: Quaternions (w, x, y, z) of the sensor's filter, float64 (n, 4). NaN if missing.
 
     Example:
         >>> import pointloom as loom
@@ -52,7 +52,7 @@ class ImuReadings:
 
 
 def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
-    """The readings of Imu messages; values with a covariance of -1 (missing, REP 145) are NaN."""
+    """The readings of Imu messages. Values with a covariance of -1 (missing, REP 145) are NaN."""
     rows = []
     for message in messages:
         turns, pushes, q = message.angular_velocity, message.linear_acceleration, message.orientation
@@ -70,7 +70,7 @@ def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
 
 
 def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable[Any]) -> Trajectory:
-    """The poses of messages; raises `FileError` with the message number if one is invalid."""
+    """The poses of messages. Raises `FileError` with the message number if one is invalid."""
     rows: list[list[float]] = []
     for number, message in enumerate(messages):
         pose = message

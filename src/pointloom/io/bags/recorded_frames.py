@@ -63,7 +63,7 @@ def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
 
 
 def intrinsic_of_message(path: Path, message: Any, *, rectified: bool) -> PinholeCameraIntrinsic:
-    """The pinhole camera of a CameraInfo: P for rectified images, K for raw ones; raises `FileError` if it is empty."""
+    """The pinhole camera of a CameraInfo: P for rectified images, K for raw ones. Raises `FileError` if it is empty."""
     columns = 4 if rectified else 3
     numbers = _matrix(message, "p" if rectified else "k")
     fx, cx, fy, cy = numbers[0], numbers[2], numbers[columns + 1], numbers[columns + 2]
@@ -109,7 +109,7 @@ def _rows(path: Path, message: Any, code: str, channels: int) -> NDArray[Any]:
 
 
 def _packed_depth(path: Path, message: Any) -> NDArray[np.uint16] | NDArray[np.float32]:
-    """A 16-bit PNG after 12 bytes with the quantization d = a / (n - b); 0 for none."""
+    """A 16-bit PNG after 12 bytes with the quantization d = a / (n - b). 0 for none."""
     data = np.asarray(message.data, np.uint8).tobytes()
     encoding = message.format.split(";")[0].strip()
     if data[:8] == PNG_MAGIC:
@@ -158,7 +158,7 @@ class RecordedFrames:
     Attributes:
         intrinsic: The camera.
         depth_scale: 1000, as integer depth is millimeters.
-        depth, color: The topics; None without color.
+        depth, color: The topics. None without color.
         left_out: Images without a partner in time.
         layout: "recording".
         intrinsic_source: Source of the camera.
@@ -210,7 +210,7 @@ class RecordedFrames:
         return watch.notes
 
     def read(self, index: int) -> Frame:
-        """Decode a frame; a negative index counts from the end. Raises `FileError` if a message is damaged."""
+        """Decode a frame. A negative index counts from the end. Raises `FileError` if a message is damaged."""
         time, depth_row, color_row = self._rows[index]
         name = f"frame-{index % len(self):06d}"
         path = self._recording.path
@@ -269,7 +269,7 @@ class RecordedFrames:
 
 
 def choose_pictures(recording: Messages, depth: str | None, color: str | None) -> tuple[str, str | None]:
-    """The given depth and color topics, or the only ones; raises `FileError` if none or several match."""
+    """The given depth and color topics, or the only ones. Raises `FileError` if none or several match."""
     kinds = {name: kind for name, kind in recording.topic_types().items() if kind in (IMAGE, COMPRESSED)}
     depths = [name for name in kinds if holds_depth(kinds[name], recording.content_at(recording.rows_of(name)[0]))]
     colors = [name for name in kinds if name not in depths]

@@ -44,7 +44,7 @@ class Topic:
     Attributes:
         name, type: Its name and message type.
         count: Number of messages.
-        first, last: Times of the first and last message [s]; None without messages.
+        first, last: Times of the first and last message [s]. None without messages.
         frame_id: Frame of the first message, if its type has a header.
     """
 
@@ -126,7 +126,7 @@ class Recording:
         return self._messages(topic)
 
     def choose_topic(self, topic: str | None, *kinds: str) -> str:
-        """The given topic, or the only topic of these types; raises `FileError` if none or several match."""
+        """The given topic, or the only topic of these types. Raises `FileError` if none or several match."""
         types = kinds or (CLOUD, *LIVOX)
         kind = types[0]
         fitting = [name for name, found in self.topic_types().items() if found in types]
@@ -144,8 +144,8 @@ class Recording:
         """Iterate over the clouds of a PointCloud2 or Livox CustomMsg topic in time order.
 
         Args:
-            topic: The topic; None selects the only one.
-            frame: Target frame, applied with `transforms` at each header's time; None keeps the sensor frame.
+            topic: The topic. None selects the only one.
+            frame: Target frame, applied with `transforms` at each header's time. None keeps the sensor frame.
             device: Device of the clouds.
 
         Raises:
@@ -200,9 +200,9 @@ class Recording:
         """RGB-D frames: depth and color images paired by the times in their headers.
 
         Args:
-            depth: Depth topic, of Image or CompressedImage; None selects the only one.
-            color: Color topic, registered to depth; None selects the only one, if any.
-            intrinsic: The camera; None reads the `camera_info` topic beside depth.
+            depth: Depth topic, of Image or CompressedImage. None selects the only one.
+            color: Color topic, registered to depth. None selects the only one, if any.
+            intrinsic: The camera. None reads the `camera_info` topic beside depth.
             tolerance: Maximum time difference of a pair [s].
             every: Take every k-th frame, starting with the first.
 
@@ -252,7 +252,7 @@ class Recording:
         return self._parts[row[1]].channels[row[2]].encoding, self._payload(row)
 
     def content_at(self, row: tuple[int, int, int, int, int]) -> Any:
-        """Decode a message; raises `FileError` if it is damaged or of an unknown type."""
+        """Decode a message. Raises `FileError` if it is damaged or of an unknown type."""
         channel = self._parts[row[1]].channels[row[2]]
         return self._decode(channel.type, channel.encoding, self._payload(row))
 
@@ -268,7 +268,7 @@ class Recording:
         return (RecordedMessage(topic, row[0] * 1e-9, content) for row, content in self._each(topic, self.content_at))
 
     def _each(self, topic: str, read: Callable[[tuple[int, int, int, int, int]], Any]) -> Iterator[tuple[Any, Any]]:
-        """Apply `read` to each message of a topic; errors report the number of messages before it."""
+        """Apply `read` to each message of a topic. Errors report the number of messages before it."""
         for done, row in enumerate(self.rows_of(topic)):
             try:
                 content = read(row)

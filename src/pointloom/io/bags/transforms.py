@@ -26,7 +26,7 @@ Matrix = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Joint:
-    """Poses of a frame in its parent over time; fixed if there are no times."""
+    """Poses of a frame in its parent over time. Fixed if there are no times."""
 
     parent: str
     times: NDArray[np.float64] | None
@@ -59,7 +59,7 @@ class RecordedTransforms:
         return f"RecordedTransforms({len(self.frames)} frames below {escaped(', '.join(roots))})"
 
     def span(self, frame: str) -> tuple[float, float] | None:
-        """First and last time [s] of a frame's transform to its parent; None if it is fixed.
+        """First and last time [s] of a frame's transform to its parent. None if it is fixed.
 
         Raises:
             FileError: No such frame, or one without a parent.
@@ -76,7 +76,7 @@ class RecordedTransforms:
         Args:
             target: Target frame.
             source: Source frame.
-            time: Time [s], scalar or shape (n,); None if all transforms between the frames are fixed.
+            time: Time [s], scalar or shape (n,). None if all transforms between the frames are fixed.
 
         Returns:
             float64 (4, 4), or (n, 4, 4) for several times. Translations are interpolated linearly, rotations by slerp;
@@ -154,7 +154,7 @@ class RecordedTransforms:
 
 
 def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]]) -> RecordedTransforms:
-    """The tree of TFMessage messages (topic, number, content) in time order; raises `FileError` if one is invalid."""
+    """The tree of TFMessage messages (topic, number, content) in time order. Raises `FileError` if one is invalid."""
     rows: dict[str, dict[str, list[tuple[float, list[float]]]]] = {}
     fixed: set[tuple[str, str]] = set()
     for topic, number, content in messages:

@@ -16,7 +16,7 @@ from .depth_cameras import DepthCamera, import_driver, recording_path
 
 
 class AzureKinectCamera(DepthCamera):
-    """Frames of an Azure Kinect, depth registered to color; requires `pointloom[azure-kinect]` and Microsoft's SDK.
+    """Frames of an Azure Kinect, depth registered to color. Requires `pointloom[azure-kinect]` and Microsoft's SDK.
 
     Color 1280 x 720, depth in narrow unbinned mode, 30 frames per second. Tested with a driver stub, not on a camera.
 
@@ -76,7 +76,7 @@ class AzureKinectCamera(DepthCamera):
             self._use_lens(np.ravel(self._device.calibration.get_distortion_coefficients(kind)))
 
     def _next_whole(self) -> Any:
-        """The next capture with depth and color; None at the end of a recording."""
+        """The next capture with depth and color. None at the end of a recording."""
         while True:
             if self._playing:
                 try:
@@ -95,7 +95,7 @@ class AzureKinectCamera(DepthCamera):
         return capture.transformed_depth, self._color_of(capture), capture.depth_timestamp_usec * 1e-6
 
     def _color_of(self, capture: Any) -> NDArray[np.uint8]:
-        """RGB of a capture; its color is BGRA or, in most recordings, JPEG bytes."""
+        """RGB of a capture. Its color is BGRA or, in most recordings, JPEG bytes."""
         color = np.asarray(capture.color)
         if color.ndim == 1 and color.dtype == np.uint8:
             return decode_texture(f"color of frame {self.count}", color.tobytes())

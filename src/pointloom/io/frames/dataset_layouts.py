@@ -57,7 +57,7 @@ class Demand:
         self.left_out.append(f"{path.name}: {reason}")
 
     def loses(self, path: Path, frame: str = "") -> bool:
-        """True if a frame with an inf or NaN pose is skipped; raises `DatasetError` if it may not be."""
+        """True if a frame with an inf or NaN pose is skipped. Raises `DatasetError` if it may not be."""
         if self.poses != "needed" and (self.keep_lost or not self.skip_missing):
             return False
         if not self.skip_missing:
@@ -67,7 +67,7 @@ class Demand:
 
 
 def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) -> list[FrameFiles]:
-    """Frames of a 7-Scenes folder; only the poses of every k-th are read."""
+    """Frames of a 7-Scenes folder. Only the poses of every k-th are read."""
     demand = demand or Demand()
     found, numbers = _gather_seven_scenes(folder)
     times = read_frame_times(folder)
@@ -201,7 +201,7 @@ def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
 
 
 def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path, Path] | None:
-    """The color image of each depth map; None if the folder has no color."""
+    """The color image of each depth map. None if the folder has no color."""
     folders = [folder / name for name in ("color", "image", "rgb") if (folder / name).is_dir()]
     if not folders:
         return None

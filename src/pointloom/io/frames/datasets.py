@@ -87,14 +87,14 @@ def _without(word: re.Pattern[str], path: Path) -> str:
 
 
 def _read_any_pose(path: Path) -> NDArray[np.float64] | None:
-    """Four rows of a matrix, or `tx ty tz qx qy qz qw` (a TUM line without time); None if the pose is not finite."""
+    """Four rows of a matrix, or `tx ty tz qx qy qz qw` (a TUM line without time). None if the pose is not finite."""
     lines = read_lines(path)
     if len(lines) != 1:
         return read_pose_or_gap(path)
     return pose_or_gap(timed_poses(path, [(lines[0][0], ["0", *lines[0][1]])], gaps=True)[0][0])
 
 
-# File names of a camera; Open3D's recorders write the last two.
+# File names of a camera. Open3D's recorders write the last two.
 INTRINSIC_NAMES = ("camera-intrinsics.json", "camera.json", "camera_intrinsic.json", "intrinsic.json")
 
 # A 3x3 matrix in text: 7-Scenes and 3DMatch have the first.
@@ -103,7 +103,7 @@ MATRIX_NAMES = ("camera-intrinsics.txt", "intrinsics.K.txt", "intrinsics.txt", "
 # Patterns of other names that may hold a camera.
 _LIKE_A_CAMERA = re.compile(r"(.*intrinsic.*|.*calib.*|.*camera.*|.*\bK)\.(txt|json|ya?ml|xml)", re.I)
 
-# Real depth cameras have their principal point within 5 % of the size from the center; one farther off
+# Real depth cameras have their principal point within 5 % of the size from the center. One farther off
 # probably belongs to images of another size.
 _MAX_FROM_MIDDLE = 0.15
 
@@ -203,7 +203,7 @@ class Frame:
     """A frame in memory.
 
     Args:
-        depth: Shape (h, w): uint16 meters times the source's `depth_scale`, or float32 [m]; 0 without measurement.
+        depth: Shape (h, w): uint16 meters times the source's `depth_scale`, or float32 [m]. 0 without measurement.
         color: Shape (h, w, 3), uint8 RGB, or None.
         T_world_camera: Ground truth pose, camera to world, shape (4, 4) [m], or None.
         name: Name of the frame within its source.
@@ -264,7 +264,7 @@ class RGBDDataset:
         return watch.notes
 
     def read(self, index: int) -> Frame:
-        """Decode a frame; a negative index counts from the end. The 65535 of 7-Scenes (no depth) becomes 0."""
+        """Decode a frame. A negative index counts from the end. The 65535 of 7-Scenes (no depth) becomes 0."""
         files = self.frames[index]
         depth = read_depth(files.depth)
         color = None if files.color is None else read_color(files.color)
@@ -294,15 +294,15 @@ def open_dataset(
     - `7scenes`: `frame-NNNNNN.depth.png`, `.pose.txt` and, for all frames or none, `.color.png` or `.color.jpg`.
       Millimeters; f 585, c (320, 240).
     - `redwood`: `depth/`, `trajectory.log` and optionally one of `color/`, `image/`, `rgb/`. Depth and color are paired
-      by equal names, else by the first number in them. The number of poses must equal that of depth maps; pose ids are
-      0..n-1 or the numbers in the names. Millimeters; PrimeSense intrinsic.
+      by equal names, else by the first number in them. The number of poses must equal that of depth maps. Pose ids are
+      0..n-1 or the numbers in the names. Millimeters. PrimeSense intrinsic.
     - `tum`: `depth.txt`, `groundtruth.txt` and optionally `rgb.txt`. Depth, color and poses are paired by the closest
-      time, less than 0.02 s apart; poses are not interpolated. Unpaired depth maps are listed in `left_out`. Depth
+      time, less than 0.02 s apart. Poses are not interpolated. Unpaired depth maps are listed in `left_out`. Depth
       times 5,000; f 525, c (319.5, 239.5).
 
-    The camera is, in this order: `intrinsic`; camera-intrinsics.json, camera.json, camera_intrinsic.json or
-    intrinsic.json in the folder (with `depth_scale`, if any); a 3x3 matrix in camera-intrinsics.txt, intrinsics.K.txt,
-    intrinsics.txt or K.txt, in the folder or above a folder `seq-NN`; the default of the layout. `intrinsic_source`
+    The camera is, in this order: `intrinsic`. Camera-intrinsics.json, camera.json, camera_intrinsic.json or
+    intrinsic.json in the folder (with `depth_scale`, if any). A 3x3 matrix in camera-intrinsics.txt, intrinsics.K.txt,
+    intrinsics.txt or K.txt, in the folder or above a folder `seq-NN`. The default of the layout. `intrinsic_source`
     names the source. `intrinsic_doubt` reports an implausible principal point or field of view, or another camera file.
 
     Args:
@@ -314,7 +314,7 @@ def open_dataset(
 
     Raises:
         ValueError: An unknown layout.
-        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that differ; `every` below 1.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder. Sizes that differ; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
 
     Example:
@@ -362,11 +362,11 @@ def open_frames(
         poses: Read the poses in the folder, if any.
         skip_missing: Skip frames that lack an image, or (except in "pictures") whose pose is inf or NaN, and list them
             in `left_out`.
-        resize_color: Resize color to the size of depth; both must show the same view.
+        resize_color: Resize color to the size of depth. Both must show the same view.
 
     Raises:
-        ValueError: An unknown layout; a depth scale that is not positive.
-        DatasetError: An unknown, ambiguous, empty or incomplete folder; sizes that differ; `every` below 1.
+        ValueError: An unknown layout. A depth scale that is not positive.
+        DatasetError: An unknown, ambiguous, empty or incomplete folder. Sizes that differ; `every` below 1.
         FileError: A file that cannot be read, or a pose that is not rigid.
 
     Example:
@@ -516,7 +516,7 @@ def holds_frames(folder: Path) -> bool:
 
 
 def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tuple[int, int]:
-    """Width and height of all images, which must agree; color need only agree with itself if it is resized."""
+    """Width and height of all images, which must agree. Color need only agree with itself if it is resized."""
     sizes: dict[str, tuple[Path, PictureHeader]] = {}
     for frame in frames:
         for kind, path, check in (

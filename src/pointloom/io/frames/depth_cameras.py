@@ -1,7 +1,7 @@
 """Common code of depth camera drivers: frame checks, error messages, undistortion.
 
 Undistortion uses the nearest pixel for depth, which must not be mixed, and bilinear interpolation for color; unseen
-pixels are 0. Brown 1966; the rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
+pixels are 0. Brown 1966. The rational form with k4 to k6 as in OpenCV, "Camera calibration and 3D reconstruction".
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ NEGLIGIBLE = 0.05  # [px] smaller displacements count as a pinhole
 
 PARTS = 16  # color is read at 1/16 px: four weights of 1/256 keep the sum within 16 bits
 
-TURNS = 20  # fixed-point iterations of the inverse; 0.001 px remain after a few
+TURNS = 20  # fixed-point iterations of the inverse. 0.001 px remain after a few
 
 
 class LensMap:
@@ -64,7 +64,7 @@ class LensMap:
         ]
 
     def straighten_depth(self, depth: NDArray[np.uint16]) -> NDArray[np.uint16]:
-        """Undistort a depth map; values are unchanged, as depth is measured along the axis."""
+        """Undistort a depth map. Values are unchanged, as depth is measured along the axis."""
         straight = depth.ravel()[self._nearest]
         straight[self._outside] = 0
         return straight
@@ -101,7 +101,7 @@ LONGEST_WAIT = 3600.0  # [s] maximum timeout; drivers count milliseconds in 32 b
 
 
 def import_driver(module: str, camera: str, extra: str) -> Any:
-    """The module of a camera driver; raises `CameraError` if it cannot be imported."""
+    """The module of a camera driver. Raises `CameraError` if it cannot be imported."""
     try:
         return importlib.import_module(module)
     except ImportError as error:
@@ -110,7 +110,7 @@ def import_driver(module: str, camera: str, extra: str) -> Any:
 
 
 def recording_path(file: Any) -> str | None:
-    """The path of a recording; None for a camera."""
+    """The path of a recording. None for a camera."""
     if file is None:
         return None
     if not isinstance(file, str | os.PathLike):
@@ -134,7 +134,7 @@ def driver_errors(what: str, remedy: str) -> Iterator[None]:
 
 
 class DepthCamera:
-    """A camera, or a recording played back, as an RGBDSource; a `with` block closes it.
+    """A camera, or a recording played back, as an RGBDSource. A `with` block closes it.
 
     Attributes:
         intrinsic: The camera of depth and color.
@@ -190,7 +190,7 @@ class DepthCamera:
                 self._stop()
 
     def _take(self) -> tuple[Any, Any, float] | None:
-        """Depth, color or None, and time [s] of the next frame; None at the end of a recording."""
+        """Depth, color or None, and time [s] of the next frame. None at the end of a recording."""
         raise NotImplementedError
 
     def _stop(self) -> None:

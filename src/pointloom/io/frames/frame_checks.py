@@ -14,7 +14,7 @@ from .datasets import Frame
 
 
 def checked_frame(frame: Frame, intrinsic: PinholeCameraIntrinsic, *, resize: bool = False) -> Frame:
-    """A validated copy of a frame; errors name it. `resize` scales color to the size of depth."""
+    """A validated copy of a frame. Errors name it. `resize` scales color to the size of depth."""
     size = (intrinsic.height, intrinsic.width)
     depth = _check_depth(f"{frame.name}: depth", frame.depth, size)
     color = None if frame.color is None else _check_color(f"{frame.name}: color", frame.color, size, resize)

@@ -62,7 +62,7 @@ def can_read(frames: Any) -> TypeGuard[FrameSource]:
 
 
 def count_of(frames: Any) -> int:
-    """Number of frames; 0 if unknown, as for a generator or camera."""
+    """Number of frames. 0 if unknown, as for a generator or camera."""
     return len(frames) if hasattr(frames, "__len__") else 0
 
 
@@ -116,7 +116,7 @@ def read_frames_or_errors(dataset: FrameSource | RGBDSource, ahead: int = READ_A
 def read_in_order(
     read: Callable[[int], Frame], indices: Iterable[int], ahead: int = READ_AHEAD
 ) -> Generator[Callable[[], Frame], None, None]:
-    """For each index in order, a callable that returns `read(index)`; some are computed ahead in threads."""
+    """For each index in order, a callable that returns `read(index)`. Some are computed ahead in threads."""
     if not ahead:
         for i in indices:
             yield lambda i=i: read(i)

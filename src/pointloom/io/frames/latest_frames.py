@@ -13,7 +13,7 @@ from .rgbd_sources import RGBDSource
 
 
 class LatestFrames:
-    """The newest frame of a source for each request; frames in between are dropped and counted.
+    """The newest frame of a source for each request. Frames in between are dropped and counted.
 
     A thread reads the source and stores one frame, so memory is bounded. Source errors are raised after the preceding
     frames. Leaving the loop, an error or Ctrl-C ends the thread after its current frame; `close` and a `with` block do

@@ -18,16 +18,16 @@ SLICE = 0.1  # [s] between checks for the end of a recording
 
 
 class RealSenseCamera(DepthCamera):
-    """Frames of a RealSense camera, depth registered to color; requires `pointloom[realsense]`.
+    """Frames of a RealSense camera, depth registered to color. Requires `pointloom[realsense]`.
 
     Tested with a driver stub and on a recording of pyrealsense2's software device, not on a camera.
 
     Args:
-        serial: Serial number; None takes the first camera.
+        serial: Serial number. None takes the first camera.
         file: A recording (.bag or, since 2.58, .db3) to play back, each frame once, instead of a camera.
-        width, height: Image size [px]; a recording has its own.
-        rate: Frames per second; a recording has its own.
-        color: With color; else depth alone, in the geometry of the depth camera.
+        width, height: Image size [px]. A recording has its own.
+        rate: Frames per second. A recording has its own.
+        color: With color. Else depth alone, in the geometry of the depth camera.
         timeout: Maximum time to wait for a frame [s].
 
     Raises:
@@ -132,7 +132,7 @@ class RealSenseCamera(DepthCamera):
             return error
 
     def _next_set(self) -> tuple[Any, Any, float, Any] | None:
-        """Depth, color, their time difference [s], and the frame set; None at the end of a recording."""
+        """Depth, color, their time difference [s], and the frame set. None at the end of a recording."""
         waited = 0.0
         while True:
             patience = min(SLICE, self.timeout - waited) if self._playback is not None else self.timeout

@@ -1,6 +1,6 @@
 """Record frames in the 7-Scenes layout, readable at any time.
 
-A frame counts once it has a line in `frame-times.txt`, which is written after its files; an interrupted recording is
+A frame counts once it has a line in `frame-times.txt`, which is written after its files. An interrupted recording is
 valid.
 """
 
@@ -82,7 +82,7 @@ class FrameRecorder:
             frame: A frame of the recorder's camera.
 
         Raises:
-            TypeError, ValueError: An invalid frame; color in some frames only; depth beyond 16 bits.
+            TypeError, ValueError: An invalid frame. Color in some frames only. Depth beyond 16 bits.
             FileError: It cannot be written, for example on a full disk; earlier frames stay valid.
         """
         if not all(hasattr(frame, name) for name in ("depth", "color", "name", "T_world_camera", "timestamp")):
@@ -114,7 +114,7 @@ def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progres
     """Write all frames of a source to a new folder in the 7-Scenes layout, readable at any time.
 
     Args:
-        source: The frames; an endless source is recorded until it is closed or Ctrl-C.
+        source: The frames. An endless source is recorded until it is closed or Ctrl-C.
         folder: A new or empty folder.
         progress: Called with "frames", the number written, and the total (0 if unknown).
 

@@ -44,7 +44,7 @@ class RGBDSource(Protocol):
 
 
 class FrameStream:
-    """Frames from images in memory, checked lazily; see `frames_from`."""
+    """Frames from images in memory, checked lazily. See `frames_from`."""
 
     def __init__(self, items: Iterable[Any], intrinsic: PinholeCameraIntrinsic, depth_scale: float, resize: bool):
         self.intrinsic, self.depth_scale = intrinsic, depth_scale
@@ -81,11 +81,11 @@ def frames_from(
 
     Args:
         frames: Each is (color, depth) or (color, depth, time [s]), or an object with `color`, `depth` and optionally
-            `T_world_camera`, `timestamp`, `name`. Depth is uint16 or float [m], shape (h, w), 0 without measurement;
-            color is uint8 RGB (h, w, 3) or None, registered to depth.
+            `T_world_camera`, `timestamp`, `name`. Depth is uint16 or float [m], shape (h, w), 0 without measurement.
+            Color is uint8 RGB (h, w, 3) or None, registered to depth.
         intrinsic: The camera.
         depth_scale: Units per meter of integer depth.
-        resize_color: Resize color to the size of depth; both must show the same view.
+        resize_color: Resize color to the size of depth. Both must show the same view.
 
     Returns:
         A source that copies each frame lazily and stores none; `notes` lists irregular timestamps.

@@ -1,1 +1,1 @@
-"""Triangle mesh formats: OBJ, STL, OFF, GLB; any file by extension."""
+"""Triangle mesh formats: OBJ, STL, OFF, GLB. Any file by extension."""

@@ -1,8 +1,8 @@
 """glTF 2.0 (.glb, .gltf): the triangles of a static scene (skins at rest, default morphs) as one mesh.
 
 Normals, colors and attributes (`_NAME` becomes NAME) are kept if all primitives have them. Each used material becomes
-one image: base color texture, else one pixel of its factor in sRGB; alpha is kept for BLEND, thresholded for MASK, else
-dropped. Khronos, "glTF 2.0 Specification", section 3.9; KHR_texture_transform; KHR_materials_pbrSpecularGlossiness.
+one image: base color texture, else one pixel of its factor in sRGB. Alpha is kept for BLEND, thresholded for MASK, else
+dropped. Khronos, "glTF 2.0 Specification", section 3.9. KHR_texture_transform. KHR_materials_pbrSpecularGlossiness.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _OTHER_KINDS = {
 @dataclass(frozen=True)
 class BaseColor:
     """The base color of a material: linear RGBA `factor`, and indices of `texture` and texture `coordinates`.
-    `transform` is their affine transform (2, 3), v downwards. `cutoff` is the minimum alpha; 0 is opaque, None blends.
+    `transform` is their affine transform (2, 3), v downwards. `cutoff` is the minimum alpha. 0 is opaque, None blends.
     """
 
     texture: Any = None
@@ -162,7 +162,7 @@ class Materials:
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
-    """An image of one pixel, converted from linear to sRGB; with alpha if not opaque."""
+    """An image of one pixel, converted from linear to sRGB. With alpha if not opaque."""
     curved = linear_to_srgb(np.array(linear[:3]))
     values = [*curved, linear[3]] if linear[3] < 1 else curved
     return np.rint(np.array(values) * 255).astype(np.uint8).reshape(1, 1, -1)

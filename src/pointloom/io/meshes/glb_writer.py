@@ -37,7 +37,7 @@ _MAX_WIDTH = 4
 
 
 def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as GLB (up to 4 GiB) atomically; unsupported attributes are dropped with a warning."""
+    """Write a triangle mesh as GLB (up to 4 GiB) atomically. Unsupported attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     scene = _scene_of(path, mesh)
     images = [{"bufferView": scene.body.add_bytes(encode_png(each)), "mimeType": "image/png"} for each in scene.images]
@@ -208,13 +208,13 @@ class _Body:
         self.accessors: list[dict[str, Any]] = []
 
     def add_bytes(self, content: bytes) -> int:
-        """Append bytes aligned to 4; returns the buffer view."""
+        """Append bytes aligned to 4. Returns the buffer view."""
         self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(content)})
         self.data += content + b"\0" * (-len(content) % 4)
         return len(self.views) - 1
 
     def add_array(self, values: NDArray[Any], target: int, with_bounds: bool) -> int:
-        """Append rows of numbers, aligned to 4 bytes at vertices; returns the accessor."""
+        """Append rows of numbers, aligned to 4 bytes at vertices. Returns the accessor."""
         code = np.dtype(values.dtype.newbyteorder("<"))
         little = np.ascontiguousarray(values, code)
         size = code.itemsize * little.shape[1]

@@ -26,7 +26,7 @@ class GltfArrays:
         self._decoded: dict[int, tuple[memoryview, int]] = {}
 
     def view(self, number: Any, what: str) -> tuple[memoryview, int]:
-        """The bytes of a buffer view, and its stride; 0 if packed."""
+        """The bytes of a buffer view, and its stride. 0 if packed."""
         file = self.file
         view, name = file.take("bufferViews", number, what), f"bufferViews {number}"
         packed = next((found for key in MESHOPT if (found := file.extension(view, key, name)) is not None), None)

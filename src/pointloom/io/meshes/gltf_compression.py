@@ -66,7 +66,7 @@ class DracoMesh:
         self._values = {entry["unique_id"]: entry["data"] for entry in attributes}
 
     def get(self, name: str) -> NDArray[Any] | None:
-        """The values of an attribute, shape (n, width); None if it was not compressed."""
+        """The values of an attribute, shape (n, width). None if it was not compressed."""
         if name not in self._names:
             return None
         key = self._names[name]

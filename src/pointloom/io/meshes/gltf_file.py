@@ -1,6 +1,6 @@
 """glTF 2.0 files: the JSON of a GLB or text file, and the bytes in the GLB, `data:` URIs or neighboring files.
 
-All values are validated before use; nothing is downloaded. Khronos, "glTF 2.0 Specification", sections 2.8, 3.4, 3.6.1.
+All values are validated before use. Nothing is downloaded. Khronos, "glTF 2.0 Specification", sections 2.8, 3.4, 3.6.1.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class GltfFile:
             raise self.error(reason, remedy="Join or drop some in the program that wrote it")
 
     def objects(self, kind: str) -> list[dict[str, Any]]:
-        """A list of JSON objects, such as "meshes"; empty if missing."""
+        """A list of JSON objects, such as "meshes". Empty if missing."""
         found = self.content.get(kind, [])
         if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
             raise self.error(f"{kind}: expected a list of objects")
@@ -76,7 +76,7 @@ class GltfFile:
         return objects[number]
 
     def part(self, holder: dict[str, Any], name: str, what: str) -> dict[str, Any]:
-        """A nested object; empty if missing."""
+        """A nested object. Empty if missing."""
         found = holder.get(name, {})
         if not isinstance(found, dict):
             raise self.error(f"{what}: {name} is no object")
@@ -103,7 +103,7 @@ class GltfFile:
         return np.array(values, np.float64)
 
     def places(self, holder: dict[str, Any], name: str, what: str) -> list[int]:
-        """A list of integers of an object; empty if missing."""
+        """A list of integers of an object. Empty if missing."""
         found = holder.get(name, [])
         if not isinstance(found, list) or not all(type(place) is int for place in found):
             raise self.error(f"{what}: {name}: expected a list of numbers of nodes")

@@ -27,7 +27,7 @@ class Tree:
 
 
 def walk_scene(file: GltfFile) -> Tree:
-    """The nodes of the displayed scene; raises `FileError` on cycles or invalid transforms."""
+    """The nodes of the displayed scene. Raises `FileError` on cycles or invalid transforms."""
     nodes, scenes = file.objects("nodes"), file.objects("scenes")
     if scenes:
         roots = file.places(file.take("scenes", file.content.get("scene", 0), "scene"), "nodes", "a scene")

@@ -68,7 +68,7 @@ def placing_of(arrays: GltfArrays, tree: Tree, number: int) -> Placing:
 
 class Primitive:
     def __init__(self, arrays: GltfArrays, left: LeftBehind, content: dict[str, Any], what: str):
-        """Parse the primitive; only Draco meshes are decoded."""
+        """Parse the primitive. Only Draco meshes are decoded."""
         self._arrays, self._file, self._left, self._what = arrays, arrays.file, left, what
         self._content = content
         self.mode = self._file.whole(content, "mode", what, TRIANGLES)
@@ -132,7 +132,7 @@ class Primitive:
             raise self._file.error(f"POSITION of {self._what} {reason}", where=f"vertex {int(np.argmin(is_finite))}")
 
     def _colors(self, count: int) -> tuple[NDArray[Any] | None, dict[str, NDArray[Any]]]:
-        """sRGB colors, and alpha as an attribute unless it is 1 everywhere; none if one is not finite."""
+        """sRGB colors, and alpha as an attribute unless it is 1 everywhere. None if one is not finite."""
         if "COLOR_0" not in self._attributes:
             return None, {}
         try:
@@ -149,7 +149,7 @@ class Primitive:
         return colors, {ALPHA: clamped[:, 3]} if has_alpha else {}
 
     def _custom(self, count: int, taken: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
-        """Attributes with a leading underscore, without it; others are noted as dropped."""
+        """Attributes with a leading underscore, without it. Others are noted as dropped."""
         found: dict[str, NDArray[Any]] = {}
         for name in self._attributes:
             if name.startswith("_") and len(name) > 1 and name[1:] not in taken:

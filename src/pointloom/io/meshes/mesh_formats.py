@@ -29,7 +29,7 @@ _READERS: dict[str, Callable[..., MeshTable]] = {
     ".glb": is_metric(read_glb), ".gltf": is_metric(read_glb),
 }  # fmt: skip
 
-#: The readers by extension; they raise only FileError for invalid content.
+#: The readers by extension. They raise only FileError for invalid content.
 MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 #: Functions that return the storable part of a mesh and the names of the rest, by extension.

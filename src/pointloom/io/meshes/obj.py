@@ -117,7 +117,7 @@ def _take_map(material: Material, text: str) -> str:
         option, _, rest = text.partition(" ")
         if option not in _OPTIONS:
             lost.append(f"the unknown option {option[:40]!r} of map_Kd")
-            text = rest.rpartition(" ")[2]  # number of values unknown; names with blanks are rare
+            text = rest.rpartition(" ")[2]  # number of values unknown. Names with blanks are rare
             break
         values: list[str] = []
         while len(values) < _OPTIONS[option]:
@@ -148,7 +148,7 @@ def _is_number(word: str) -> bool:
 
 
 def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:
-    """The materials of the MTL files that an OBJ names; None, with a warning, if a file is missing."""
+    """The materials of the MTL files that an OBJ names. None, with a warning, if a file is missing."""
     found: list[Material] = []
     for library in libraries:
         place = find_beside(path, library, outside_files=outside_files)
@@ -208,7 +208,7 @@ def material_name(number: int) -> str:
 def mtl_of(
     path: str | os.PathLike[str], textures: Sequence[NDArray[np.uint8]]
 ) -> tuple[bytes, dict[str, NDArray[np.uint8]]]:
-    """The MTL text for these images and the image files it names, each once; an image of one pixel becomes a color."""
+    """The MTL text for these images and the image files it names, each once. An image of one pixel becomes a color."""
     lines, named, first = [], {}, {}
     for number, (name, picture) in enumerate(zip(picture_names(path, len(textures)), textures, strict=True)):
         lines.append(f"newmtl {material_name(number)}")
@@ -445,7 +445,7 @@ def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDAr
 def _normals_of(
     corners: NDArray[np.int64], named: NDArray[np.int64], normals: NDArray[np.float32], vertex_count: int
 ) -> NDArray[np.float32] | None:
-    """One normal per vertex if its corners agree; None if some do not, or have none."""
+    """One normal per vertex if its corners agree. None if some do not, or have none."""
     if (named < 0).any():
         return None
     if len(normals) == vertex_count and (corners == named).all():
@@ -458,7 +458,7 @@ def _normals_of(
 
 
 def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as OBJ; textures go to m.mtl and m_0.png, m_1.png, .. beside m.obj. Files are atomic."""
+    """Write a triangle mesh as OBJ. Textures go to m.mtl and m_0.png, m_1.png, .. beside m.obj. Files are atomic."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_obj(mesh.checked())
     _refuse_unwritable(path, mesh)

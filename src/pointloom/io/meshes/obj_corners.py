@@ -1,6 +1,6 @@
 """Corners of OBJ faces: v, v/vt, v//vn or v/vt/vn, with optional empty parts (1//, 2/2/).
 
-All corners are parsed at once; only files with an error or numbers over 18 digits are parsed face by face.
+All corners are parsed at once. Only files with an error or numbers over 18 digits are parsed face by face.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ _Parsed = tuple[NDArray[np.int64], NDArray[np.bool_], NDArray[np.int64]]
 
 
 def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
-    """Indices (c, 3), which are given, and corners per face; None if one is invalid."""
+    """Indices (c, 3), which are given, and corners per face. None if one is invalid."""
     text = b"\n".join([*faces, b""]).translate(_BLANKS)
     if text.translate(None, b"0123456789-/ \n"):
         return None
@@ -111,7 +111,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
 
 
 def _parse_one_by_one(path: Any, faces: Sequence[bytes], lines: Sequence[int]) -> _Parsed:
-    """Parse faces one by one; raises `FileError` with the line of the first error."""
+    """Parse faces one by one. Raises `FileError` with the line of the first error."""
     numbers: list[list[int]] = []
     lengths = []
     for face, line in zip(faces, lines, strict=True):

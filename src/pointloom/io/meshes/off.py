@@ -1,6 +1,6 @@
 """OFF text files: vertices with normals (NOFF), colors (COFF) and texture coordinates (STOFF), and polygons.
 
-Colors are 0..255 if one is above 2, or all are integers and one is above 1; else 0..1. Vertex alpha becomes the
+Colors are 0..255 if one is above 2, or all are integers and one is above 1. Else 0..1. Vertex alpha becomes the
 attribute `alpha` if not opaque, face colors the triangle attribute `colors` if complete; palette indices are dropped.
 Geomview, "OFF Files".
 """
@@ -147,7 +147,7 @@ def _faces_of(
 def _face_colors(
     path: Path, values: NDArray[np.float64], first: NDArray[np.int64], extra: NDArray[np.int64]
 ) -> NDArray[np.float32] | None:
-    """Face colors, 3 or 4 values from `first`; None with a warning if incomplete."""
+    """Face colors, 3 or 4 values from `first`. None with a warning if incomplete."""
     width = int(extra[0])
     if not extra.any():
         return None
@@ -178,7 +178,7 @@ def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
 
 
 def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a mesh as OFF atomically, with 8-bit colors; textures and other attributes are dropped with a warning."""
+    """Write a mesh as OFF atomically, with 8-bit colors. Textures and other attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_off(mesh.checked())
     columns: list[NDArray[Any]] = [*mesh.vertices.T]

@@ -2,7 +2,7 @@
 
 Facet colors are the triangle attribute `colors`: 5 bits per channel in the attribute bytes (VisCAM, SolidView, flag
 0x8000; or Materialize Magics with a "COLOR=" header and reversed order), or "color r g b [a]" lines in text. 3D
-Systems, "StereoLithography Interface Specification" (1989); Wikipedia, "STL (file format)", for colors.
+Systems, "StereoLithography Interface Specification" (1989). Wikipedia, "STL (file format)", for colors.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _LINES = (
 
 
 def read_stl(path: str | os.PathLike[str]) -> MeshTable:
-    """Read a triangle mesh from STL; vertices are float32 (binary) or float64 (text), in order of first use.
+    """Read a triangle mesh from STL. Vertices are float32 (binary) or float64 (text), in order of first use.
     Degenerate facets are kept. `triangle_attributes["colors"]` exists if any facet has a color."""
     path = Path(path)
     source = open_source(path)
@@ -140,7 +140,7 @@ def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray
 
 
 def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray[np.float32] | None:
-    """Facet colors from color lines by facet number; None, with a warning, if some are invalid."""
+    """Facet colors from color lines by facet number. None, with a warning, if some are invalid."""
     values, width = np.ones((count, 4)), 4
     for facet, line in lines.items():
         try:
@@ -194,7 +194,7 @@ def _is_colors(values: NDArray[Any]) -> bool:
 
 
 def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
-    """Write a triangle mesh as binary STL atomically; degenerate triangles get the normal (0, 0, 0)."""
+    """Write a triangle mesh as binary STL atomically. Degenerate triangles get the normal (0, 0, 0)."""
     path = check_writable(path, overwrite=overwrite)
     mesh, lost = held_by_stl(mesh.checked())
     if len(mesh.triangles) >= 2**32:

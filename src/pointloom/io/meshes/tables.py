@@ -25,7 +25,7 @@ from .mesh_formats import MESH_READERS, UNHELD, write_mesh
 MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
 
-# What the text formats store beside positions; the others store everything.
+# What the text formats store beside positions. The others store everything.
 _HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
@@ -57,7 +57,7 @@ def write_cloud_table(
     source: str | os.PathLike[str] | None = None,
     system_only: bool = False,
 ) -> list[str]:
-    """Write a cloud without what the format cannot store; returns the dropped names.
+    """Write a cloud without what the format cannot store. Returns the dropped names.
     From LAS to LAS, `source` provides scale, offset, coordinate system and, unless `system_only`, other records and
     identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
     suffix, left_out = Path(path).suffix.lower(), []
@@ -86,7 +86,7 @@ def write_cloud_table(
 def write_mesh_table(
     path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
 ) -> list[str]:
-    """Write a mesh without what the format cannot store; returns the dropped names."""
+    """Write a mesh without what the format cannot store. Returns the dropped names."""
     held, left_out = mesh, []
     suffix = Path(path).suffix.lower()
     if suffix in UNHELD:

@@ -47,13 +47,13 @@ def read_cameras(
     - A folder with COLMAP's cameras, images and points3D, see `read_colmap_model`.
     - `.json` with `frames`: transforms.json of nerfstudio or instant-ngp.
     - A folder with a JSON file per image: Polycam's keyframes/cameras, or 3D Scanner App.
-    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`; requires `pictures` and
+    - `.log`, `.txt`, `.tum`, `.kitti`, Open3D's `.json`: a trajectory, see `read_trajectory`. Requires `pictures` and
       `intrinsic`.
 
     Args:
         path: The file or folder.
         pictures: Image names, for trajectories only. They match poses by the time in the name (TUM, less than 0.02 s
-            apart) or the frame number (.log); else sorted images correspond to poses one by one.
+            apart) or the frame number (.log). Else sorted images correspond to poses one by one.
         intrinsic: The camera of all images, for trajectories only.
 
     Returns:

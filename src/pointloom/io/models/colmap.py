@@ -1,4 +1,4 @@
-"""Read and write COLMAP models (binary or text) since version 3; the rigs and frames of version 4 are ignored."""
+"""Read and write COLMAP models (binary or text) since version 3. The rigs and frames of version 4 are ignored."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
 
 
 def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
-    """The folder of the model files, and "bin" or "txt"; raises `FileError` if there is none, a part or several."""
+    """The folder of the model files, and "bin" or "txt". Raises `FileError` if there is none, a part or several."""
     folder = path_of(folder, "folder")
     if not folder.is_dir():
         reason = "is a file" if folder.exists() else "does not exist"
@@ -127,9 +127,9 @@ def write_colmap_model(
         FileError: The folder cannot be written, or holds a model that may not be replaced.
 
     Notes:
-        Atomic: files are written to a hidden folder first and then moved; after a crash the next read or write
+        Atomic: files are written to a hidden folder first and then moved. After a crash the next read or write
             completes the
-        move. Ids start at 1. All digits are kept; rotations, stored as quaternions, are accurate to 1e-15.
+        move. Ids start at 1. All digits are kept. Rotations, stored as quaternions, are accurate to 1e-15.
 
     Example:
         >>> import pathlib, numpy as np, pointloom as loom
@@ -177,7 +177,7 @@ def _check_writable(model: SfmModel, format: str) -> None:
 
 
 def _prepare(folder: Path, overwrite: bool) -> bool:
-    """Create the folder if missing; returns True if it was."""
+    """Create the folder if missing. Returns True if it was."""
     if folder.is_dir():
         found = _files_of(folder)
         if found and not overwrite:

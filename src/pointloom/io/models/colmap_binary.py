@@ -1,6 +1,6 @@
 """COLMAP's binary files: cameras.bin, images.bin, points3D.bin; little-endian, packed.
 
-Tracks have variable length, so one loop reads only the lengths (0.3 s for a million points); the rest is read by
+Tracks have variable length, so one loop reads only the lengths (0.3 s for a million points). The rest is read by
 column.
 """
 

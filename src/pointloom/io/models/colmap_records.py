@@ -1,6 +1,6 @@
 """Records of COLMAP files and their conversion to and from a model.
 
-Observations are stored twice, in image keypoints and point tracks; both are checked against each other.
+Observations are stored twice, in image keypoints and point tracks. Both are checked against each other.
 """
 
 from __future__ import annotations
@@ -202,8 +202,8 @@ def _check_tracks(
 class Records:
     """A model with COLMAP's ids, from 1, and unique `cameras` in image order.
     `starts` (n + 1,) is the first observation of each image, `order` (k,) the observations sorted by point,
-    `track_starts` (m + 1,) the start of each track, `tracks` (k, 2) image id and keypoint index; quaternions are w, x,
-    y, z; unknown errors are -1."""
+    `track_starts` (m + 1,) the start of each track, `tracks` (k, 2) image id and keypoint index. Quaternions are w, x,
+    y, z. Unknown errors are -1."""
 
     model: SfmModel
     cameras: list[CameraModel]

@@ -74,7 +74,7 @@ def _keypoints(path: Path, line: int, text: str) -> tuple[NDArray[np.float64], N
 
 
 def read_points(path: Path) -> Points:
-    """The points in file order; an empty file is allowed, as in COLMAP's guide for known poses."""
+    """The points in file order. An empty file is allowed, as in COLMAP's guide for known poses."""
     body = _body(path)
     rows = AsciiRows(path, _COMMENT.sub(b"", body), 1)
     numbers, widths, first = rows.numbers(), rows.widths(), rows.first[:-1]

@@ -1,7 +1,7 @@
 """Cameras of Agisoft Metashape: the XML of File > Export > Export Cameras.
 
 Poses are relative to a chunk or component (world = scale R x + t); geographic projects are geocentric (ECEF) [m]. P1
-and P2 are swapped relative to OpenCV; the principal point is relative to the image center. Document types are rejected.
+and P2 are swapped relative to OpenCV. The principal point is relative to the image center. Document types are rejected.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..source import open_source
 from .colmap_records import camera_of
 from .sfm_model import SfmModel
 
-LARGEST = 1 << 28  # [B] about 100,000 cameras; the parsed tree takes ten times as much
+LARGEST = 1 << 28  # [B] about 100,000 cameras. The parsed tree takes ten times as much
 DEEPEST = 64  # maximum nesting; real files have eight
 
 FRAME, FISHEYE = ("frame",), ("fisheye", "equidistant_fisheye")
@@ -47,7 +47,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
             (equidistant) fisheye, duplicate labels, invalid numbers.
 
     Notes:
-        Geographic projects have geocentric positions, far from the origin; see `SfmModel.transform`.
+        Geographic projects have geocentric positions, far from the origin. See `SfmModel.transform`.
 
     Example:
         >>> import pathlib, pointloom as loom

@@ -35,18 +35,18 @@ class SfmModel:
     """Posed images and sparse points, read-only.
 
     Args:
-        names: Image names, unique; sorted, with all per-image data.
-        cameras: One per image; images may share a camera.
-        T_camera_world: Poses, world to camera, shape (n, 4, 4); rigid [unit of the model].
+        names: Image names, unique. Sorted, with all per-image data.
+        cameras: One per image. Images may share a camera.
+        T_camera_world: Poses, world to camera, shape (n, 4, 4). Rigid [unit of the model].
         points: Shape (m, 3) [unit of the model].
-        colors: 8-bit, shape (m, 3); None for black.
-        errors: Mean reprojection error, shape (m,) [px]; NaN or None if unknown.
+        colors: 8-bit, shape (m, 3). None for black.
+        errors: Mean reprojection error, shape (m,) [px]. NaN or None if unknown.
         observations: Shape (k, 2), sorted: (index of the image, index of the point).
-        pixels: Position of each observation in the distorted image, shape (k, 2) [px]; pixel centers are integers.
+        pixels: Position of each observation in the distorted image, shape (k, 2) [px]. Pixel centers are integers.
         left_out: Images without a pose, with the reason.
 
     Attributes:
-        names, cameras, T_camera_world, points, colors, errors, observations, pixels, left_out: As above; arrays of
+        names, cameras, T_camera_world, points, colors, errors, observations, pixels, left_out: As above. Arrays of
             float64, int64 and uint8.
 
     Raises:
@@ -121,7 +121,7 @@ class SfmModel:
 
     @property
     def centers(self) -> NDArray[np.float64]:
-        """Camera positions in the world, shape (n, 3) [unit of the model]; read-only."""
+        """Camera positions in the world, shape (n, 3) [unit of the model]. Read-only."""
         return self._centers
 
     @cached_property
@@ -141,7 +141,7 @@ class SfmModel:
 
     @property
     def view_counts(self) -> NDArray[np.int64]:
-        """Number of observations of each point, shape (m,); read-only."""
+        """Number of observations of each point, shape (m,). Read-only."""
         return self._view_counts
 
     @cached_property

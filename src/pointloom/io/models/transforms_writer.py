@@ -26,7 +26,7 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
     """Write a model as nerfstudio's transforms.json, with its points in a PLY file beside it.
 
     Args:
-        path: The file, such as "scene/transforms.json"; points go to `sparse_pc.ply` in the same folder.
+        path: The file, such as "scene/transforms.json". Points go to `sparse_pc.ply` in the same folder.
         model: At least one image.
         pictures: Folder of the images relative to the file, such as "images".
 

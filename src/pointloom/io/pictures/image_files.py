@@ -1,7 +1,7 @@
 """Depth maps and color images: PNG, JPEG and .npy, read strictly and written atomically.
 
 PNG is verified before decoding (png_stream.py). For JPEG, which has no checksum, only truncated scans are detected, as
-libjpeg fills them with gray: the marker after a single scan is replaced by as many bits as a decoder looks ahead; with
+libjpeg fills them with gray: the marker after a single scan is replaced by as many bits as a decoder looks ahead. With
 several scans, pixels must not depend on the bytes after a scan. At most two 8 x 8 blocks may be missing undetected.
 Color profiles, gamma and EXIF orientation are not applied. ITU-T T.81, sections B.1, B.2 and F.2.2.3.
 """
@@ -70,7 +70,7 @@ class _Layout:
 
 
 def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
-    """The JPEG to decode, or two variants that must decode to the same pixels; raises `FileError` if truncated."""
+    """The JPEG to decode, or two variants that must decode to the same pixels. Raises `FileError` if truncated."""
     layout = _walk(path, data)
     if not layout.scans or any(bits for left in layout.bits_left.values() for bits in left):
         raise FileError(path, "cut off: it ends before the scans of all its channels", remedy=_REMEDY)
@@ -82,7 +82,7 @@ def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
 
 
 def _walk(path: Any, data: bytes) -> _Layout:
-    """Parse the segments up to the end marker; data after it is ignored."""
+    """Parse the segments up to the end marker. Data after it is ignored."""
     layout, place = _Layout(), 2
     while True:
         marker, place = _marker(path, data, place)
@@ -150,7 +150,7 @@ def _read_frame(path: Any, segment: bytes, begin: int, layout: _Layout) -> None:
 
 
 def _read_scan(path: Any, segment: bytes, begin: int, layout: _Layout) -> list[int]:
-    """The components of a scan; records how many coefficient bits later scans must add."""
+    """The components of a scan. Records how many coefficient bits later scans must add."""
     count = segment[0] if segment else 0
     components = [*segment[1 : 1 + 2 * count : 2]]
     if not count or len(segment) < 4 + 2 * count or not layout.sampling.keys() >= {*components}:
@@ -286,7 +286,7 @@ def check_color_header(path: str | os.PathLike[str], header: PictureHeader) -> N
 
 
 def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
-    """Write uint8 (h, w) or (h, w, 3), or uint16 (h, w), as PNG atomically; no type is converted silently."""
+    """Write uint8 (h, w) or (h, w, 3), or uint16 (h, w), as PNG atomically. No type is converted silently."""
     if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
         remedy = "; loom.render(geometry) makes a picture" if hasattr(image, "transform") else ""
@@ -366,7 +366,7 @@ def _open_picture(
 
 
 def _plugin_of(path: str | os.PathLike[str], data: Source | bytes | memoryview) -> type[ImageFile.ImageFile] | None:
-    """Pillow's class for a TIFF, BMP or TGA file (TGA by its extension only); None for other formats."""
+    """Pillow's class for a TIFF, BMP or TGA file (TGA by its extension only). None for other formats."""
     start = bytes(data[:4])
     if start in (b"II*\0", b"MM\0*"):
         return TiffImagePlugin.TiffImageFile
@@ -415,7 +415,7 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
 
 
 def resize_color(color: NDArray[np.uint8], size: tuple[int, int], name: str) -> NDArray[np.uint8]:
-    """Resize a color image by area averaging; raises `ValueError` if the aspect ratio changes by more than a pixel."""
+    """Resize a color image by area averaging. Raises `ValueError` if the aspect ratio changes by more than a pixel."""
     height, width = color.shape[:2]
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
         raise ValueError(f"{name}: is {width} x {height}, which is of another shape than {size[1]} x {size[0]}")

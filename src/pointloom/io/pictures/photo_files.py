@@ -1,7 +1,7 @@
 """Photographs as HEIC (pi-heif or pillow-heif), TIFF, WebP (Pillow) and DNG (rawpy): `pip install "pointloom[photos]"`.
 
 Raw decoders fill missing data with black, so the extents of TIFF and DNG strips and tiles are checked first. Color
-profiles are not applied. TIFF 6.0 (Adobe 1992); DNG specification, chapter 4 (SubIFDs).
+profiles are not applied. TIFF 6.0 (Adobe 1992). DNG specification, chapter 4 (SubIFDs).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12
 _FORMS = {1: "B", 3: "H", 4: "I", 13: "I"}
 _PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
 _SUB = 330  # directories below one
-_MOST = 64  # directories: a DNG has about five; more, or a cycle, is damage
+_MOST = 64  # directories: a DNG has about five. More, or a cycle, is damage
 _AGAIN = "Fetch or write the file again"
 
 
@@ -65,7 +65,7 @@ def _directories(data: bytes, order: str) -> Iterator[dict[int, tuple[int, ...]]
 
 
 def _entry(data: bytes, order: str, place: int) -> tuple[int, tuple[int, ...]]:
-    """The tag of an entry and its integers; none for other types."""
+    """The tag of an entry and its integers. None for other types."""
     tag, kind, count = struct.unpack_from(f"{order}HHI", data, place)
     if kind not in _FORMS or tag not in (_SUB, *(tag for pair in _PARTS for tag in pair)):
         return tag, ()
@@ -129,7 +129,7 @@ def read_exif(path: FilePath) -> Image.Exif:
     """The EXIF data of an image, empty if missing or invalid. Orientation matches `read_photo`, so HEIC is upright."""
     kind = KINDS.get(Path(path).suffix.lower())
     exif = Image.Exif()
-    # EXIF is often invalid; such values are ignored
+    # EXIF is often invalid. Such values are ignored
     with ignored_errors():
         if kind in ("dng", "tiff"):  # EXIF's own types
             exif.load(b"Exif\0\0" + path_of(path).read_bytes())
@@ -148,7 +148,7 @@ def read_exif(path: FilePath) -> Image.Exif:
 
 
 def orientation_of(exif: Image.Exif) -> int:
-    """The EXIF orientation; 1 if upright or unknown."""
+    """The EXIF orientation. 1 if upright or unknown."""
     with ignored_errors():
         orientation = int(exif.get(_ORIENTATION, 1))
         return orientation if 1 <= orientation <= 8 else 1

@@ -66,7 +66,7 @@ def parse_png_header(path: Any, start: bytes) -> PngHeader:
 
 
 def whole_png(path: Any, data: bytes) -> bytes:
-    """The same image as a PNG with a stored stream; raises `FileError` if truncated, damaged or animated."""
+    """The same image as a PNG with a stored stream. Raises `FileError` if truncated, damaged or animated."""
     header = parse_png_header(path, data[:33])
     chunks, stream = _split_chunks(path, data)
     rows = _inflate(path, stream, header)
@@ -106,7 +106,7 @@ def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
 
 
 def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:
-    """The rows of the image; memory is bounded by the expected size plus one byte."""
+    """The rows of the image. Memory is bounded by the expected size plus one byte."""
     expected = sum(height * length for height, length in header.passes())
     inflate = zlib.decompressobj()
     try:

@@ -40,7 +40,7 @@ def leads_outside(name: str) -> bool:
 
 
 def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool = False) -> Path | None:
-    """A file named relative to a mesh file, or None; names outside its folder require `outside_files`."""
+    """A file named relative to a mesh file, or None. Names outside its folder require `outside_files`."""
     if not name or (leads_outside(name) and not outside_files):
         return None
     try:
@@ -58,7 +58,7 @@ def why_missing(name: str, *, outside_files: bool) -> str:
 def read_textures(
     path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
 ) -> tuple[NDArray[np.uint8], ...]:
-    """Read textures beside a mesh file, each once; none, with a warning, if one is unreadable or all are too large."""
+    """Read textures beside a mesh file, each once. None, with a warning, if one is unreadable or all are too large."""
     places = [find_beside(path, name, outside_files=outside_files) for name in names]
     missing = [name for name, place in zip(names, places, strict=True) if place is None]
     if missing:
@@ -78,7 +78,7 @@ def read_textures(
 def decode_textures(
     path: str | os.PathLike[str], given: Mapping[_Key, tuple[str | os.PathLike[str], Source | memoryview]]
 ) -> dict[_Key, NDArray[np.uint8]]:
-    """Decode images by key, each once, read-only; raises `FileError` before decoding if the total is too large."""
+    """Decode images by key, each once, read-only. Raises `FileError` before decoding if the total is too large."""
     sizes = [texture_size(name, data) for name, data in given.values()]
     total = sum(width * height for width, height in sizes)
     if total > TOTAL_PIXELS:
@@ -99,7 +99,7 @@ def alpha_mode(picture: NDArray[np.uint8]) -> str:
 
 
 def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.uint8]:
-    """Drop alpha, or threshold it to 0 and 255 if a `cutoff` in 0..1 is given; read-only."""
+    """Drop alpha, or threshold it to 0 and 255 if a `cutoff` in 0..1 is given. Read-only."""
     alpha = picture[..., 3] if picture.shape[2] == 4 else np.full(picture.shape[:2], 255, np.uint8)
     shown = alpha / np.float32(255) >= cutoff
     found = np.ascontiguousarray(picture[..., :3])

@@ -62,7 +62,7 @@ def find_wrong_array(arrays: Arrays, expected: Expected) -> str:
 
 
 def check_arrays(state: Any, expected_of: Callable[[Arrays], Expected], find_fault: Callable[[Arrays], str]) -> Arrays:
-    """Validate the arrays of a pickle like those of an archive; raises `ValueError`."""
+    """Validate the arrays of a pickle like those of an archive. Raises `ValueError`."""
     arrays = {name: np.asarray(values) for name, values in dict(state).items()}
     if reason := find_wrong_array(arrays, expected_of(arrays)) or find_fault(arrays):
         raise ValueError(reason)

@@ -73,7 +73,7 @@ class CopcFile:
         return np.flatnonzero(keep)
 
     def read(self, low: Any = None, high: Any = None, spacing: float = 0.0) -> PointTable:
-        """The points of a box, down to a spacing; see `nodes_within`.
+        """The points of a box, down to a spacing. See `nodes_within`.
         Needs memory for the intersecting nodes, raw and as columns, and the result."""
         file = self.file
         warn_of_wide_integers(self.path, file.layout)
@@ -114,7 +114,7 @@ def open_copc(path: str | os.PathLike[str]) -> CopcFile:
 
 
 def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
-    """The octree of an opened file; not `strict` skips nodes that match no chunk."""
+    """The octree of an opened file. Not `strict` skips nodes that match no chunk."""
     if not is_copc(file):
         raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
     header, source = file.header, file.source
@@ -165,7 +165,7 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
 
 
 def _check_nodes(file: LasFile, nodes: NDArray[Any], strict: bool) -> NDArray[Any]:
-    """Check that each chunk is exactly one node; returns the valid nodes."""
+    """Check that each chunk is exactly one node. Returns the valid nodes."""
     chunks, header = np.empty((0, 3), np.int64), file.header
     if header.point_count:
         with file.path.open("rb") as stream:

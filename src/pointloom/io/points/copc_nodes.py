@@ -1,4 +1,4 @@
-"""Read a COPC file node by node for viewers; a damaged node does not affect others."""
+"""Read a COPC file node by node for viewers. A damaged node does not affect others."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ MAX_POINTS = 1 << 22  # maximum points of a node: writers use about 100,000, and
 
 
 class CopcNodes:
-    """A COPC file that is open only while a node is read; thread-safe.
-    `memory` is the size of the LRU cache of unpacked nodes [B]; a larger node is cached alone. `nodes_read` and
+    """A COPC file that is open only while a node is read. Thread-safe.
+    `memory` is the size of the LRU cache of unpacked nodes [B]. A larger node is cached alone. `nodes_read` and
     `bytes_read` count unpacked nodes and compressed bytes."""
 
     def __init__(self, path: str | os.PathLike[str], *, memory: int = MEMORY):
@@ -54,7 +54,7 @@ class CopcNodes:
         return table_of(self.octree.file, columns)
 
     def rows(self, k: int) -> NDArray[Any]:
-        """The uncompressed points of a node; see `table`."""
+        """The uncompressed points of a node. See `table`."""
         with self._lock:
             rows = self._rows.find(k)
         if rows is None:

@@ -50,7 +50,7 @@ def write_copc(
     overwrite: bool = True,
     device: Any = None,
 ) -> None:
-    """Write points as a COPC file atomically, with options as in `write_las`; the file does not depend on `device`.
+    """Write points as a COPC file atomically, with options as in `write_las`. The file does not depend on `device`.
     Needs 100 B per point in addition to the table."""
     path, where = check_writable(path, overwrite=overwrite), resolve_device(device)
     layout = lay_out(path, with_scan_angle(table), scale, offset, like)

@@ -179,12 +179,12 @@ def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> Point
 
 
 def _with_nan(dtype: np.dtype[Any]) -> np.dtype[Any]:
-    """The float type that represents all numbers of a type; for 64-bit integers only up to 2^53."""
+    """The float type that represents all numbers of a type. For 64-bit integers only up to 2^53."""
     return np.result_type(dtype, np.float32)
 
 
 def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) -> NDArray[Any] | None:
-    """Set missing colors to white with a warning; None if all are missing."""
+    """Set missing colors to white with a warning. None if all are missing."""
     if is_missing.all():
         return None
     if is_missing.any():
@@ -195,7 +195,7 @@ def _with_white(path: Any, colors: NDArray[Any], is_missing: NDArray[np.bool_]) 
 
 
 def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
-    """Read the fields of all points; memory is bounded by the delivered data, not by the declared count."""
+    """Read the fields of all points. Memory is bounded by the delivered data, not by the declared count."""
     libe57 = _libe57()
     count = vector.childCount()
     blocks = {name: np.empty(min(count, BLOCK), dtype) for name, dtype in wanted.items()}

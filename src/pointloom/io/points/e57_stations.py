@@ -114,7 +114,7 @@ def write_stations(
         path: The file.
         clouds: One per station.
         poses: T_world_scanner of each, (n, 4, 4).
-        names: Names of the scans; None numbers them.
+        names: Names of the scans. None numbers them.
         overwrite: Replace an existing file.
 
     Raises:

@@ -1,6 +1,6 @@
 """Write E57 files: one scan per value of `scan_index`, with poses if given, positions in meters, 8-bit colors.
 
-Only the attributes of e57.py can be stored. ASTM E2807-11; the extension "nor" (normals) of libe57.org.
+Only the attributes of e57.py can be stored. ASTM E2807-11. The extension "nor" (normals) of libe57.org.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def write_scans(path: Path, scans: Sequence[Scan], *, overwrite: bool) -> None:
 
 
 def check_e57(path: Any, table: PointTable) -> PointTable:
-    """The table in meters; raises `FileError` if E57 cannot store it (non-finite, unknown attribute, degrees)."""
+    """The table in meters. Raises `FileError` if E57 cannot store it (non-finite, unknown attribute, degrees)."""
     table = in_metres(path, table.checked(), "E57")
     lost = unstorable_in_e57(table)
     if lost:

@@ -33,7 +33,7 @@ _READERS: dict[str, Callable[..., PointTable]] = {
     ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
 }  # fmt: skip
 
-#: The readers by extension; they raise only FileError for invalid content.
+#: The readers by extension. They raise only FileError for invalid content.
 READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 COPC = ".copc.laz"
@@ -44,7 +44,7 @@ _NAMED_COLUMNS: dict[str, Callable[..., PointTable]] = {
 
 
 def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] | None) -> list[Sequence[str] | None]:
-    """The column names for each file: `columns` if its format supports them, else None; raises if none does."""
+    """The column names for each file: `columns` if its format supports them, else None. Raises if none does."""
     takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
     if columns is not None and not any(takes):
         found = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
@@ -100,7 +100,7 @@ def write_table(
 
 
 def with_fitting_names(path: str | os.PathLike[str], table: PointTable, *, stacklevel: int = 3) -> PointTable:
-    """The table with attribute names that the format supports; warns of changes."""
+    """The table with attribute names that the format supports. Warns of changes."""
     extension = Path(path).suffix.lower()
     if extension == ".ply":
         format, rules = "PLY", ply.name_rules(table.normals, table.colors)

@@ -13,7 +13,7 @@ _PROJECTED_KEY, _GEOGRAPHIC_KEY = 3072, 2048
 
 
 def system_of(path: Any, header: LasHeader) -> Any:
-    """The pyproj CRS of a file; None without a system on the Earth, such as a unit alone."""
+    """The pyproj CRS of a file. None without a system on the Earth, such as a unit alone."""
     told = _told(header)
     if told is None:
         return None

@@ -68,7 +68,7 @@ def warn_of_lost_unit(path: Any, table: PointTable | MeshTable) -> None:
 
 
 def in_metres(path: Any, table: T, format: str) -> T:
-    """Convert a table to meters for a metric format; raises `FileError` for degrees."""
+    """Convert a table to meters for a metric format. Raises `FileError` for degrees."""
     if is_same(table.unit, METRE) or table.unit is None:
         return table
     if table.unit.meters is None:

@@ -48,7 +48,7 @@ class RowsInParts:
         self._source, self._columns, self._table_of, self.unit = source, columns, table_of, unit
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """Yield `size` points at a time; one empty part if there are none."""
+        """Yield `size` points at a time. One empty part if there are none."""
         for begin in range(0, max(self.count, 1), size):
             yield self._rows(slice(begin, begin + size))
 
@@ -77,7 +77,7 @@ class LasInParts:
             _give_back(self._file.source)
 
     def sample(self, count: int) -> PointTable:
-        """At most `count` points; of a compressed file the first of its chunks."""
+        """At most `count` points. Of a compressed file the first of its chunks."""
         table = self._file.sample(count)
         _give_back(self._file.source)
         return table
@@ -87,7 +87,7 @@ class LasInParts:
 
 
 def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | None:
-    """Open a file for reading in parts, without reading points; None if its format must be read whole."""
+    """Open a file for reading in parts, without reading points. None if its format must be read whole."""
     path = path_of(path)
     suffix = path.suffix.lower()
     if suffix in (".las", ".laz"):

@@ -1,7 +1,7 @@
 """Headerless LiDAR scans of float32 columns (KITTI, nuScenes), by default x, y, z, intensity.
 
 The file does not define its layout, so invalid sizes, implausible coordinates and other periods raise. Geiger et al.
-2012 (KITTI odometry benchmark); Caesar et al. 2020 (nuScenes).
+2012 (KITTI odometry benchmark). Caesar et al. 2020 (nuScenes).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ LAYOUTS = {
     7: "x y z and four others",
     8: "x y z and five others",
 }
-FARTHEST = 1e6  # [m] beyond any scanner's range; other data read as float32 nearly always has larger numbers
+FARTHEST = 1e6  # [m] beyond any scanner's range. Other data read as float32 nearly always has larger numbers
 NEAREST = 1e-12  # [m] integers of 8 to 32 bits read as float32 are smaller, or larger than the range
 MIN_POINTS = 64  # fewer points have no reliable statistics
 SAMPLE = 840 * 120  # numbers in the statistics: whole points in each layout
@@ -69,7 +69,7 @@ def _fitting(size: int) -> str:
 
 def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> None:
     """Raise `FileError` if the numbers repeat with another period than four.
-    In the right layout the column explains a part of the variance; for any other number of columns it explains no more
+    In the right layout the column explains a part of the variance. For any other number of columns it explains no more
     than that."""
     if len(rows) < MIN_POINTS:
         return

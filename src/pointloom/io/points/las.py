@@ -1,6 +1,6 @@
 """LAS and LAZ files, versions 1.0 to 1.4, point formats 0 to 10, with laspy and lazrs.
 
-Positions are float64 in the file's unit and coordinate system; other dimensions are attributes with laspy's names.
+Positions are float64 in the file's unit and coordinate system. Other dimensions are attributes with laspy's names.
 Colors are divided by 255 if no value exceeds it (many writers store 8 bits), else by 65535. NormalX.. or "normal x"..
 are normals. Waveforms are not read. ASPRS, LAS Specification 1.4-R15.
 """
@@ -29,8 +29,8 @@ from .las_header import LasHeader, parse_las_header
 from .las_units import units_of
 from .laszip import check_laszip, unpack_beginnings, unpack_blocks
 
-# Points decoded at a time: blocks of about 10 MB, so that LAZ chunks (usually 50,000 points) use all cores;
-# fewer for long records, since compressed bytes do not bound them.
+# Points decoded at a time: blocks of about 10 MB, so that LAZ chunks (usually 50,000 points) use all cores.
+# Fewer for long records, since compressed bytes do not bound them.
 _BLOCK, _BLOCK_BYTES = 1 << 18, 1 << 24
 
 _PACKED = ("bit_fields", "raw_classification", "classification_flags")  # bytes that hold several dimensions
@@ -61,7 +61,7 @@ class LasFile:
             yield rows[begin : begin + size]
 
     def blocks(self, size: int) -> Iterator[dict[str, NDArray[Any]]]:
-        """Points as columns, at most `size` at a time; the first block is empty and defines the types."""
+        """Points as columns, at most `size` at a time. The first block is empty and defines the types."""
         yield self.decode(np.empty(0, self.layout.dtype()))
         for rows in self.rows(size):
             yield self.decode(rows)
@@ -114,7 +114,7 @@ def open_las(path: str | os.PathLike[str], *, layers_too: bool = True) -> LasFil
 
 
 def read_las(path: str | os.PathLike[str]) -> PointTable:
-    """Read a LAS or LAZ file. Needs memory for the result and about 20 MB; up to 1.5 times the result for LAZ."""
+    """Read a LAS or LAZ file. Needs memory for the result and about 20 MB. Up to 1.5 times the result for LAZ."""
     file = open_las(path)
     warn_of_wide_integers(path, file.layout)
     columns = GrowingColumns(file.header.point_count, is_proven=not file.header.is_compressed)
@@ -158,7 +158,7 @@ def attribute_types(file: LasFile) -> dict[str, str]:
 
 
 def scale_by(full: int, colors: NDArray[np.float32], path: Path, remedy: str) -> None:
-    """Scale colors to 0..1 in place with a known maximum; raises `FileError` if they exceed it."""
+    """Scale colors to 0..1 in place with a known maximum. Raises `FileError` if they exceed it."""
     if colors.max(initial=0) > full:
         reason = "colors look like 8 bits in its coarsest level and like 16 elsewhere"
         raise FileError(path, reason, remedy=remedy)
@@ -178,7 +178,7 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
 
 
 def layout_of(path: Any, header: LasHeader) -> Any:
-    """The dimensions of a point: standard, extra, and remaining bytes; raises `FileError` if the record is damaged."""
+    """The dimensions of a point: standard, extra, and remaining bytes. Raises `FileError` if the record is damaged."""
     laspy = import_for(path, "laspy", "las")
     layout = laspy.PointFormat(header.point_format)
     described = header.find(*EXTRA_BYTES)

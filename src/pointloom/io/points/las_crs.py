@@ -1,6 +1,6 @@
 """The coordinate system of LAS records (WKT or GeoTIFF keys): name, and whether it is geographic.
 
-OGC 01-009 and 18-010 (WKT); GeoTIFF 1.0, section 2.7 (keys).
+OGC 01-009 and 18-010 (WKT). GeoTIFF 1.0, section 2.7 (keys).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ WKT, _KEYS, _ASCII = 2112, 34735, 34737
 NO_NAME = "unknown"  # name of a system that only defines a unit
 _MODEL_TYPE, _GEOGRAPHIC = 1024, 2
 
-# Names of geographic systems in both versions of WKT; a projected system contains such a name nested inside
+# Names of geographic systems in both versions of WKT. A projected system contains such a name nested inside
 # its own.
 _PROJECTED_WORDS = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOCCS)\s*\[", re.IGNORECASE)
 _GEOGRAPHIC_WORDS = re.compile(r"\b(GEOGCS|GEOGCRS|GEOGRAPHICCRS)\s*\[", re.IGNORECASE)

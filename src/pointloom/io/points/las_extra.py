@@ -45,7 +45,7 @@ def parameters_of(known: Any, data: bytes) -> list[Any]:
 
 
 def _with_utf8(entry: bytes) -> bytes:
-    """An entry with name and description in UTF-8; other encodings are read as Latin-1."""
+    """An entry with name and description in UTF-8. Other encodings are read as Latin-1."""
     for place in _TEXTS:
         text = entry[place].split(b"\0")[0]
         try:
@@ -63,7 +63,7 @@ def _fitting(text: str) -> bytes:
 @quiet()
 def decode_extra(dimension: Any, raw: NDArray[Any]) -> NDArray[Any]:
     """Scaled values of an extra dimension, NaN for no_data.
-    Integers with no_data become float32 (8 and 16 bits) or float64 (32 bits); 64-bit integers are unchanged."""
+    Integers with no_data become float32 (8 and 16 bits) or float64 (32 bits). 64-bit integers are unchanged."""
     values = raw * dimension.scales + dimension.offsets if dimension.is_scaled else raw
     kind = _type_with_nan(dimension)
     if kind is None:
@@ -74,7 +74,7 @@ def decode_extra(dimension: Any, raw: NDArray[Any]) -> NDArray[Any]:
 
 
 def _type_with_nan(dimension: Any) -> np.dtype[Any] | None:
-    """The type of values with NaN; None without no_data or if no type fits."""
+    """The type of values with NaN. None without no_data or if no type fits."""
     if dimension.no_data is None:
         return None
     if dimension.is_scaled:

@@ -18,7 +18,7 @@ from ..source import Source
 # Header bytes by minor version.
 _HEADER_BYTES = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}
 
-# Bytes per point by point format, without extra bytes; 6 and above are of version 1.4.
+# Bytes per point by point format, without extra bytes. 6 and above are of version 1.4.
 _RECORD_BYTES = {0: 20, 1: 28, 2: 26, 3: 34, 4: 57, 5: 63, 6: 30, 7: 36, 8: 38, 9: 59, 10: 67}
 _FIRST_NEW_FORMAT = 6
 
@@ -26,7 +26,7 @@ _HEADER = struct.Struct("<4sHH16sBB32s32sHHHIIBHI20s12d")
 _RECORD_HEADER = struct.Struct("<H16sHH32s")
 _EXTENDED_HEADER = struct.Struct("<H16sHQ32s")
 
-# Bit 7 of the point format marks LASzip; bit 6 marked an obsolete predecessor.
+# Bit 7 of the point format marks LASzip. Bit 6 marked an obsolete predecessor.
 _COMPRESSED = 0x80
 
 PROJECTION = "LASF_Projection"  # user id of the coordinate system records
@@ -83,7 +83,7 @@ class LasHeader:
 
 
 def parse_las_header(path: Any, source: Source) -> LasHeader:
-    """The header of a file; raises `FileError` if it is invalid or does not match the file size."""
+    """The header of a file. Raises `FileError` if it is invalid or does not match the file size."""
     fields = _unpack_header(path, source)
     minor, header_bytes, begin, point_format, length = fields[5], *fields[10:12], *fields[13:15]
     extended_begin, extended_count, point_count = 0, 0, fields[15]
@@ -168,7 +168,7 @@ def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
 
 
 def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
-    """Check the point count against the file size; only known records may follow the points."""
+    """Check the point count against the file size. Only known records may follow the points."""
     held = (size - begin) // length
     if held < count:
         reason = f"truncated: the header counts {count} points, the file holds {held}"

@@ -71,7 +71,7 @@ def own_records(header: LasHeader) -> list[str]:
 
 
 def for_tiles(header: LasHeader, layout: Any, *, is_only: bool) -> LasHeader:
-    """The template header of tiles; other records and identification are kept only if there `is_only` one file.
+    """The template header of tiles. Other records and identification are kept only if there `is_only` one file.
     Extra dimensions of `layout` keep their descriptions, in fixed types."""
     kept = replace(header, encoding=header.encoding & ~_WAVEFORM_BITS) if is_only else system_of(header)
     content, size = value_record(layout)
@@ -94,7 +94,7 @@ def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> 
 
 
 def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
-    """Copy identification, records and GPS time type to laspy's header; returns the extended records.
+    """Copy identification, records and GPS time type to laspy's header. Returns the extended records.
     GeoTIFF keys become WKT in point formats of LAS 1.4. Warns of dropped records."""
     header.global_encoding.value = like.encoding & (GPS_TIME_BIT | WKT_BIT | _SYNTHETIC_RETURNS_BIT)
     header.file_source_id = like.source_id
@@ -126,7 +126,7 @@ def _ascii(text: str) -> str:
 
 
 def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
-    """The unit record, unless the coordinate system defines the unit; warns if that differs."""
+    """The unit record, unless the coordinate system defines the unit. Warns if that differs."""
     if like is not None:
         told = units_of(like).plane
         if not is_same(unit, told):

@@ -1,6 +1,6 @@
-"""Units of LAS coordinates from WKT or GeoTIFF keys; None if missing or incomplete, never guessed.
+"""Units of LAS coordinates from WKT or GeoTIFF keys. None if missing or incomplete, never guessed.
 
-OGC 01-009 and 18-010 (WKT); GeoTIFF 1.0, sections 2.7 and 6.3.1.3; ASPRS, LAS Specification 1.4-R15, table 4 (encoding
+OGC 01-009 and 18-010 (WKT). GeoTIFF 1.0, sections 2.7 and 6.3.1.3. ASPRS, LAS Specification 1.4-R15, table 4 (encoding
 bit 4: WKT overrides keys).
 """
 
@@ -68,7 +68,7 @@ class _Node:
 
 
 def units_of(header: LasHeader) -> LasUnits:
-    """The units in the records: WKT if present, else keys; if both differ, bit 4 of the encoding decides (LAS 1.4)."""
+    """The units in the records: WKT if present, else keys. If both differ, bit 4 of the encoding decides (LAS 1.4)."""
     text, keys = _units_of_text(find_text(header)), _units_of_keys(header)
     says_text = bool(header.encoding & _WKT_BIT)
     if says_text or not (text.plane and keys.plane):

@@ -1,7 +1,7 @@
 """Convert GeoTIFF keys to WKT, as required by LAS 1.4 point formats 6 and up, with pyproj.
 
 Only EPSG systems with matching units are converted, not user-defined ones. ASPRS, LAS Specification 1.4-R15, section
-2.4; GeoTIFF 1.0, section 2.7.
+2.4. GeoTIFF 1.0, section 2.7.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class LostSystemWarning(UserWarning):
 
 
 def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
-    """The keys as WKT version 1, which LAS readers support; None, with a warning, if there is no equivalent."""
+    """The keys as WKT version 1, which LAS readers support. None, with a warning, if there is no equivalent."""
     keys = find_keys(header)
     if find_text(header) or header.encoding & _WKT_BIT or not keys:  # with the bit set, keys are ignored
         return None

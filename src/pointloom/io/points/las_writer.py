@@ -55,7 +55,7 @@ def write_las(
     overwrite: bool = True,
 ) -> None:
     """Write points as LAS, or as LAZ if the extension is .laz, atomically.
-    A `scale` of None is 0.001, or finer on axes where most points are within 1,000 units; an `offset` of None is the
+    A `scale` of None is 0.001, or finer on axes where most points are within 1,000 units. An `offset` of None is the
     center of the points in whole units. Records, identification, GPS time type and missing scale and offset are copied
     from `like`."""
     path = check_writable(path, overwrite=overwrite)
@@ -106,7 +106,7 @@ class LasLayout:
 def lay_out(
     path: Any, table: PointTable, scale: Any, offset: Any, like: LasHeader | None, *, is_part: bool = False
 ) -> LasLayout:
-    """The storage layout for `write_las`; without ranges of extra dimensions if the table is a part of the points."""
+    """The storage layout for `write_las`. Without ranges of extra dimensions if the table is a part of the points."""
     table, laspy = table.checked(), import_for(path, "laspy", "las")
     lost = unstorable_in_las(path, table)
     if lost:
@@ -148,7 +148,7 @@ def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
 
 
 def name_rules(path: Any, table: PointTable) -> NameRules:
-    """Allowed names of dimensions; standard names only if the values fit."""
+    """Allowed names of dimensions. Standard names only if the values fit."""
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
     held = {name: values for name, values in table.attributes.items() if name in standard}

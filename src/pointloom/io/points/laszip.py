@@ -1,7 +1,7 @@
 """LAZ decompression with lazrs, block by block, after validating the tables.
 
 lazrs allocates the sizes in the tables and aborts the process if that fails, so they are checked first. Chunks that
-claim very many points are unpacked point by point. Isenburg, "LASzip: lossless compression of LiDAR data" (2013);
+claim very many points are unpacked point by point. Isenburg, "LASzip: lossless compression of LiDAR data" (2013).
 LASzip 3.
 """
 
@@ -32,7 +32,7 @@ _POINTWISE, _LAYERED = 2, 3  # the compressors that lazrs knows
 # Unpacked bytes up to which several chunks are unpacked at a time: 40 times those of the usual 50,000 points.
 _PARALLEL_CHUNK_BYTES = 1 << 26
 
-# Bytes and layers of an item in a layered chunk; None for variable length (extra bytes).
+# Bytes and layers of an item in a layered chunk. None for variable length (extra bytes).
 _ITEMS = {
     0: (None, 0), 6: (20, 0), 7: (8, 0), 8: (6, 0), 9: (29, 0),
     10: (30, 9), 11: (6, 1), 12: (8, 2), 13: (29, 1), 14: (None, None),
@@ -93,7 +93,7 @@ def chunks_at(path: Any, file: IO[bytes], begin: int, record: bytes) -> NDArray[
 
 
 def _lower_chunk_size(header: LasHeader) -> bytes:
-    """The LASzip record; for one chunk, its size is limited to the point count, since lazrs allocates it."""
+    """The LASzip record. For one chunk, its size is limited to the point count, since lazrs allocates it."""
     record = bytearray(header.find(*RECORD) or b"")
     (chunk_size,) = struct.unpack_from("<I", record, _CHUNK_SIZE_AT)
     if chunk_size != _VARIABLE:
@@ -145,12 +145,12 @@ def _check_record(path: Any, record: bytes, header: LasHeader) -> tuple[int, int
 def _read_chunk_table(
     path: Any, source: Source, header: LasHeader, record: bytes, chunk_size: int, lazrs: Any
 ) -> list[tuple[int, int]]:
-    """(Points, bytes) of each chunk; points are the chunk size if it is constant."""
+    """(Points, bytes) of each chunk. Points are the chunk size if it is constant."""
     first = header.begin + 8
     if len(source) < first + 8:
         raise FileError(path, "truncated: no compressed points follow the header", where=f"byte {len(source)}")
     (table,) = struct.unpack_from("<q", source, header.begin)
-    if table == -1:  # written by streaming writers; the last bytes of the file hold the offset
+    if table == -1:  # written by streaming writers. The last bytes of the file hold the offset
         (table,) = struct.unpack_from("<q", source, len(source) - 8)
     if not first <= table <= len(source) - 8:
         reason = f"truncated or damaged: the table of chunks should be at byte {table} of {len(source)}"

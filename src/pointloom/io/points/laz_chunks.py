@@ -1,4 +1,4 @@
-"""Read the uncompressed points of a LAZ file by chunk; the file is open only while reading."""
+"""Read the uncompressed points of a LAZ file by chunk. The file is open only while reading."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """LZF, the compression of PCD files, in Python and NumPy: about 0.2 us a token for reading, 0.4 us for writing.
 
-A control byte < 32 precedes that many + 1 literals; others hold length - 2 in the upper 3 bits (7: add the next byte)
+A control byte < 32 precedes that many + 1 literals. Others hold length - 2 in the upper 3 bits (7: add the next byte)
 and the upper 5 bits of distance - 1, whose lower 8 follow. Marc Lehmann, liblzf 3.6 (lzf_d.c, lzf_c.c).
 """
 
@@ -16,7 +16,7 @@ _MAX_DISTANCE = 1 << 13
 _MAX_LITERALS = 32
 _MAX_MATCH = 264
 
-# Bytes searched for matches at a time; the search needs about 40 bytes of memory for each.
+# Bytes searched for matches at a time. The search needs about 40 bytes of memory for each.
 _BLOCK = 1 << 20
 
 
@@ -29,7 +29,7 @@ class LzfError(ValueError):
 
 
 def decompress(stream: bytes, size: int) -> bytes:
-    """Decompress to exactly `size` bytes, with at most 264 bytes of additional memory; raises `LzfError` if damaged."""
+    """Decompress to exactly `size` bytes, with at most 264 bytes of additional memory. Raises `LzfError` if damaged."""
     if size > MAX_EXPANSION * len(stream):
         raise LzfError(f"{len(stream)} bytes cannot expand to {size}", 0)
     out = bytearray()
@@ -69,7 +69,7 @@ def decompress(stream: bytes, size: int) -> bytes:
 
 
 def compress(data: bytes) -> bytes:
-    """Compress greedily; each match is the nearest earlier occurrence of its first three bytes."""
+    """Compress greedily. Each match is the nearest earlier occurrence of its first three bytes."""
     out = bytearray()
     for begin in range(0, len(data), _BLOCK):
         _compress_block(data[begin : begin + _BLOCK], out)

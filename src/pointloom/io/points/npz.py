@@ -1,7 +1,7 @@
 """Points as NPZ, lossless: `points`, `normals`, `colors` (n, 3), `grid` (height, width), `unit` (text), attributes.
 
 Pickles are never loaded. Sizes are validated against the stored bytes before allocation. NumPy Enhancement Proposal 1
-(.npy); PKWARE APPNOTE (ZIP).
+(.npy). PKWARE APPNOTE (ZIP).
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def read_npz(path: str | os.PathLike[str]) -> PointTable:
 
 
 def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, NDArray[Any]]:
-    """The arrays of an archive by name; only the wanted ones are read."""
+    """The arrays of an archive by name. Only the wanted ones are read."""
     source = open_source(path)
     if source[-_END_BYTES:][:4] != b"PK\5\6":
         where = f"byte {len(source)}"

@@ -1,6 +1,6 @@
 """PCD files (v0.7; .5 and .6 are read): text, binary and LZF-compressed binary.
 
-Colors are rgb or rgba (4 bytes 0xAARRGGBB) or r g b; alpha is the uint8 attribute `alpha`; other fields are attributes
+Colors are rgb or rgba (4 bytes 0xAARRGGBB) or r g b. Alpha is the uint8 attribute `alpha`. Other fields are attributes
 of shape (n, COUNT). VIEWPOINT is stored but not applied, as in PCL. PCL's format description; pcl/io/src/pcd_io.cpp.
 """
 
@@ -36,7 +36,7 @@ _PAGE_BYTES = 4096
 
 
 def read_payload(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArray[Any]]:
-    """Decode all fields except padding to arrays (n,) or (n, c), which may be views; raises `FileError` if damaged."""
+    """Decode all fields except padding to arrays (n,) or (n, c), which may be views. Raises `FileError` if damaged."""
     if header.encoding == "ascii":
         return _read_ascii(path, source, header)
     if header.encoding == "binary":
@@ -152,7 +152,7 @@ def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.boo
 
 
 def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
-    """Packed text colors as floats with the same bits; None if some are "nan". Integers are the packed value itself."""
+    """Packed text colors as floats with the same bits. None if some are "nan". Integers are the packed value itself."""
     if (np.isnan(column) & ~unmeasured).any():
         return None
     known = np.where(np.isnan(column), 0.0, column)
@@ -237,7 +237,7 @@ def write_pcd(
     encoding: Literal["binary", "ascii", "binary_compressed"] = "binary",
     overwrite: bool = True,
 ) -> None:
-    """Write points as PCD v0.7 atomically; a grid becomes WIDTH and HEIGHT.
+    """Write points as PCD v0.7 atomically. A grid becomes WIDTH and HEIGHT.
     All encodings read back bitwise, with 8-bit colors. Compression runs in Python at about 5 MB/s, up to 4 GiB."""
     if encoding not in ENCODINGS:
         raise ValueError(f"encoding: expected one of {', '.join(ENCODINGS)}, got {encoding!r}")
@@ -300,7 +300,7 @@ def name_rules(table: PointTable) -> NameRules:
 
 
 def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
-    """Fields by name in file order; raises if one would not read back."""
+    """Fields by name in file order. Raises if one would not read back."""
     attributes = dict(table.attributes)
     fields: dict[str, NDArray[Any]] = dict(zip(_POINTS, table.points.T, strict=True))
     expected: dict[str, tuple[str, ...]] = {}

@@ -25,7 +25,7 @@ _VERSIONS = (".5", ".6", ".7", "0.5", "0.6", "0.7")
 _KEYS = ("VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA")
 _TYPES = {"I": "i1 i2 i4 i8", "U": "u1 u2 u4 u8", "F": "f4 f8"}
 
-# PCL's largest descriptors have about 2,000 components; a larger COUNT is damage.
+# PCL's largest descriptors have about 2,000 components. A larger COUNT is damage.
 _MAX_COMPONENTS = 1 << 20
 
 _Lines = dict[str, tuple[list[str], int]]
@@ -47,7 +47,7 @@ class Field:
 @dataclass(frozen=True)
 class PcdHeader:
     """The header: `fields` with padding, `width` x `height`, `encoding`, payload offset `size` (`line_count` lines).
-    `viewpoint` is position and quaternion w x y z of the sensor; None at the origin."""
+    `viewpoint` is position and quaternion w x y z of the sensor. None at the origin."""
 
     fields: list[Field]
     width: int

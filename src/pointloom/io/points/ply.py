@@ -1,8 +1,8 @@
 """PLY files of points and triangle meshes, in text and both binary byte orders.
 
 Counts are compared with the file size before memory is allocated. An attribute (n, c) is written as a_0 .. a_{c-1}.
-Textures as in MeshLab: `texcoord` and `texnumber` of faces, `comment TextureFile`; also s t, u v or texture_u texture_v
-of vertices. Greg Turk, "The PLY Polygon File Format" (1994); VCGlib for textures.
+Textures as in MeshLab: `texcoord` and `texnumber` of faces, `comment TextureFile`. Also s t, u v or texture_u texture_v
+of vertices. Greg Turk, "The PLY Polygon File Format" (1994). VCGlib for textures.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
 
 
 def texture_properties(path: Any, face: Element) -> list[Property]:
-    """The texture properties of faces; raises `FileError` if a list is a scalar or the reverse."""
+    """The texture properties of faces. Raises `FileError` if a list is a scalar or the reverse."""
     found = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
     for prop in found:
         is_list = prop.count_type is not None
@@ -153,7 +153,7 @@ def vertex_columns(path: Path, source: Source) -> dict[str, NDArray[Any]]:
 
 
 def table_of(path: Path, columns: Mapping[str, Column]) -> PointTable:
-    """Copy columns, or some rows, into a point table; raises if colors are out of range."""
+    """Copy columns, or some rows, into a point table. Raises if colors are out of range."""
     return _table_of(path, columns, stack_colors)
 
 
@@ -275,7 +275,7 @@ def write_ply_mesh_parts(
     overwrite: bool = True,
 ) -> None:
     """Write a mesh that is generated in parts as one binary PLY, with one part in memory at a time.
-    `parts` is called twice; its triangles index the vertices of all parts. `counts` are all vertices and triangles."""
+    `parts` is called twice. Its triangles index the vertices of all parts. `counts` are all vertices and triangles."""
     path, (vertices, triangles) = check_writable(path, overwrite=overwrite), counts
     if vertices > np.iinfo(np.int32).max:
         reason = f"PLY's 32-bit indices cannot reach {vertices:,} vertices"
@@ -298,7 +298,7 @@ def _is_vertex_scalar(element: Element, prop: Property) -> bool:
 
 
 def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tuple[str, ...] | None]:
-    """The properties of positions, normals and colors; None for a missing role."""
+    """The properties of positions, normals and colors. None for a missing role."""
     missing = [name for name in _POINTS if name not in names]
     if missing and _PACKED_SPLATS in names:
         raise FileError(path, "holds compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
@@ -357,7 +357,7 @@ def _vertex_columns(
     colors: NDArray[Any] | None,
     attributes: dict[str, NDArray[Any]],
 ) -> dict[str, NDArray[Any]]:
-    """Columns of shape (n,) by property name; raises if a name or type would not read back."""
+    """Columns of shape (n,) by property name. Raises if a name or type would not read back."""
     columns: dict[str, NDArray[Any]] = dict(zip(_POINTS, points.T, strict=True))
     if normals is not None:
         columns |= dict(zip(_NORMALS, normals.T, strict=True))

@@ -1,7 +1,7 @@
 """Attributes of PLY faces (colors and scalars, repeated for all triangles of a polygon), and triangle strips.
 
--1 starts a new strip in `tristrips`; triangles with a repeated vertex join strips and are dropped. Greg Turk's
-"ply2ply" and the Stanford range scans for strips; VCGlib for face colors.
+-1 starts a new strip in `tristrips`. Triangles with a repeated vertex join strips and are dropped. Greg Turk's
+"ply2ply" and the Stanford range scans for strips. VCGlib for face colors.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
 def triangle_attributes(
     path: Any, columns: Mapping[str, Column], lengths: NDArray[np.int64]
 ) -> dict[str, NDArray[Any]]:
-    """Face scalars per triangle; colors out of range as in `colors_or_loss`."""
+    """Face scalars per triangle. Colors out of range as in `colors_or_loss`."""
     scalars = {
         name: column
         for name, column in columns.items()
@@ -98,7 +98,7 @@ def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
 def attribute_columns(
     path: Any, attributes: dict[str, NDArray[Any]], types: str, remedy: str
 ) -> tuple[list[str], list[NDArray[Any]]]:
-    """Properties and columns of triangle attributes; raises `FileError` for unsupported names or types."""
+    """Properties and columns of triangle attributes. Raises `FileError` for unsupported names or types."""
     columns: dict[str, NDArray[Any]] = {}
     colors = attributes.get("colors")
     if colors is not None:

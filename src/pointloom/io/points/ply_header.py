@@ -31,7 +31,7 @@ _BYTE_ORDERS: dict[str, ByteOrder] = {"ascii": "=", "binary_little_endian": "<",
 
 @dataclass(frozen=True)
 class Property:
-    """A property of an element; a list if `count_type` is set."""
+    """A property of an element. A list if `count_type` is set."""
 
     name: str
     dtype: np.dtype[Any]

@@ -1,4 +1,4 @@
-"""Read and write point clouds; the extension selects the format."""
+"""Read and write point clouds. The extension selects the format."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ def read_point_cloud(
     The formats are .ply .pcd .xyz .xyzn .xyzrgb .pts .csv .txt .asc .npz .bin .las .laz .e57 .ptx. A truncated file,
     trailing bytes or counts that do not match the file size raise `FileError` before memory is allocated.
 
-    Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255); other names are
+    Text: a header line names the columns: x y z, nx ny nz, r g b (0..1, or integers in 0..255). Other names are
     attributes. Without a header, 3 columns are x y z and more columns require `columns`. A .bin holds float32 columns,
     by default x, y, z, intensity as in KITTI.
 
     LAS and LAZ keep the unit and coordinate system of the file, see `cloud.unit`. Their dimensions become attributes
     with laspy's names; no_data values of extra dimensions become NaN. Call `project_to_utm` after a GeographicWarning.
-    E57 and PTX scans are transformed by their poses [m]; directions without a return are dropped. LAS and E57 need an
+    E57 and PTX scans are transformed by their poses [m]. Directions without a return are dropped. LAS and E57 need an
     extra: `pip install "pointloom[las]"`, `pip install "pointloom[e57]"`.
 
     Args:
@@ -91,11 +91,11 @@ def read_las_chunks(
 
     Args:
         path: The .las or .laz file.
-        chunk_size: Points of a chunk; the last one may be smaller.
+        chunk_size: Points of a chunk. The last one may be smaller.
         device: Device of the clouds.
 
     Returns:
-        An iterator over the chunks in file order, read lazily; empty if the file has no points.
+        An iterator over the chunks in file order, read lazily. Empty if the file has no points.
 
     Raises:
         FileError: As `read_point_cloud`, when the chunk is read; or colors are 8-bit in one chunk and 16-bit in a later
@@ -130,8 +130,8 @@ def read_copc(
 
     Args:
         path: The .copc.laz file.
-        within: Box, bounds included; None reads all points.
-        spacing: Read the coarsest level at least as fine as this [unit of the file]; 0 reads every point.
+        within: Box, bounds included. None reads all points.
+        spacing: Read the coarsest level at least as fine as this [unit of the file]. 0 reads every point.
         device: Device of the cloud.
 
     Returns:
@@ -162,7 +162,7 @@ def read_copc(
 
 @quiet()
 def _common_origin(file: LasFile, first: PointTable) -> NDArray[np.float64]:
-    """The origin of all chunks, from the header's box; from the first chunk if its points are outside the box."""
+    """The origin of all chunks, from the header's box. From the first chunk if its points are outside the box."""
     box = np.array(file.header.bounds, np.float64)
     low, high = finite_box(first.points)
     slack = np.array(file.header.scales)  # headers are rounded
@@ -201,14 +201,14 @@ def cloud_of(
 
 
 def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
-    """The unit of the coordinates; warns if the file contradicts itself."""
+    """The unit of the coordinates. Warns if the file contradicts itself."""
     if table.unit_doubt is not None:
         warn_of_units(f"{path}: {table.unit_doubt}")
     return table.unit
 
 
 def origin_of(table: PointTable, path: str | os.PathLike[str], *, stacklevel: int = 3) -> NDArray[np.float64]:
-    """Choose the origin of a cloud so that points distinct in the file stay distinct; warns if the file has degrees."""
+    """Choose the origin of a cloud so that points distinct in the file stay distinct. Warns if the file has degrees."""
     warn_of_degrees(path, table.is_geographic, stacklevel=stacklevel)
     return choose_origin(table.points, written_steps(table.points) if table.steps is None else table.steps)
 
@@ -222,9 +222,9 @@ def write_point_cloud(
     scale: ArrayLike | None = None,
     like: str | os.PathLike[str] | None = None,
 ) -> None:
-    """Write a point cloud with all its attributes atomically; the extension selects the format.
+    """Write a point cloud with all its attributes atomically. The extension selects the format.
 
-    Coordinates are float32 if the cloud's origin is zero and float64 otherwise; LAS and LAZ round them to multiples of
+    Coordinates are float32 if the cloud's origin is zero and float64 otherwise. LAS and LAZ round them to multiples of
     `scale`. Colors are rounded to 16 bits in LAS and LAZ, and to 8 bits in PLY, PCD, PTS and E57. The extension
     .copc.laz writes a Cloud Optimized Point Cloud (LAZ in octree order). The unit is written if the format supports it.
     E57 coordinates are converted to meters and its scans have no poses here: use `write_stations`.

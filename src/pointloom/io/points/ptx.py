@@ -1,6 +1,6 @@
 """PTX: Leica's text format of scans.
 
-A scan has numbers of columns and rows; scanner position and axes; a 4x4 matrix for row vectors (T_world_scan); and a
+A scan has numbers of columns and rows; scanner position and axes. A 4x4 matrix for row vectors (T_world_scan); and a
 line per direction, column by column: x y z intensity [r g b] [m, 0..255]. Directions without a return ("0 0 0") are
 dropped; `row_index` and `column_index` identify the others.
 """
@@ -70,7 +70,7 @@ class _Lines:
         return values
 
     def rows(self, begin: int, end: int) -> AsciiRows:
-        """Lines `begin` to `end` as rows of numbers; none may be blank."""
+        """Lines `begin` to `end` as rows of numbers. None may be blank."""
         rows = AsciiRows(self.path, self.text(begin, end), begin + 1)
         if rows.row_count != end - begin:
             reason = f"{rows.row_count} of {end - begin} lines of points have values"
@@ -83,7 +83,7 @@ def _bytes_of(body: Source, begin: int) -> NDArray[np.uint8]:
 
 
 def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointTable:
-    """Read the points of a PTX file in world coordinates; all scans (with `scan_index`) if `scan` is None.
+    """Read the points of a PTX file in world coordinates. All scans (with `scan_index`) if `scan` is None.
     Needs memory for the result and twice the largest scan."""
     if scan is not None:
         lines, scans = _open(path)
@@ -108,7 +108,7 @@ def iterate_placed(path: str | os.PathLike[str]) -> Iterator[PointTable]:
 
 
 def read_ptx_frames(path: str | os.PathLike[str]) -> list[ScanFrame]:
-    """The pose of each scan; PTX has no names."""
+    """The pose of each scan. PTX has no names."""
     return [ScanFrame("", scan.pose) for scan in _open(path)[1]]
 
 

@@ -46,7 +46,7 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
 
 
 def natural_key(path: Path) -> tuple[list[tuple[int, int, str]], str]:
-    """Sort key with numbers in names as numbers; ties are broken by the text."""
+    """Sort key with numbers in names as numbers. Ties are broken by the text."""
     parts = re.split(r"(\d+)", path.name)
     return [(1, int(part), "") if part.isdigit() else (0, 0, part) for part in parts if part], path.name
 

@@ -1,7 +1,7 @@
 """Points as plain text: XYZ, XYZN, XYZRGB and PTS, separated by blanks; conventions of Open3D's documentation.
 
-XYZ may have other separators and named columns (text_table.py). PTS starts with the number of points; rows are x y z
-[intensity] [r g b] with colors 0..255. Writing is lossless, except 8-bit colors of PTS; unsupported content raises.
+XYZ may have other separators and named columns (text_table.py). PTS starts with the number of points. Rows are x y z
+[intensity] [r g b] with colors 0..255. Writing is lossless, except 8-bit colors of PTS. Unsupported content raises.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from ..source import open_source, parse_whole
 from ..table import PointTable
 from .text_table import read_text_table
 
-#: Values per line by extension; PTS has one of several.
+#: Values per line by extension. PTS has one of several.
 _WIDTHS = {".xyz": (3,), ".xyzn": (6,), ".xyzrgb": (6,), ".pts": (3, 4, 6, 7)}
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
@@ -51,7 +51,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
 
 
 def write_text(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write an .xyz, .xyzn, .xyzrgb or .pts file atomically; raises if the format cannot store the table."""
+    """Write an .xyz, .xyzn, .xyzrgb or .pts file atomically. Raises if the format cannot store the table."""
     path = check_writable(path, overwrite=overwrite)
     kind = _kind(path)
     table = table.checked()

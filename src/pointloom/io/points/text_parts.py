@@ -80,7 +80,7 @@ class TextInParts:
         return count
 
     def parts(self, size: int) -> Iterator[PointTable]:
-        """Yield at most `size` points at a time; one empty part if there are none."""
+        """Yield at most `size` points at a time. One empty part if there are none."""
         if not self.count:
             yield PointTable(np.empty((0, 3)))
         for names, rows in self._rows():

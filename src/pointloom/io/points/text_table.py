@@ -1,6 +1,6 @@
 """Points as text tables, one point per line: .csv, .txt, .asc and .xyz, separated by commas, semicolons or blanks.
 
-A header (also after '#' or '//') names the columns; without one, only x y z are accepted. A first line with one integer
+A header (also after '#' or '//') names the columns. Without one, only x y z are accepted. A first line with one integer
 (CloudCompare) is the number of points. Colors are 0..255 or 0..1; ambiguous files raise. Values are float64.
 """
 
@@ -79,7 +79,7 @@ def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
 
 
 def check_columns(columns: Sequence[str]) -> list[str]:
-    """Column names in the library's spelling; raises `ValueError` if x, y or z is missing or a name is duplicated."""
+    """Column names in the library's spelling. Raises `ValueError` if x, y or z is missing or a name is duplicated."""
     given = check_list("columns", columns, "names such as ['x', 'y', 'z']")
     if not all(isinstance(name, str) for name in given):
         raise TypeError(f"columns: expected names such as ['x', 'y', 'z'], got {shown(given)}")
@@ -149,7 +149,7 @@ def _plain(field: bytes) -> str:
 
 
 def _as_names(comment: bytes, delimiter: bytes | None, count: int) -> list[str] | None:
-    """Column names in a comment, if it has one word per column with x, y and z; else None."""
+    """Column names in a comment, if it has one word per column with x, y and z. Else None."""
     for mark in (delimiter, None, b",", b";"):
         names = [_plain(field) for field in _split(comment, mark)]
         if len(names) == count and set(POSITION) <= {_canonical(name) for name in names}:
@@ -162,7 +162,7 @@ def _canonical(name: str) -> str:
 
 
 def names_of(path: Path, head: _Head, width: int) -> list[str]:
-    """The name of each column; raises `FileError` if they are unknown or contradictory."""
+    """The name of each column. Raises `FileError` if they are unknown or contradictory."""
     if head.names is None:
         if width == 3:
             return [*POSITION]
@@ -254,7 +254,7 @@ def table_of(path: Path, columns: dict[str, NDArray[Any]], full: float | None = 
 
 
 def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | None) -> NDArray[np.float32]:
-    """Colors, float32 (n, 3); if `full` is None it is derived from the range of values."""
+    """Colors, float32 (n, 3). If `full` is None it is derived from the range of values."""
     if full is None:
         whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
         low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
@@ -264,7 +264,7 @@ def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | No
 
 
 def color_range(path: Path, low: float, high: float, *, whole: bool) -> float:
-    """Derive the maximum color value (1 or 255) from the range of values; raises `FileError` if it is ambiguous."""
+    """Derive the maximum color value (1 or 255) from the range of values. Raises `FileError` if it is ambiguous."""
     if not whole or low < 0 or high > 255:
         if high > 1:
             reason = f"colors from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"

@@ -1,4 +1,4 @@
-"""Read and write 3D Gaussian splats; the extension selects the format."""
+"""Read and write 3D Gaussian splats. The extension selects the format."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ EXTENSIONS = tuple(_READERS)
 def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, device: Any = None) -> GaussianSplats:
     """Read 3D Gaussian splats: .ply (from training or SuperSplat, compressed), .splat, .spz versions 2 to 4.
 
-    Values are unchanged; other PLY columns become attributes of `splats.cloud`. Coordinates are those of PLY files
+    Values are unchanged. Other PLY columns become attributes of `splats.cloud`. Coordinates are those of PLY files
     (right, down, forward by convention). SPZ is right, up, back, so its y and z axes are flipped, with rotations and
     harmonics (Open3D does not).
 
@@ -62,7 +62,7 @@ def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, dev
 
 
 def write_splats(path: str | os.PathLike[str], splats: GaussianSplats, *, overwrite: bool = True) -> None:
-    """Write 3D Gaussian splats atomically; the extension selects the format.
+    """Write 3D Gaussian splats atomically. The extension selects the format.
 
     .ply is lossless (with a moved origin, coordinates are doubles). .splat has 32 B per splat: float32 centers and
     scales, 8 bits for colors, opacities and quaternions, no higher harmonics. .spz (version 3, gzip) has about 9 to 25

@@ -103,7 +103,7 @@ def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
 
 
 def _unpacked(values: NDArray[Any], places: Any) -> NDArray[np.float64]:
-    """Components of packed integers in 0..1, shape (n, parts); each place is (lowest bit, number of bits)."""
+    """Components of packed integers in 0..1, shape (n, parts). Each place is (lowest bit, number of bits)."""
     integers = values.astype(np.uint32)
     parts = [(integers >> np.uint32(low)) & np.uint32((1 << bits) - 1) for low, bits in places]
     return np.stack([part / ((1 << bits) - 1) for part, (_, bits) in zip(parts, places, strict=True)], axis=1)
@@ -117,7 +117,7 @@ def _between(
 
 
 def _rotations(values: NDArray[Any]) -> NDArray[np.float64]:
-    """Unit quaternions w, x, y, z; the largest component follows from the other three."""
+    """Unit quaternions w, x, y, z. The largest component follows from the other three."""
     others = (_unpacked(values, [(20, 10), (10, 10), (0, 10)]) - 0.5) * np.sqrt(2.0)
     largest = values.astype(np.uint32) >> np.uint32(30)
     missing = np.sqrt(np.maximum(1 - (others**2).sum(axis=1), 0))

@@ -21,11 +21,11 @@ from ..source import open_source
 from ..table import PointTable
 
 _ROW = np.dtype([("point", "<f4", 3), ("scale", "<f4", 3), ("color", "u1", 4), ("rot", "u1", 4)])
-_LARGEST = 1e6  # larger than any splat; other data read as float32 nearly always has larger numbers
+_LARGEST = 1e6  # larger than any splat. Other data read as float32 nearly always has larger numbers
 
 
 def read_splat(path: str | os.PathLike[str]) -> PointTable:
-    """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`; raises `FileError` for implausible data."""
+    """Read splats of degree 0 as columns `f_dc`, `opacity`, `scale`, `rot`. Raises `FileError` for implausible data."""
     source = open_source(path)
     if len(source) % _ROW.itemsize:
         reason = f"{len(source)} bytes are not a multiple of {_ROW.itemsize}, the bytes of a splat"

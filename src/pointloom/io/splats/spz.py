@@ -1,4 +1,4 @@
-"""Read SPZ splats: versions 2 and 3 (one gzip stream) and 4 (a Zstandard stream per column); axes right, up, back.
+"""Read SPZ splats: versions 2 and 3 (one gzip stream) and 4 (a Zstandard stream per column). Axes right, up, back.
 
 Centers are 24-bit multiples of 2^-fractionalBits, other columns 8-bit. A rotation has 3 bytes in version 2, else 4:
 index of the largest of x, y, z, w, and 10 bits for each other. nianticlabs/spz, README.

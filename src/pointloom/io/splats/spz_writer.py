@@ -23,7 +23,7 @@ _VERSION = 3
 
 
 def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: bool = True) -> None:
-    """Write splats deterministically; raises `FileError` if 24 bits would round centers by more than 2 mm."""
+    """Write splats deterministically. Raises `FileError` if 24 bits would round centers by more than 2 mm."""
     columns = table.attributes
     rest = columns.get("f_rest")
     degree = 0 if rest is None else round((rest.shape[1] / 3 + 1) ** 0.5) - 1

@@ -99,7 +99,7 @@ class PinholeCameraIntrinsic(Held):
         return float(self._matrix[0, 2]), float(self._matrix[1, 2])
 
     def get_skew(self) -> float:
-        """The skew; cameras with skew are rejected where used."""
+        """The skew. Cameras with skew are rejected where used."""
         return float(self._matrix[0, 1])
 
     def is_valid(self) -> bool:

@@ -17,7 +17,7 @@ Row = NDArray[np.float64]
 
 
 class Value:
-    """An assignable number or row; the pointloom object is made from all of them on demand."""
+    """An assignable number or row. The pointloom object is made from all of them on demand."""
 
     def __init__(self, *shape: int):
         self.shape = shape

@@ -47,7 +47,7 @@ class Geometry2D(Geometry):
 
 
 class Geometry3D(Geometry):
-    """Base class of 3D geometries, transformed in place; methods return the geometry itself."""
+    """Base class of 3D geometries, transformed in place. Methods return the geometry itself."""
 
     _arrays: ClassVar[dict[str, str]] = {}  # mapped vectors: "points", "normals" or "covariances"
 
@@ -83,18 +83,18 @@ class Geometry3D(Geometry):
         return self._moved(self._ours.transform(arg0), T[:3, :3])
 
     def translate(self, translation: ArrayLike, relative: bool = True) -> Self:
-        """Translate by a vector; with `relative=False`, move the center there."""
+        """Translate by a vector. With `relative=False`, move the center there."""
         return self._become(self._ours.translate(column("translation", translation), relative))
 
     def scale(self, scale: float, center: ArrayLike) -> Self:
-        """Scale about a point; zero and negative factors affect the points only."""
+        """Scale about a point. Zero and negative factors affect the points only."""
         factor, middle = check_number("scale", scale), column("center", center)
         if factor > 0 or not self._arrays:
             return self._become(self._ours.scale(scale, middle))
         return self._map_arrays(map_about(factor * np.eye(3), middle), directions=False)
 
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
-        """Rotate about a point, by default the center; other matrices than rotations are applied, too."""
+        """Rotate about a point, by default the center. Other matrices than rotations are applied, too."""
         A, middle = np.asarray(R), self.get_center() if center is None else column("center", center)
         if self._arrays and A.shape == (3, 3) and not is_rotation(A):
             return self.transform(map_about(A, middle))

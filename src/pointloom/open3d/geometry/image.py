@@ -122,7 +122,7 @@ class Image(ToldNames):
 
 
 def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
-    """The array of an image, or an array; raises TypeError."""
+    """The array of an image, or an array. Raises TypeError."""
     if not isinstance(image, Image | np.ndarray):
         raise TypeError(
             f"{name}: expected a geometry.Image, got {type(image).__name__}; o3d.io.read_image(path) reads one, "
@@ -134,7 +134,7 @@ def pixels_of(image: Any, name: str = "image") -> NDArray[Any]:
 def depth_of(depth: Any, *, bytes_too: bool = False) -> NDArray[Any]:
     """Pixels of a depth image, 16 bits or floats, to be divided by a scale.
 
-    Bytes are scaled to 0 to 1 if `bytes_too`, as Open3D does for RGBDImages; otherwise they are rejected.
+    Bytes are scaled to 0 to 1 if `bytes_too`, as Open3D does for RGBDImages. Otherwise they are rejected.
     """
     pixels = pixels_of(depth, "depth")
     if pixels.dtype == np.uint16 or (pixels.dtype == np.uint8 and not bytes_too):

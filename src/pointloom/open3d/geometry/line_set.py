@@ -66,7 +66,7 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_point_cloud_correspondences(cls, cloud0: Any, cloud1: Any, correspondences: Any) -> Self:
-        """A line per correspondence; the points are those of `cloud0`, then `cloud1`."""
+        """A line per correspondence. The points are those of `cloud0`, then `cloud1`."""
         pairs, ends, points = np.asarray(correspondences).reshape(-1, 2), [], []
         for i, name in enumerate(("cloud0", "cloud1")):
             cloud = ours((cloud0, cloud1)[i], PointCloud, name)

@@ -237,12 +237,12 @@ class PointCloud(BoundedByBoxes):
         return DoubleVector(self._ours.compute_mahalanobis_distance())
 
     def compute_mean_and_covariance(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Mean (3,) and covariance (3, 3); zero and the identity without points."""
+        """Mean (3,) and covariance (3, 3). Zero and the identity without points."""
         return self._ours.compute_mean_and_covariance() if self.has_points() else (np.zeros(3), np.eye(3))
 
     @staticmethod
     def estimate_point_covariances(input: PointCloud, search_param: KDTreeSearchParam = KNN) -> Matrix3dVector:
-        """Covariance of each point's neighbors; the cloud is not changed."""
+        """Covariance of each point's neighbors. The cloud is not changed."""
         found = ours(input, PointCloud, "input").estimate_covariances(**keywords_of(search_param))
         return Matrix3dVector(found.covariances)
 

@@ -51,7 +51,7 @@ class RGBDImage(Geometry2D):
         depth_trunc: float = 3.0,
         convert_rgb_to_intensity: bool = True,
     ) -> Self:
-        """Make an image; depth is divided by `depth_scale`, and 0 from `depth_trunc` on."""
+        """Make an image. Depth is divided by `depth_scale`, and 0 from `depth_trunc` on."""
         pixels, numbers = pixels_of(color, "color"), depth_of(depth, bytes_too=True)
         is_gray = pixels.dtype == np.float32 and convert_rgb_to_intensity  # gray already, or converted
         taken = np.zeros(numbers.shape, np.uint8) if is_gray else pixels

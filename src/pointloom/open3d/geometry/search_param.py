@@ -71,7 +71,7 @@ class KDTreeSearchParamHybrid(KDTreeSearchParam):
 
 
 def keywords_of(search_param: Any) -> dict[str, Any]:
-    """`radius` and `max_nn` of a search parameter; raises TypeError."""
+    """`radius` and `max_nn` of a search parameter. Raises TypeError."""
     if not isinstance(search_param, KDTreeSearchParam):
         raise TypeError(
             f"search_param: expected a KDTreeSearchParam, got {type(search_param).__name__}; "

@@ -307,7 +307,7 @@ class TriangleNormals(MeshFactories):
         return self._new(made, faces=None if self._faces is None else made)
 
     def _joined(self, other: Any) -> tuple[Any, Any]:
-        """Both meshes as one; normals are kept if all triangles have them."""
+        """Both meshes as one. Normals are kept if all triangles have them."""
         parts = [(self._ours, self), (ours(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
         held = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
@@ -331,7 +331,7 @@ class TriangleNormals(MeshFactories):
         return self._set_faces(current if normalized else _area_vectors(current))
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
-        """Compute vertex normals (sums of area vectors) and triangle normals; unit length unless `normalized=False`."""
+        """Compute vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
         current = self._ours
         if normalized:
             return self._become(current.compute_vertex_normals()).compute_triangle_normals()
@@ -444,7 +444,7 @@ class TriangleMesh(TriangleNormals):
 
     @property
     def textures(self) -> list[Image]:
-        """Images, lowest row first as in Open3D; assign a list, changes in the list have no effect."""
+        """Images, lowest row first as in Open3D. Assign a list, changes in the list have no effect."""
         return [Image(np.flipud(texture)) for texture in self._held.textures]
 
     @textures.setter

@@ -33,7 +33,7 @@ class Voxel(KnownNames):
 
 
 class VoxelGrid(Geometry):
-    """Occupied voxels, with colors from a colored cloud; voxel (0, 0, 0) begins at `origin`."""
+    """Occupied voxels, with colors from a colored cloud. Voxel (0, 0, 0) begins at `origin`."""
 
     VoxelPoolingMode = VoxelPoolingMode
     _kind = voxel_grid.VoxelGrid
@@ -94,7 +94,7 @@ class VoxelGrid(Geometry):
         return self._held.get_voxel(column("point", point)).astype(np.int32)
 
     def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
-        """Center of an occupied voxel; zero for others."""
+        """Center of an occupied voxel. Zero for others."""
         index = column("idx", idx)
         is_there = bool((self._held.coordinates == index).all(axis=1).any())
         return self.origin + (index + 0.5) * self.voxel_size if is_there else np.zeros(3)

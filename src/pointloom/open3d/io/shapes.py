@@ -17,7 +17,7 @@ FilePath = str | os.PathLike[str]
 # Columns of Open3D's text formats, for files with another suffix.
 COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "xyzrgb": ("x", "y", "z", "r", "g", "b")}
 
-# Columns of Open3D's text formats besides the points; other data of a cloud is not written.
+# Columns of Open3D's text formats besides the points. Other data of a cloud is not written.
 HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
@@ -49,7 +49,7 @@ def write_point_cloud(
     compressed: bool = False,
     print_progress: bool = False,
 ) -> bool:
-    """Like `loom.write_point_cloud`; the suffix defines the format, and text formats write the columns they have."""
+    """Like `loom.write_point_cloud`. The suffix defines the format, and text formats write the columns they have."""
     _check_format(filename, format)
     cloud = ours(pointcloud, PointCloud, "pointcloud")
     held = HELD.get(Path(filename).suffix.lower())

@@ -6,5 +6,5 @@ from ..seeds import set_seed
 
 
 def seed(seed: int) -> None:
-    """Set the global seed; it is initially 0 (in Open3D random)."""
+    """Set the global seed. It is initially 0 (in Open3D random)."""
     set_seed(seed)

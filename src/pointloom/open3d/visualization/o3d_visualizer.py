@@ -22,7 +22,7 @@ Function = Callable[..., Any]
 
 
 class TickResult(enum.Enum):
-    """Return value of an animation tick callback; ignored."""
+    """Return value of an animation tick callback. Ignored."""
 
     NO_CHANGE = 0
     REDRAW = 1
@@ -40,7 +40,7 @@ class DrawObject:
 
 
 class O3DVisualizer(KnownNames):
-    """The window passed to callbacks of `draw`; a page, or an image if none is opened.
+    """The window passed to callbacks of `draw`. A page, or an image if none is opened.
 
     If geometries have different times, the page has a timeline and shows those of the current time.
     """
@@ -115,7 +115,7 @@ class O3DVisualizer(KnownNames):
             self._window._viewer.set_visible(name, one.is_visible)
 
     def get_geometry(self, name: str) -> DrawObject:
-        """Properties of a geometry; raises KeyError for an unknown name."""
+        """Properties of a geometry. Raises KeyError for an unknown name."""
         if name not in self._objects:
             raise KeyError(f"name: no geometry {name!r}; there are {', '.join(map(repr, self._objects)) or 'none'}")
         return self._objects[name]

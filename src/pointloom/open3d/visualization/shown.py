@@ -14,7 +14,7 @@ Entry = dict[str, Any]
 
 
 def drawn(geometry: Any) -> Any:
-    """The pointloom geometry; images become textured surfaces. Raises TypeError."""
+    """The pointloom geometry. Images become textured surfaces. Raises TypeError."""
     if isinstance(geometry, RGBDImage):
         geometry = geometry.color
     if isinstance(geometry, Image):
@@ -25,7 +25,7 @@ def drawn(geometry: Any) -> Any:
 
 
 def checked(geometry_list: Any) -> list[Any]:
-    """A list of geometries; raises TypeError for a single geometry."""
+    """A list of geometries. Raises TypeError for a single geometry."""
     if isinstance(geometry_list, Geometry | Image):
         kind = type(geometry_list).__name__
         raise TypeError(f"geometry_list: expected a list of geometries, got a {kind}; put it into brackets")
@@ -33,7 +33,7 @@ def checked(geometry_list: Any) -> list[Any]:
 
 
 def bounds_of(geometries: list[Any]) -> tuple[Any, Any] | None:
-    """Lowest and highest corner of all; None without any."""
+    """Lowest and highest corner of all. None without any."""
     corners = []
     for geometry in geometries:
         shape = drawn(geometry)

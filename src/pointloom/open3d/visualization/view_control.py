@@ -149,7 +149,7 @@ class ViewControl(ToldNames):
         return True
 
     def _look_from(self, view: View) -> None:
-        """Set a view; raises ValueError unless pixels are square and the principal point is centered."""
+        """Set a view. Raises ValueError unless pixels are square and the principal point is centered."""
         found = view.to_open3d(self._bounds)
         self._zoom, self._angle = found["zoom"], found["field_of_view"]
         self._front, self._lookat, self._up = (np.array(found[name]) for name in ("front", "lookat", "up"))

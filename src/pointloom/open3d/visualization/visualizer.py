@@ -103,7 +103,7 @@ class Visualizer(KnownNames):
         return f"{type(self).__name__} with name {self._name}"
 
     def add_geometry(self, geometry: Any, reset_bounding_box: bool = True) -> bool:
-        """Show a geometry; the view is reset unless `reset_bounding_box` is False."""
+        """Show a geometry. The view is reset unless `reset_bounding_box` is False."""
         shape, name = drawn(geometry), self._name_of(geometry)
         if name is not None:
             return self.update_geometry(geometry)
@@ -224,7 +224,7 @@ class Visualizer(KnownNames):
                 return
 
     def register_animation_callback(self, callback_func: Callback | None) -> None:
-        """Let `run` call a function of the window repeatedly; if it returns True, everything is updated."""
+        """Let `run` call a function of the window repeatedly. If it returns True, everything is updated."""
         self._animation = check_callback("callback_func", callback_func)
 
     def _call_keys(self) -> None:
@@ -298,7 +298,7 @@ class VisualizerWithKeyCallback(Visualizer):
     """A window with key callbacks, called during `run` or `poll_events`."""
 
     def register_key_callback(self, key: int, callback_func: Callback) -> None:
-        """Register a key callback; if it returns True, everything is updated. None removes it.
+        """Register a key callback. If it returns True, everything is updated. None removes it.
 
         `key` is GLFW's number: ord("K"), 32 for space, 256 for escape, 262 to 265 for arrows, ... Raises ValueError for
         keys that pages do not report.
@@ -326,7 +326,7 @@ class PointColorOption(enum.Enum):
 
 
 class MeshColorOption(enum.Enum):
-    """Coloring of meshes; coordinates and normals are not supported and show the original colors."""
+    """Coloring of meshes. Coordinates and normals are not supported and show the original colors."""
 
     Default = 0
     Color = 1

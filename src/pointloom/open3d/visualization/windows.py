@@ -1,4 +1,4 @@
-"""Functions that open a window and wait until it is closed; with POINTLOOM_DRAW=picture they do not wait."""
+"""Functions that open a window and wait until it is closed. With POINTLOOM_DRAW=picture they do not wait."""
 
 from __future__ import annotations
 

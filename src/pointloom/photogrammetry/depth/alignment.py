@@ -41,7 +41,7 @@ class Alignment:
 
 
 def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bool = True) -> Alignment:
-    """Scale and shift from many references y = 1 / z [n] with outliers; AlignmentError if fewer than 20 agree."""
+    """Scale and shift from many references y = 1 / z [n] with outliers. AlignmentError if fewer than 20 agree."""
     if len(d) < MIN_INLIERS:
         raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {MIN_INLIERS}")
     rng = np.random.default_rng(seed)
@@ -133,7 +133,7 @@ def _refit(
 
 
 def _solve(d: Numbers, y: Numbers, with_shift: bool, before: tuple[float, float]) -> tuple[float, float]:
-    """Minimize the sum of ((scale d + shift) / y - 1)^2; the previous line if all d are equal."""
+    """Minimize the sum of ((scale d + shift) / y - 1)^2. The previous line if all d are equal."""
     a, b = d / y, 1 / y
     if not with_shift:
         return float(a.sum() / (a * a).sum()), 0.0

@@ -187,7 +187,7 @@ def _inside(pixels: NDArray[np.float64], size: tuple[int, int]) -> NDArray[np.bo
 
 
 def sample(values: Map, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Sample a map bilinearly; values are clamped beyond the border."""
+    """Sample a map bilinearly. Values are clamped beyond the border."""
     height, width = values.shape
     u, v = np.clip(pixels[:, 0], 0, width - 1), np.clip(pixels[:, 1], 0, height - 1)
     left, top = np.minimum(u.astype(np.int64), max(width - 2, 0)), np.minimum(v.astype(np.int64), max(height - 2, 0))
@@ -211,10 +211,10 @@ class DepthEstimate:
     """Estimated depth of an image.
 
     Args:
-        depth: Depth along the optical axis, float32 [h, w], in `unit`; 0 where unknown.
+        depth: Depth along the optical axis, float32 [h, w], in `unit`. 0 where unknown.
         is_metric: True if depth is in meters.
         scale, shift: 1 / depth = scale * d + shift, with d the network output or its inverse if it outputs depth.
-        inlier_share: Fraction of references that agree; None if there are too few to check.
+        inlier_share: Fraction of references that agree. None if there are too few to check.
         provider: onnxruntime provider: "CUDAExecutionProvider" or "CPUExecutionProvider".
         unit: "m", "the sparse model's", or "arbitrary".
         color: The upright image, uint8 [h, w, 3].
@@ -223,7 +223,7 @@ class DepthEstimate:
         input_size: Rows and columns of the network input for the complete image.
         enlargement: Image pixels per pixel of the network's map.
         references: Number of references.
-        tiles: Number of tiles that agreed with the complete image, and of all tiles; None without tiles.
+        tiles: Number of tiles that agreed with the complete image, and of all tiles. None without tiles.
     """
 
     depth: NDArray[np.float32]
@@ -289,7 +289,7 @@ def estimate_depth(
     device: Any = None,
     progress: ReportProgress | None = None,
 ) -> DepthEstimate:
-    """Estimate the depth of an image with an ONNX network that you provide; nothing is downloaded.
+    """Estimate the depth of an image with an ONNX network that you provide. Nothing is downloaded.
 
     Args:
         picture: PNG or JPEG file (rotated by its EXIF orientation), or uint8 or uint16 [h, w], [h, w, 3] or [h, w, 4].
@@ -298,12 +298,12 @@ def estimate_depth(
         intrinsic: Camera of the upright image; None: that of the sparse model, else the EXIF focal length, else a field
             of view of 60 degrees across the longer side.
         align: Known depths for scale and shift: a sparse model (from `read_colmap_model`, its folder, or (model, name))
-            that contains the image; a depth map [h, w] of any size, 0 where unknown (.png, .npy); or distances [n, 3]
+            that contains the image. A depth map [h, w] of any size, 0 where unknown (.png, .npy); or distances [n, 3]
             of column, row and meters (.txt, .csv), of which two suffice without a check.
         depth_scale: Units per meter of integer depth maps.
         tiles: Number of tiles along the longer side; above 1, tiles refine the depth of a large image.
         seed: Seed of the alignment.
-        device: "cpu" or None, "cuda", "cuda:N", or "auto"; see `DepthModel`. Not with a `DepthModel`.
+        device: "cpu" or None, "cuda", "cuda:N", or "auto". See `DepthModel`. Not with a `DepthModel`.
         progress: Called with ("tiles", done, all).
 
     Returns:
@@ -318,7 +318,7 @@ def estimate_depth(
         DeviceError: A device that is missing or not usable by onnxruntime; there is no silent fallback.
 
     Notes:
-        1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2; only the scale for
+        1 / z = scale * d + shift is fitted by RANSAC and refined on the inliers with weights z^2. Only the scale for
         networks that output depth. Depth beyond 10 times the farthest inlier is removed. About 40 B per pixel besides
         the network. Bitwise reproducible on one machine.
 
@@ -420,7 +420,7 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
 
 
 def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraIntrinsic) -> Map:
-    """The network output as inverse depth, up to scale and shift ([1/m] for metric networks); NaN where unknown."""
+    """The network output as inverse depth, up to scale and shift ([1/m] for metric networks). NaN where unknown."""
     kind, values = PRESETS[network.preset], reading.values
     if not kind.gives_scale:
         return values
@@ -466,7 +466,7 @@ def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:
 
 
 def _depth(inverse: Map, scale: float, shift: float, farthest: float) -> NDArray[np.float32]:
-    """Depth in float32; 0 if unknown, behind the camera, or beyond the maximum."""
+    """Depth in float32. 0 if unknown, behind the camera, or beyond the maximum."""
     w = inverse * np.float32(scale) + np.float32(shift)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         seen = w * np.float32(farthest) >= np.float32(1 - 1e-6) if np.isfinite(farthest) else w > 0

@@ -36,12 +36,12 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1
     """Compare a depth map with a true one of the same size, without alignment (see `estimate_depth`).
 
     Args:
-        depth: Shape [h, w]; integers are divided by `depth_scale`, floats are meters. <= 0, NaN and inf are invalid.
+        depth: Shape [h, w]. Integers are divided by `depth_scale`, floats are meters. <= 0, NaN and inf are invalid.
         truth: Likewise.
         depth_scale: Units per meter of integers.
 
     Returns:
-        The standard metrics of depth estimation; NaN without common pixels.
+        The standard metrics of depth estimation. NaN without common pixels.
 
     Raises:
         ValueError: A wrong shape, different sizes, or a scale out of range.

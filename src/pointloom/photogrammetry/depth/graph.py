@@ -40,7 +40,7 @@ class Graph:
 
 
 def load_graph(path: str) -> Graph:
-    """Read a model's graph without external files; FileError if invalid or if onnx is missing."""
+    """Read a model's graph without external files. FileError if invalid or if onnx is missing."""
     onnx = import_for(path, "onnx", "depth")
     with foreign_errors(path, NO_MODEL, remedy="Fetch or export the file again"):
         model = onnx.load(path, format="protobuf", load_external_data=False)

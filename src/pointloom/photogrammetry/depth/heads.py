@@ -49,7 +49,7 @@ class _Place:
     calls: tuple[tuple[Graph, Node], ...] = ()
 
     def producer(self) -> tuple[Node | None, _Place]:
-        """The node that computes the value, across function boundaries; None for a model input."""
+        """The node that computes the value, across function boundaries. None for a model input."""
         here = self
         for _ in range(MAX_STEPS):
             node = here.graph.producers.get(here.value)

@@ -57,11 +57,11 @@ def depth_of_pictures(
     Args:
         source: A PNG or JPEG file, or a folder of such.
         model: The .onnx file.
-        output: Cloud file; for a folder, a folder for clouds NAME.ply.
+        output: Cloud file. For a folder, a folder for clouds NAME.ply.
         settings: Network preset, camera, known depth; None: defaults.
-        depth_map: .npy file for the depth, float32 [h, w]; not for a folder.
-        picture: .png file with an image of the cloud; not for a folder.
-        device: As of `estimate_depth`; also for the clouds.
+        depth_map: .npy file for the depth, float32 [h, w]. Not for a folder.
+        picture: .png file with an image of the cloud. Not for a folder.
+        device: As of `estimate_depth`. Also for the clouds.
         overwrite: Replace existing outputs.
         progress: Called with (stage, steps done, steps in all).
 
@@ -69,8 +69,8 @@ def depth_of_pictures(
         A report with `warnings`. Nothing is written for images whose references do not fit the map.
 
     Raises:
-        TypeError, ValueError: An argument out of range; as `estimate_depth`.
-        FileError: An unreadable input or model, or an output that cannot be written; for a folder, if all fail.
+        TypeError, ValueError: An argument out of range. As `estimate_depth`.
+        FileError: An unreadable input or model, or an output that cannot be written. For a folder, if all fail.
         DeviceError: As `estimate_depth`.
 
     Example:

@@ -78,7 +78,7 @@ def check_signature(path: str, session: Any, preset: Preset) -> Signature:
 
 
 def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) -> Head:
-    """Classify the end of the model's graph; FileError if it is another network's."""
+    """Classify the end of the model's graph. FileError if it is another network's."""
     head = find_head(graph, signature.outputs["depth"])
     if head.kind == BROKEN:
         reason = (
@@ -224,7 +224,7 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
 MAX_THREADS = 1024
-SILENT = 4  # minimum severity of onnxruntime's stderr log; errors are raised as exceptions too
+SILENT = 4  # minimum severity of onnxruntime's stderr log. Errors are raised as exceptions too
 
 _REMEDIES = (
     ("External data", WEIGHTS_REMEDY),
@@ -289,7 +289,7 @@ class DepthModel:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"
 
     def run(self, picture: Any) -> Map:
-        """Run the network on an image; returns its map, float32 [h, w], at the image size in the network's unit.
+        """Run the network on an image. Returns its map, float32 [h, w], at the image size in the network's unit.
 
         Args:
             picture: As of `estimate_depth`.

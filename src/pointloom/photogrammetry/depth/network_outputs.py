@@ -1,7 +1,7 @@
 """Conversion of network outputs to a map of the image size, and the focal length if the network estimates one.
 
 - "map": the output unchanged.
-- "canonical": Depth Pro's inverse depth c; returns 1 / c, the depth if f is the image width, without the focal length
+- "canonical": Depth Pro's inverse depth c. Returns 1 / c, the depth if f is the image width, without the focal length
   of metric exports. 10 km and more is invalid (clamped by its `infer`).
 - "points": MoGe-2: points up to a shift and a scale, a sky mask, the metric scale.
 - "camera": UniDepth V2: points or depth in meters, and the camera matrix.
@@ -45,7 +45,7 @@ class Pinhole:
 
 
 def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[float, float] | None) -> Pinhole | None:
-    """The focal length and shift of a point map [h, w, 3], or the shift if `focal` is known; None if too sparse."""
+    """The focal length and shift of a point map [h, w, 3], or the shift if `focal` is known. None if too sparse."""
     rows, columns = (np.unique(np.linspace(0, side - 1, GRID).round().astype(int)) for side in valid.shape)
     grid = np.ix_(rows, columns)
     v, u = np.meshgrid(rows - (valid.shape[0] - 1) / 2, columns - (valid.shape[1] - 1) / 2, indexing="ij")
@@ -105,7 +105,7 @@ class _Sample:
 FARTHEST = 1e4  # [m] Depth Pro's clamp
 MIN_MASK = 0.5  # MoGe's mask threshold, as in its `infer`
 FOCALS = (0.1, 50.0)  # relative to the image width: 157 and 1 degrees
-MAX_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal; pinhole images have 0.01
+MAX_ERROR = 0.1  # maximum error of MoGe's points, relative to half the diagonal. Pinhole images have 0.01
 
 
 class ReadingError(Exception):
@@ -189,7 +189,7 @@ def _own_focal(given: dict[str, Any], placement: Placement) -> float | None:
 
 
 def _read_points(given: dict[str, Any], placement: Placement, focal: tuple[float, float], *, is_known: bool) -> Reading:
-    """Depth of a point map; up to scale if no focal length is known."""
+    """Depth of a point map. Up to scale if no focal length is known."""
     rows, columns = placement.rows, placement.columns
     points = np.asarray(given["depth"], np.float64)
     if points.shape != (1, rows, columns, 3):

@@ -80,7 +80,7 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
 
 
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:
-    """EXIF tags; empty if damaged, since the pixels are still valid."""
+    """EXIF tags. Empty if damaged, since the pixels are still valid."""
     plugin = PngImagePlugin.PngImageFile if kind == "png" else JpegImagePlugin.JpegImageFile
     with ignored_errors(), path_of(path).open("rb") as file, plugin(file) as picture:
         exif = picture.getexif()

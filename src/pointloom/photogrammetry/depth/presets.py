@@ -27,7 +27,7 @@ class Preset:
         name: Name of the preset.
         license: License of the weights.
         sizing: Input size for dynamic models. "lower": both sides at least `size`; "upper": at most; "minimal": the
-            side with the least change becomes `size`; then rounded to `multiple`. "area": same number of pixels,
+            side with the least change becomes `size`. Then rounded to `multiple`. "area": same number of pixels,
             keeping the aspect. "exact": `fixed`, stretched. "pad": `fixed`, letterboxed with the mean.
         size: Rows and columns for `sizing` [px].
         multiple: Sides are multiples of this [px].
@@ -84,7 +84,7 @@ def _midas(name: str, side: int, *, inside: bool) -> Preset:
 
 _DA3_APACHE = "Apache-2.0 (Large, Giant and Nested: CC-BY-NC-4.0)"
 
-# Depth Anything 3: sizes of its `upper_bound_resize` at 504; fixed inputs are padded by the mean as in its ONNX page.
+# Depth Anything 3: sizes of its `upper_bound_resize` at 504. Fixed inputs are padded by the mean as in its ONNX page.
 # Assumed: sides rounded to the nearest multiple, confidence and sky not needed, relative depth without shift, focal
 # length of the metric model as of the input.
 _DA3 = {
@@ -97,7 +97,7 @@ _METRIC3D = {
     "outputs": ("predicted_depth", "pred_depth", "depth"),
 }  # fmt: skip
 
-# Depth Pro: 1536 x 1536, stretched; canonical inverse depth c with z = (f / w) / c, f and w along x of the image; some
+# Depth Pro: 1536 x 1536, stretched; canonical inverse depth c with z = (f / w) / c, f and w along x of the image. Some
 # exports output meters by the network's own focal length.
 _DEPTH_PRO = {"focal": ("focallength_px",), "view": ("field_of_view", "fov_deg")}
 
@@ -155,14 +155,14 @@ DEFAULT = "depth-anything-v2"
 
 
 def find_preset(name: str) -> Preset:
-    """The preset of this name; TypeError or ValueError (with the known names) otherwise."""
+    """The preset of this name. TypeError or ValueError (with the known names) otherwise."""
     if check_name("preset", name) not in PRESETS:
         raise ValueError(f"preset: expected one of {', '.join(PRESETS)}, got {name!r}")
     return PRESETS[name]
 
 
 def input_size(preset: Preset, height: int, width: int) -> tuple[int, int]:
-    """Input rows and columns for an image and a dynamic model; ValueError if the input would be huge."""
+    """Input rows and columns for an image and a dynamic model. ValueError if the input would be huge."""
     rows, columns, step = *preset.size, preset.multiple
     if preset.sizing in ("exact", "pad"):
         return rows, columns

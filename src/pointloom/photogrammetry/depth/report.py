@@ -17,7 +17,7 @@ FEW_POINTS = 0.2  # fraction of the pixels
 
 @dataclass(frozen=True, eq=False)
 class PictureDepth(Assessed):
-    """Figures of one image as in `DepthEstimate`; sizes are (width, height), `reach` is the depth range or None."""
+    """Figures of one image as in `DepthEstimate`. Sizes are (width, height), `reach` is the depth range or None."""
 
     picture: str
     size: tuple[int, int]

@@ -20,8 +20,8 @@ class DepthSettings:
 
     Attributes:
         preset: Type of network, see docs/depth.md.
-        intrinsic: Camera of all images, or its file (Open3D's JSON); None as of `estimate_depth`.
-        align: File or folder of known depth, as of `estimate_depth`; for a folder also a folder of files by image name.
+        intrinsic: Camera of all images, or its file (Open3D's JSON). None as of `estimate_depth`.
+        align: File or folder of known depth, as of `estimate_depth`. For a folder also a folder of files by image name.
         depth_scale: Units per meter of integer depth maps.
         tiles: Tiles along the longer side; above 1, tiles refine a large image.
         keep_edges: Keep flying pixels between surfaces.

@@ -37,7 +37,7 @@ def side_of(height: int, width: int, tiles: int) -> int:
 def refine_by_tiles(
     color: NDArray[np.uint8], whole: Map, tiles: int, inverse: Inverse, *, seed: int, say: Callable[[int, int], None]
 ) -> tuple[Map, int, int]:
-    """Refine inverse depth `whole` [h, w] by tiles; returns the map, and the numbers of accepted and of all tiles."""
+    """Refine inverse depth `whole` [h, w] by tiles. Returns the map, and the numbers of accepted and of all tiles."""
     height, width = whole.shape
     side = side_of(height, width, tiles)
     places = [(top, left) for top in starts_of(height, side) for left in starts_of(width, side)]
@@ -56,7 +56,7 @@ def refine_by_tiles(
 
 
 def _aligned(tile: Map, whole: Map, seed: int) -> Map | None:
-    """The tile aligned to the complete map by cell means, which lack its detail; None if they do not agree."""
+    """The tile aligned to the complete map by cell means, which lack its detail. None if they do not agree."""
     size = min(tile.shape[0], CELLS), min(tile.shape[1], CELLS)
     small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, whole))  # NaN if any pixel is
     seen = np.isfinite(small) & np.isfinite(coarse)

@@ -1,7 +1,7 @@
 """Archives of feed-forward networks with poses, depth and confidence.
 
-VGGT (Wang et al. 2025) and MapAnything (Keetha et al. 2025): predictions.npz; Depth Anything 3 (Lin et al. 2025):
-results.npz in formats npz and mini_npz. Poses are world to camera, x right, y down, z forward; pixel centers are
+VGGT (Wang et al. 2025) and MapAnything (Keetha et al. 2025): predictions.npz. Depth Anything 3 (Lin et al. 2025):
+results.npz in formats npz and mini_npz. Poses are world to camera, x right, y down, z forward. Pixel centers are
 integers. Only MapAnything and metric Depth Anything models have metric scale.
 """
 
@@ -59,7 +59,7 @@ class DepthBundle:
 
     Attributes:
         maps: The DepthMaps, confidence 0 to 1.
-        pictures: uint8 [h, w, 3] of each; None if not in the file.
+        pictures: uint8 [h, w, 3] of each. None if not in the file.
         names: Image names.
         layout: "VGGT", "Depth Anything 3" or "MapAnything".
     """
@@ -101,7 +101,7 @@ class DepthBundle:
         device: Any = None,
         progress: ReportProgress | None = None,
     ) -> PointCloud | TriangleMesh:
-        """Filter the maps by mutual confirmation, then `fuse` them; a single image is fused unfiltered.
+        """Filter the maps by mutual confirmation, then `fuse` them. A single image is fused unfiltered.
 
         Args:
             to, voxel_size, progress: As of `fuse`.
@@ -144,7 +144,7 @@ def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, dev
         DeviceError: No such device.
 
     Notes:
-        Confidence c >= 1 becomes 1 - 1 / c; a mask becomes 0 and 1. Depth must be finite and positive. No pickles.
+        Confidence c >= 1 becomes 1 - 1 / c. A mask becomes 0 and 1. Depth must be finite and positive. No pickles.
 
     Example:
         >>> import numpy as np, pointloom as loom

@@ -38,9 +38,9 @@ class DepthMap:
     """Depth, normals and confidence of one image.
 
     Args:
-        depth: Along the camera's z, float32 [h, w] [pose units]; 0 where unknown.
+        depth: Along the camera's z, float32 [h, w] [pose units]. 0 where unknown.
         normals: Unit normals toward the camera in its frame (x right, y down, z forward), float32 [h, w, 3]; or 0.
-        confidence: 0 to 1, float32 [h, w]; 0 without depth.
+        confidence: 0 to 1, float32 [h, w]. 0 without depth.
 
     Raises:
         TypeError, ValueError: Not numeric, inconsistent shapes, invalid depth, or confidence outside 0..1.
@@ -140,7 +140,7 @@ class DepthMaps(Sequence[DepthMap]):
 
     @classmethod
     def open(cls, folder: FilePath) -> DepthMaps:
-        """Open a folder of maps; each is read on demand.
+        """Open a folder of maps. Each is read on demand.
 
         Raises:
             FileError: Not a complete folder of depth maps, or a damaged one.

@@ -94,7 +94,7 @@ def estimate_depth_maps(
 ) -> DepthMaps:
     """Estimate depth maps of images with known cameras by multi-view stereo.
 
-    PatchMatch over planes from a quarter to full resolution; the last passes enforce consistency with the sources.
+    PatchMatch over planes from a quarter to full resolution. The last passes enforce consistency with the sources.
     Textureless regions take a plane fitted to reliable depth around them. Then use `filter_depth_maps`.
 
     Args:
@@ -114,7 +114,7 @@ def estimate_depth_maps(
         progress: Called with ("depth", steps done, steps in all).
 
     Returns:
-        Maps at the image sizes. An image without sources from other positions has no depth and no `sources`; one with
+        Maps at the image sizes. An image without sources from other positions has no depth and no `sources`. One with
         fewer than three points is searched within frustum intersections.
 
     Raises:
@@ -125,7 +125,7 @@ def estimate_depth_maps(
 
     Notes:
         Bitwise reproducible for any number of threads. Device memory: 20 B per pixel of each image held, up to 96 B
-        more for the current one; host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015; Xu and
+        more for the current one; host memory (or `folder`): 32 B per pixel of all images. Galliani et al. 2015. Xu and
         Tao, "Multi-scale geometric consistency guided multi-view stereo", CVPR 2019, and "Planar prior assisted
         PatchMatch multi-view stereo", AAAI 2020.
 
@@ -222,7 +222,7 @@ def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.u
 
 
 def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, ...]) -> tuple[float, float] | None:
-    """Depth range of an image by its points or frustum intersections; None if there are none."""
+    """Depth range of an image by its points or frustum intersections. None if there are none."""
     seen, T = sparse.points[sparse.seen_by(index)], cameras[index].T_camera_world
     z = seen @ T[2, :3] + T[2, 3]
     z = z[z > 0]
@@ -236,7 +236,7 @@ def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, .
 def _telling(
     sources: Sequence[Sequence[int]], cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, float] | None]
 ) -> tuple[tuple[int, ...], ...]:
-    """The sources with parallax; none for images without a depth range."""
+    """The sources with parallax. None for images without a depth range."""
     out = []
     for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
         reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]

@@ -50,8 +50,8 @@ def filter_depth_maps(
     `max_relative`. Inverse depth is interpolated bilinearly, exact for planes, and averaged.
 
     Args:
-        maps: From `estimate_depth_maps`, or any DepthMaps; sizes may differ.
-        min_views: Number of confirming sources; an image with fewer sources needs all, one without keeps nothing. More
+        maps: From `estimate_depth_maps`, or any DepthMaps. Sizes may differ.
+        min_views: Number of confirming sources. An image with fewer sources needs all, one without keeps nothing. More
             is more reliable and less complete.
         max_pixels: Maximum forward-backward error [px].
         max_relative: Maximum relative difference of inverse depths.
@@ -63,7 +63,7 @@ def filter_depth_maps(
         progress: Called with (stage, images done, images in all).
 
     Returns:
-        The maps with the same cameras and sources; 0 where removed. Warns if less than 2% is confirmed.
+        The maps with the same cameras and sources. 0 where removed. Warns if less than 2% is confirmed.
 
     Raises:
         TypeError, ValueError: Not DepthMaps, or a number out of range.
@@ -71,7 +71,7 @@ def filter_depth_maps(
         DeviceError: No such device.
 
     Notes:
-        Bitwise reproducible on every device. Maps on disk are loaded one at a time; device memory: 44 B per pixel of
+        Bitwise reproducible on every device. Maps on disk are loaded one at a time. Device memory: 44 B per pixel of
         one image, and a cache of 1 GiB (4 B per pixel). Uses the sources' unfiltered depth. Schönberger et al.,
         "Pixelwise view selection for unstructured multi-view stereo", ECCV 2016, section 4.3.
 

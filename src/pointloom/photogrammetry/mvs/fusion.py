@@ -235,7 +235,7 @@ def _sees(camera: PosedCamera, points: NDArray[np.float64]) -> bool:
 
 
 def _typical_pixel(maps: DepthMaps) -> float:
-    """Median pixel width on the surface [pose units]; 0 without depth."""
+    """Median pixel width on the surface [pose units]. 0 without depth."""
     widths = []
     for i, camera in enumerate(maps.cameras):
         depth = maps[i].depth

@@ -121,7 +121,7 @@ class Phase:
     prior: bool = False
 
 
-# Small images need large patches against noise and ambiguity; the last phases use geometric consistency and small
+# Small images need large patches against noise and ambiguity. The last phases use geometric consistency and small
 # patches, which do not spread the foreground. A second pass with updated source depth helps more than a second
 # iteration. Priors need consistent depth: after the first such phase, and again after the second, since noisy patches
 # led pixels away.
@@ -139,7 +139,7 @@ GOOD = 0.8  # cost below which a source matches
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
-    """The images, their sources, and depth ranges [pose units]; images without sources are skipped."""
+    """The images, their sources, and depth ranges [pose units]. Images without sources are skipped."""
 
     pictures: Sequence[Picture]
     cameras: Sequence[PosedCamera]

@@ -56,7 +56,7 @@ class SparsePoints:
 
     Args:
         points: Shape [m, 3] [pose units].
-        observations: Unique pairs (image, point), integers from 0, shape [k, 2]; sorted here.
+        observations: Unique pairs (image, point), integers from 0, shape [k, 2]. Sorted here.
 
     Raises:
         TypeError, ValueError: Not numeric, a wrong shape, non-finite values, or an observation of a missing point.

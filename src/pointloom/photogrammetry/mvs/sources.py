@@ -25,7 +25,7 @@ WITHOUT_POINTS = 3.0  # baselines equal to one typical camera step
 def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tuple[int, ...], ...]:
     """Select the source images of each image for multi-view stereo, the most useful first.
 
-    Each next source adds most to the image's sparse points; a point counts until three good views see it. View weight
+    Each next source adds most to the image's sparse points. A point counts until three good views see it. View weight
     by angle: full from 3 to 10 degrees, less below, decaying by e per 10 degrees above. Images without shared points
     use sample points in intersecting frusta, else cameras with the same direction a few baselines aside (median
     distance of neighboring cameras).
@@ -42,7 +42,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
         TypeError, ValueError: Wrong types, a count out of range, or an observation by a missing image.
 
     Notes:
-        Deterministic; ties go to the lower number. 150 images with 50,000 points seen by 10 each take a second.
+        Deterministic. Ties go to the lower number. 150 images with 50,000 points seen by 10 each take a second.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -91,7 +91,7 @@ class _Tracks:
 def _by_cover(
     i: int, sparse: SparsePoints, tracks: _Tracks, centers: NDArray[np.float64], most: int
 ) -> tuple[int, ...]:
-    """Sources by points shared with image i; none without such points."""
+    """Sources by points shared with image i. None without such points."""
     mine = sparse.seen_by(i)
     places, pictures = tracks.of(mine)
     others = pictures != i
@@ -122,7 +122,7 @@ def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int, ...]:
-    """Sources by common sample points; none if no camera sees them from aside."""
+    """Sources by common sample points. None if no camera sees them from aside."""
     poses = np.array([camera.T_camera_world for camera in cameras])
     places, seen, angles = places_before(i, [camera.intrinsic for camera in cameras], poses)
     weights = _worth_of(angles) * seen
@@ -140,7 +140,7 @@ def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int
 
 
 def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: float) -> tuple[float, float] | None:
-    """Depth range of image i that others may see, by quantiles `low`, `high` of sample points; None if empty."""
+    """Depth range of image i that others may see, by quantiles `low`, `high` of sample points. None if empty."""
     poses = np.array([camera.T_camera_world for camera in cameras])
     places, seen, _ = places_before(i, [camera.intrinsic for camera in cameras], poses)
     weights = seen.sum(axis=1)

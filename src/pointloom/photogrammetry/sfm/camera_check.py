@@ -17,7 +17,7 @@ _REMEDY = "give the camera (intrinsic), or take pictures with the camera turned 
 
 @dataclasses.dataclass(frozen=True)
 class CameraCheck:
-    """Errors of adjustments with other focal lengths; NaN if not computed.
+    """Errors of adjustments with other focal lengths. NaN if not computed.
 
     Args:
         found: Focal length preferred by the images, of the first camera [px].
@@ -28,7 +28,7 @@ class CameraCheck:
         error: Root mean square reprojection error [px].
         freed_error: The error with a free focal length, or fixed at EXIF's [px].
         own_error: The error with a focal length per image [px].
-        parted: Number of cameras if one did not suffice; else 0.
+        parted: Number of cameras if one did not suffice. Else 0.
     """
 
     found: float = math.nan

@@ -17,7 +17,7 @@ import numpy as np
 # Test factors of the focal length: 15% too short a flight over ground makes heights 15% too small.
 HELD = (0.85, 1.18)
 
-# Minimum relative error decrease with one camera per image to try several cameras, as slow as the first mapping; images
+# Minimum relative error decrease with one camera per image to try several cameras, as slow as the first mapping. Images
 # of one camera have 1 to 4%.
 WORTH_TRYING = 0.2
 MUCH_BETTER = 2 / 3  # maximum relative error of a model with several cameras
@@ -26,7 +26,7 @@ SAME_LENS = 1.04  # focal lengths within this factor are one camera: single esti
 # Rise of the error: below the first value the focal length is undetermined, above the second determined; between them
 # parts of the images are left out.
 LEVEL, STEEP = 0.002, 0.05
-MAX_SPREAD = 0.025  # relative spread; twice that (5%) is EXIF's error
+MAX_SPREAD = 0.025  # relative spread. Twice that (5%) is EXIF's error
 GIVEN_WORSE = 0.8  # relative error with the preferred focal length that contradicts a given one
 FLAT = 0.02  # maximum relative rise of the error with EXIF's focal length
 
@@ -57,7 +57,7 @@ def rms_error(model: Any) -> float:
 
 
 def adjusted(pycolmap: Any, model: Any, *, focal: bool, lens: bool = True, steps: int = _STEPS) -> float:
-    """Bundle-adjust a model, optionally with focal length and distortion; returns the error."""
+    """Bundle-adjust a model, optionally with focal length and distortion. Returns the error."""
     options = pycolmap.BundleAdjustmentOptions()
     options.refine_focal_length, options.refine_extra_params, options.print_summary = focal, lens, False
     solver = options.ceres.solver_options
@@ -102,7 +102,7 @@ def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
 def settle_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
-    """Check the cameras of the largest model; returns the models and the values of `camera_check.CameraCheck`."""
+    """Check the cameras of the largest model. Returns the models and the values of `camera_check.CameraCheck`."""
     if models[0].num_points3D() < _MIN_POINTS or models[0].num_reg_images() < 2:
         return models, {}
     if job["fixed_camera"]:
@@ -222,7 +222,7 @@ def _parted(
     map_again: Callable[[], list[Any]],
     most_error: float,
 ) -> list[Any]:
-    """Models with a camera per group; the previous ones if those place fewer images or have larger errors."""
+    """Models with a camera per group. The previous ones if those place fewer images or have larger errors."""
     part_cameras(pycolmap, job["database"], groups, lengths)
     others = map_again()
     if not others or others[0].num_reg_images() < models[0].num_reg_images():
@@ -258,7 +258,7 @@ def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
 
 
 def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
-    """Minimum rise of the error at fixed focal length factors; if small, also its spread over image subsets."""
+    """Minimum rise of the error at fixed focal length factors. If small, also its spread over image subsets."""
     few = thinned(pycolmap, model)
     error = adjusted(pycolmap, few, focal=True)
     cameras, rises = used_cameras(few), []
@@ -323,7 +323,7 @@ def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) 
 
 
 def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
-    """The model with EXIF's focal lengths if they fit as well; cameras without move along."""
+    """The model with EXIF's focal lengths if they fit as well. Cameras without move along."""
     cameras = used_cameras(model)
     factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}
     usual = float(np.median(list(factors.values())))

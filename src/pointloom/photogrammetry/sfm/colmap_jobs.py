@@ -40,7 +40,7 @@ def run_job(
     poll: Callable[[], None] | None = None,
     tell: Report | None = None,
 ) -> tuple[dict[str, Any], int]:
-    """Run a COLMAP job; returns its result and peak memory [B]. FileError if it fails or passes a limit."""
+    """Run a COLMAP job. Returns its result and peak memory [B]. FileError if it fails or passes a limit."""
     command = [sys.executable, "-P", str(_WORKER)]
     last: dict[str, Any] = {}
     with LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=json.dumps(job)) as process:

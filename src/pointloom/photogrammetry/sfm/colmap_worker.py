@@ -2,7 +2,7 @@
 
 Runs as `python colmap_worker.py < job.json`. It imports pycolmap first and nothing of this package but
 colmap_cameras.py, since several packages with copies of the same libraries may hang or abort a process. Output:
-{"registered": n} as progress, and finally {"done": {...}} or {"failed": "why"}; COLMAP logs to standard error.
+{"registered": n} as progress, and finally {"done": {...}} or {"failed": "why"}. COLMAP logs to standard error.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import IO, Any
 
 # Initial focal length without EXIF, relative to the longer side. Phones and depth cameras have 0.7 to 0.9 in videos.
-# COLMAP's 1.2 registered 47 of 99 frames of a room, with a focal length a third too large; this value all of them.
+# COLMAP's 1.2 registered 47 of 99 frames of a room, with a focal length a third too large. This value all of them.
 FOCAL_FACTOR = 0.85
 # For fisheye models: 125 degrees over the longer side, between action cameras and hemispheres. With 0.85 no image of a
 # camera with 0.5 could be registered.
@@ -58,7 +58,7 @@ def main() -> int:
 
 
 def find_features(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Extract features; images are numbered before the threads start, since these finish in any order."""
+    """Extract features. Images are numbered before the threads start, since these finish in any order."""
     extraction = pycolmap.FeatureExtractionOptions()
     extraction.max_image_size, extraction.num_threads = job["max_size"], job["threads"]
     extraction.use_gpu = on_gpu(pycolmap, job)
@@ -99,7 +99,7 @@ def is_fisheye(model: str) -> bool:
 
 
 def on_gpu(pycolmap: Any, job: dict[str, Any]) -> bool:
-    """True if features use a GPU: pycolmap-cuda12 and a device; RuntimeError if requested but missing."""
+    """True if features use a GPU: pycolmap-cuda12 and a device. RuntimeError if requested but missing."""
     wanted = job["gpu"]
     if wanted is False:
         return False
@@ -121,7 +121,7 @@ def _cuda_devices() -> int:
 
 
 def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
-    """Select SIFT or a network; RuntimeError without ONNX, where COLMAP would abort the process."""
+    """Select SIFT or a network. RuntimeError without ONNX, where COLMAP would abort the process."""
     if kind == "sift":
         return
     if not hasattr(options, "aliked"):
@@ -240,7 +240,7 @@ def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> 
 
 
 def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    """Triangulate matches with fixed poses; feature positions are undistorted, relative to the principal point."""
+    """Triangulate matches with fixed poses. Feature positions are undistorted, relative to the principal point."""
     import numpy as np
 
     with np.load(job["arrays"]) as given:

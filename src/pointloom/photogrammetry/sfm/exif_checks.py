@@ -27,7 +27,7 @@ _TURNED = range(5, 9)  # orientations that swap width and height
 
 
 def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
-    """Why EXIF's focal length is rejected for an image of this size [px]; None if accepted or missing."""
+    """Why EXIF's focal length is rejected for an image of this size [px]. None if accepted or missing."""
     inner = _inner(path)
     focal, film, zoom = (_number(inner, tag) for tag in (_FOCAL, _FILM, _ZOOM))
     longer, diagonal = max(size), math.hypot(*size)

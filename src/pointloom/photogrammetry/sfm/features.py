@@ -97,12 +97,12 @@ def find_features(
     Args:
         pictures: Folder of upright 8-bit PNG or JPEG images, as from `choose_frames`.
         database: Output file (COLMAP database); replaced if it exists.
-        camera_model: COLMAP camera model; its parameters are estimated later. Images with the same size and the same
+        camera_model: COLMAP camera model. Its parameters are estimated later. Images with the same size and the same
             EXIF make, model and focal length share a camera.
         intrinsic: Known camera of all images, scaled to their size. `map_pictures(..., fix_intrinsic=True)` keeps it.
         max_size: Maximum image side for feature extraction [px].
         max_features: Maximum number per image.
-        masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black; images
+        masks: Folder of masks as from `choose_frames`: IMG_1.jpg.png for IMG_1.jpg, no features where black. Images
             without a mask are used completely.
         kind: "sift", or "aliked" (Zhao et al. 2023) if pycolmap was built with ONNX (not that of PyPI).
         use_gpu: Use a GPU (requires pycolmap-cuda12); None: if available. Features differ from the CPU's.
@@ -115,8 +115,8 @@ def find_features(
         The number of features of each image.
 
     Raises:
-        FileError: Fewer than two images; a damaged, rotated or 16-bit image; a mask that is missing, of another size or
-            that hides all; pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed; a full disk.
+        FileError: Fewer than two images. A damaged, rotated or 16-bit image. A mask that is missing, of another size or
+            that hides all; pycolmap is missing (`pip install "pointloom[sfm]"`). COLMAP failed. A full disk.
         TypeError, ValueError: An argument out of range, or a camera of another aspect ratio.
 
     Notes:
@@ -233,7 +233,7 @@ Group = tuple[tuple[int, int], tuple[str, ...]]
 
 
 def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
-    """Image names by size and EXIF lens, the group of the first image first; FileError if unsuitable for COLMAP."""
+    """Image names by size and EXIF lens, the group of the first image first. FileError if unsuitable for COLMAP."""
     paths = sorted(list_pictures(folder), key=lambda path: path.name)
     if len(paths) < 2:
         raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")

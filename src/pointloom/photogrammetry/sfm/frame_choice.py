@@ -18,7 +18,7 @@ class FrameChoice:
         numbers: Frame numbers in the video, or image numbers in the folder, from 0.
         sizes: Number of images of each (width, height) [px], most frequent first.
         frame_count: Frames or images read.
-        frames_promised: Frames according to the video header; None if unknown.
+        frames_promised: Frames according to the video header. None if unknown.
         blurred_count: Number of blurred frames.
         left_out: Unusable ones by name or number, with the reason.
         notes: Remarks.

@@ -52,7 +52,7 @@ def is_blank(small: NDArray[np.uint8]) -> bool:
 
 
 def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
-    """Image shift between two thumbnails relative to the longer side; 0 if blank, 1 if sizes differ."""
+    """Image shift between two thumbnails relative to the longer side. 0 if blank, 1 if sizes differ."""
     if first.shape != second.shape:
         return 1.0
     height, width = first.shape
@@ -115,7 +115,7 @@ class FramePicker:
         self.chosen: list[int] = []
         self.blank: list[int] = []
         self.blurred = self.still = 0
-        self._sharpness: list[float] = []  # of all frames; NaN if blank
+        self._sharpness: list[float] = []  # of all frames. NaN if blank
         self._small: collections.deque[NDArray[np.uint8]] = collections.deque(maxlen=LAG + NEAR + 1)
         self._last: NDArray[np.uint8] | None = None
         self._judged = 0

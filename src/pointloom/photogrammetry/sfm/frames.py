@@ -50,7 +50,7 @@ def choose_video_frames(
 
 
 def _look(video: VideoFile, picker: FramePicker, limits: dict[str, Any], say: ReportProgress) -> tuple[int, str, int]:
-    """Feed all frames to the picker; returns their number, the decoder's messages, and its memory [B]."""
+    """Feed all frames to the picker. Returns their number, the decoder's messages, and its memory [B]."""
     with VideoFrames(video, max_size=ANALYSIS_SIZE, gray=True, **limits) as frames:
         for gray in frames:
             picker.add(gray)
@@ -145,7 +145,7 @@ def choose_frames(
         TypeError, ValueError: An argument is out of range.
 
     Notes:
-        A video is decoded twice: small and gray for the selection, then the selected frames; memory is constant.
+        A video is decoded twice: small and gray for the selection, then the selected frames. Memory is constant.
         Reproducible with one build of ffmpeg. Blurred: Laplacian variance below 0.6 of the median of the 7 frames on
         both sides; movement by phase correlation.
 

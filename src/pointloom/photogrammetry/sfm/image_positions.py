@@ -109,9 +109,9 @@ class PicturePlace:
     Attributes:
         name: File name.
         latitude, longitude: WGS 84 [degrees].
-        altitude: Above sea or ellipsoid, depending on the camera [m]; None if missing.
+        altitude: Above sea or ellipsoid, depending on the camera [m]. None if missing.
         relative_altitude: Above the take-off point [m] (DJI).
-        horizontal_sigma, vertical_sigma: Standard deviations [m]; None if missing.
+        horizontal_sigma, vertical_sigma: Standard deviations [m]. None if missing.
         rtk: "fixed", "float", "single" or "none" (DJI).
         attitude: Yaw clockwise from north, pitch up, roll to the right of the camera [degrees] (XMP).
         direction: Viewing direction, clockwise from true north [degrees] (EXIF).
@@ -140,7 +140,7 @@ class PicturePlaces:
         attitudes: Yaw, pitch and roll by name, also of images without a position.
         refused: Reason of each rejected position, by image name.
         picture_count: Number of images.
-        altitudes_refused: Rejected altitudes [m], by name; the position is used without.
+        altitudes_refused: Rejected altitudes [m], by name. The position is used without.
     """
 
     places: tuple[PicturePlace, ...]
@@ -158,7 +158,7 @@ class PicturePlaces:
 
     @property
     def frame(self) -> WorldFrame:
-        """Local frame [m] at the median position and the median known altitude; raises ValueError without positions."""
+        """Local frame [m] at the median position and the median known altitude. Raises ValueError without positions."""
         if not self.places:
             raise ValueError("places: no picture says where it was taken")
         turns = _unwrapped([place.longitude for place in self.places])

@@ -32,7 +32,7 @@ class SfmResult(Assessed):
     """Result of `map_pictures`.
 
     Args:
-        model: The largest model; None if there is none.
+        model: The largest model. None if there is none.
         folder: Its folder, in COLMAP's format.
         quality: Its quality.
         missing: Names of images without a pose.
@@ -72,7 +72,7 @@ def map_pictures(
 
     Args:
         pictures: Image folder, for the point colors.
-        matches: Database of `match`; not modified.
+        matches: Database of `match`. Not modified.
         folder: Output folder of the model (COLMAP binary), new or empty.
         fix_intrinsic: Keep the cameras given to `find_features`.
         mapper: "incremental" (Schoenberger and Frahm 2016), "global" (GLOMAP, Pan et al. 2024), or "auto": incremental

@@ -1,4 +1,4 @@
-"""Image masks for COLMAP: gray PNG files of the image size, black where excluded; IMG_1.jpg.png for IMG_1.jpg."""
+"""Image masks for COLMAP: gray PNG files of the image size, black where excluded. IMG_1.jpg.png for IMG_1.jpg."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MakeMask = Callable[[NDArray[np.uint8], str], Any]
 KEPT = 128  # brightness threshold of masks
 _LEAST = 0.001  # minimum unmasked fraction of an image
 _ENDINGS = (".png", ".jpg", ".jpeg")
-_BACK = {6: 8, 8: 6}  # inverse EXIF orientations; the others are self-inverse
+_BACK = {6: 8, 8: 6}  # inverse EXIF orientations. The others are self-inverse
 
 
 def check_masks(masks: Any) -> FilePath | MakeMask | None:
@@ -127,7 +127,7 @@ def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[s
 
 
 def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-    """The mask of an image as it was written; None if missing."""
+    """The mask of an image as it was written. None if missing."""
     if callable(masks):
         return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
     if masks == ALPHA:
@@ -138,7 +138,7 @@ def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, in
 
 
 def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
-    """The mask of a photograph in stored orientation; None if missing. A mask function gets the image as stored."""
+    """The mask of a photograph in stored orientation. None if missing. A mask function gets the image as stored."""
     if callable(masks):
         return _of_function(masks, read_stored(picture), picture.name, size)
     if masks == ALPHA:
@@ -185,7 +185,7 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
 
 
 def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
-    """Rotate and scale a mask like its image; one that only fits the upright shape is taken as upright."""
+    """Rotate and scale a mask like its image. One that only fits the upright shape is taken as upright."""
     orientation = UPRIGHT if origin is None else read_orientation(origin)
     turned = upright(mask, orientation)
     for each in (turned, mask):

@@ -50,7 +50,7 @@ def read_descriptors(database: Path) -> dict[int, Descriptors]:
 
 
 def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.int64]:
-    """The nearest word of each descriptor, the first of ties; exact."""
+    """The nearest word of each descriptor, the first of ties. Exact."""
     w = words.astype(np.float32)
     lengths = (w * w).sum(axis=1, dtype=np.float32)
     found = [
@@ -78,7 +78,7 @@ def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descripto
 
 
 def describe(descriptors: Descriptors, words: Descriptors) -> NDArray[np.float64]:
-    """VLAD description of an image as integers, float64 [words * length]; zero without features."""
+    """VLAD description of an image as integers, float64 [words * length]. Zero without features."""
     mine = nearest_words(descriptors, words)
     off = _sums(descriptors, mine, len(words)) - np.bincount(mine, minlength=len(words))[:, None] * words.astype(int)
     rooted = np.sign(off) * np.sqrt(np.abs(off).astype(np.float64))
@@ -173,7 +173,7 @@ def match(
     """Match the features of image pairs, with geometric verification.
 
     Args:
-        database: Of `find_features`; not modified.
+        database: Of `find_features`. Not modified.
         matches: Output file: the database with matches; replaced if it exists.
         pairs: "sequential" for images in capture order (video); "exhaustive" for all pairs; "retrieval" for the most
             similar images; "auto": exhaustive up to 40 images, else sequential and retrieval.

@@ -33,7 +33,7 @@ _NARROWING = 3.0
 
 
 def triangulation_angles(model: SfmModel) -> Array:
-    """The widest angle between two rays of each point, shape [m] [degrees]; 0 for a single ray."""
+    """The widest angle between two rays of each point, shape [m] [degrees]. 0 for a single ray."""
     angles = np.zeros(len(model.points))
     order = np.argsort(model.observations[:, 1], kind="stable")
     pictures, points = model.observations[order].T
@@ -133,7 +133,7 @@ MIN_REGISTERED = 0.6  # fraction of the images
 WHOLE = 0.95  # fraction in the largest model above which others are ignored: they overlap
 MIN_ANGLE = 2.0  # [degrees] gives point depth within a few per cent
 MIN_PARALLAX = 0.002  # relative to the longer side: a few pixels, several times the feature error
-MAX_ERROR = 1.0  # [px] at feature extraction size; a correct lens gives 0.1 to 0.6
+MAX_ERROR = 1.0  # [px] at feature extraction size. A correct lens gives 0.1 to 0.6
 FINDING_SIZE = 1600  # [px] longer side for feature extraction
 MIN_POINTS = 100
 MIN_POINTS_A_PICTURE = 20
@@ -151,12 +151,12 @@ class ModelQuality(Assessed):
         model_sizes: Images of each model, the largest first.
         point_count: Points.
         points_a_picture: Median number of points per image.
-        angle: Median over points of the widest triangulation angle [degrees]; NaN without points.
-        parallax: Parallax that a pure rotation does not explain [px]; NaN if unknown.
-        error: Median reprojection error [px]; NaN without points.
-        warnings: Failed quality checks, each with its remedy; empty if the model is reliable.
-        focal: Check of the focal length; None if not done.
-        poses: Check of given poses; None if they were estimated.
+        angle: Median over points of the widest triangulation angle [degrees]. NaN without points.
+        parallax: Parallax that a pure rotation does not explain [px]. NaN if unknown.
+        error: Median reprojection error [px]. NaN without points.
+        warnings: Failed quality checks, each with its remedy. Empty if the model is reliable.
+        focal: Check of the focal length. None if not done.
+        poses: Check of given poses. None if they were estimated.
     """
 
     picture_count: int
@@ -207,17 +207,17 @@ def assess_model(
     """Assess a model: how many images have a pose, and how well they determine the depth of its points.
 
     Args:
-        model: The model; None if there is none.
+        model: The model. None if there is none.
         picture_count: Number of images.
         model_sizes: Images of each model, this one first; None: only this one.
-        fix_intrinsic: The cameras were known; otherwise pure rotation is tested with free intrinsics.
-        focal: Focal length check of `map_pictures`; None if not done.
+        fix_intrinsic: The cameras were known. Otherwise pure rotation is tested with free intrinsics.
+        focal: Focal length check of `map_pictures`. None if not done.
         poses: Pose check of `triangulate`.
 
     Returns:
         The measures, and a warning for each failed check: fewer than 60% of the images have a pose; less than 95% with
-        other models present; angles below 2 degrees, or pure rotation; a median error above one pixel (of larger
-        images, one at 1600 px); a contradicted or undetermined focal length; too few points.
+        other models present; angles below 2 degrees, or pure rotation. A median error above one pixel (of larger
+        images, one at 1600 px). A contradicted or undetermined focal length; too few points.
 
     Raises:
         TypeError, ValueError: Not a model, or counts that do not fit it.

@@ -152,7 +152,7 @@ def scaled_size(size: tuple[int, int], max_size: int | None) -> tuple[int, int]:
 
 
 def ordered_names(paths: Sequence[Path]) -> list[str]:
-    """Unique names that sort in this order, as COLMAP requires; numbers are prepended if necessary."""
+    """Unique names that sort in this order, as COLMAP requires. Numbers are prepended if necessary."""
     names = [unicodedata.normalize("NFC", path.stem) for path in paths]
     plain = [name if name.isprintable() and _is_text(name) else "" for name in names]
     in_order = names == sorted(names, key=lambda name: f"{name}.")  # sorted with suffixes

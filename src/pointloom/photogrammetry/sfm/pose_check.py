@@ -58,7 +58,7 @@ class PoseCheck:
         distance: Median epipolar distance of those that fit [px].
         cause: Likely error; "" if unknown.
         cause_share: Fraction of matches that fits after its correction.
-        focal: Preferred factor of the focal length; NaN if not tested.
+        focal: Preferred factor of the focal length. NaN if not tested.
         strays: Images whose matches do not fit although most others do.
     """
 

@@ -21,7 +21,7 @@ from .picture_writing import write_picture
 def cut_spheres(
     spheres: Path, names: Sequence[str], pictures: Path, masks: tuple[Path, Path] | None, say: ReportProgress
 ) -> list[str]:
-    """Write the cube faces (IMG_1_front.jpg and so on) of panoramas and masks without blank ones; their names."""
+    """Write the cube faces (IMG_1_front.jpg and so on) of panoramas and masks without blank ones. Their names."""
     pictures.mkdir()
     if masks is not None:
         masks[1].mkdir()
@@ -53,7 +53,7 @@ def cut_spheres(
 
 
 def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, list[str]]:
-    """Add unregistered faces, such as those straight down, from the registered face with most points; their names."""
+    """Add unregistered faces, such as those straight down, from the registered face with most points. Their names."""
     counts = np.bincount(model.observations[:, 0], minlength=len(model))
     best: dict[str, int] = {}
     for k in np.argsort(-counts, kind="stable").tolist():

@@ -151,7 +151,7 @@ def straight_mask(
 
 
 def unseen_of(lens: Undistortion) -> NDArray[np.bool_] | None:
-    """Pixels of the undistorted image outside the lens image; None if negligible."""
+    """Pixels of the undistorted image outside the lens image. None if negligible."""
     if is_straight(lens.camera, lens):
         return None
     unseen = ~lens.seen
@@ -171,7 +171,7 @@ class TrainingFolder(Report):
     Attributes:
         folder: Its path.
         picture_count: Number of images.
-        straightened_count: Undistorted or downscaled images; the others are copies.
+        straightened_count: Undistorted or downscaled images. The others are copies.
         sizes: Unique image widths and heights [px].
         point_count: Sparse points.
         mask_count: Masks: for all images, or none.
@@ -235,7 +235,7 @@ def write_training_folder(
 
     Raises:
         TypeError, ValueError: An argument out of range, no image in the model, or a wrong number of images.
-        FileError: An image or mask is missing, damaged or of a wrong size; the folder cannot be written or replaced.
+        FileError: An image or mask is missing, damaged or of a wrong size. The folder cannot be written or replaced.
         DeviceError: No such device.
 
     Notes:

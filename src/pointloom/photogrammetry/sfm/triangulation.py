@@ -41,7 +41,7 @@ class TriangulationResult(Assessed):
     """Result of `triangulate`.
 
     Args:
-        model: The given cameras of the images, and the points; no points if the poses do not fit.
+        model: The given cameras of the images, and the points. No points if the poses do not fit.
         quality: Quality of the model.
         without_pose: Images without a pose.
         without_picture: Names of cameras without an image.
@@ -80,13 +80,13 @@ def triangulate(
 ) -> TriangulationResult:
     """Triangulate points from images with known poses.
 
-    Images with overlapping frusta are matched near the epipolar lines, and COLMAP triangulates the points; poses and
-    lenses are not changed. First the poses are checked against matches by appearance; wrong ones give no points.
+    Images with overlapping frusta are matched near the epipolar lines, and COLMAP triangulates the points. Poses and
+    lenses are not changed. First the poses are checked against matches by appearance. Wrong ones give no points.
 
     Args:
         pictures: Folder of upright 8-bit PNG or JPEG images.
         cameras: Lenses and poses, such as from `read_metashape_cameras`, `read_colmap_model`, `read_cameras`, without
-            their points; images by name, with or without extension.
+            their points. Images by name, with or without extension.
         max_size: Maximum image side for feature extraction [px].
         max_features: Maximum number per image.
         seed: Random seed.
@@ -100,13 +100,13 @@ def triangulate(
 
     Raises:
         FileError: Missing or damaged images, fewer than two with a camera, or of another size than their camera;
-            pycolmap is missing (`pip install "pointloom[sfm]"`); COLMAP failed or passed a limit.
+            pycolmap is missing (`pip install "pointloom[sfm]"`). COLMAP failed or passed a limit.
         TypeError, ValueError: An argument is out of range.
         DeviceError: No such device.
 
     Notes:
         Reproducible for any number of threads. Features beyond 75 degrees off the axis are ignored. Maximum epipolar
-        distance: 4 times the median of matches by appearance, between 1 px and 0.6% of the longer side; points need
+        distance: 4 times the median of matches by appearance, between 1 px and 0.6% of the longer side. Points need
         three images if possible. Schoenberger and Frahm, "Structure-from-motion revisited", CVPR 2016, section 4.3.
 
     Example:

@@ -99,7 +99,7 @@ _MAX_PIXELS = 2**28
 
 @dataclasses.dataclass(frozen=True)
 class VideoFile:
-    """Header of a video: `promised` frame count (None if unknown), exact if `is_counted`; mean `fps` (0 if unknown)."""
+    """Header of a video: `promised` frame count (None if unknown), exact if `is_counted`. Mean `fps` (0 if unknown)."""
 
     path: Path
     reader: str
@@ -178,7 +178,7 @@ def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str
 
 
 def _number(text: Any) -> float:
-    """A number as ffprobe writes it ("30000/1001"); 0 for "N/A" and invalid text."""
+    """A number as ffprobe writes it ("30000/1001"). 0 for "N/A" and invalid text."""
     try:
         return float(Fraction(str(text)))
     except (ValueError, ZeroDivisionError):
@@ -223,7 +223,7 @@ class VideoFrames:
         return self._process.peak_bytes
 
     def __iter__(self) -> Iterator[NDArray[np.uint8]]:
-        """Yield each frame, read-only [h, w] or [h, w, 3]; FileError if the program fails or there is none."""
+        """Yield each frame, read-only [h, w] or [h, w, 3]. FileError if the program fails or there is none."""
         stream = self._process.stdout
         assert stream is not None
         while (frame := _read_netpbm(stream)) is not None:
@@ -282,7 +282,7 @@ def _ffmpeg_version() -> tuple[int, ...]:
 
 
 def _read_netpbm(stream: IO[bytes]) -> NDArray[np.uint8] | None:
-    """The next image of a PGM and PPM stream; None at its end or if truncated."""
+    """The next image of a PGM and PPM stream. None at its end or if truncated."""
     kind, size, most = (stream.readline(40) for _ in range(3))
     if kind not in (b"P5\n", b"P6\n") or most != b"255\n":
         return None

@@ -76,7 +76,7 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
 def run_to(
     last: str, chain: Chain, given: Mapping[str, Given], stages: Mapping[str, Callable[..., Mapping[str, Any]]] = STAGES
 ) -> Made:
-    """Run the stages up to `last` or reuse them; returns the record of the last."""
+    """Run the stages up to `last` or reuse them. Returns the record of the last."""
     for name, make in stages.items():
         if name not in chain.made:
             chain.run(stage_of(name, make, chain.made, given))

@@ -75,7 +75,7 @@ def _triples(count: int, seed: int) -> list[NDArray[np.int64]]:
 def _concentrated(
     source: Array, target: Array, sigma: Array, rows: NDArray[np.int64], most: int
 ) -> tuple[float, NDArray[np.int64]] | None:
-    """Cost and indices of the best points from a triple; None if collinear."""
+    """Cost and indices of the best points from a triple. None if collinear."""
     off = np.zeros(len(source))
     for _ in range(TURNS):
         if is_straight(target[rows]) or is_straight(source[rows]):

@@ -156,7 +156,7 @@ class _Found:
         self.marks[name, picture] = ControlMark(name, picture, pixel, where)  # pyright: ignore[reportArgumentType]
 
     def add_word_line(self, line: int, words: list[str]) -> bool:
-        """Parse `bar` and `mark` lines; True if it was one."""
+        """Parse `bar` and `mark` lines. True if it was one."""
         word = words[0].lower()
         if word == "bar":
             if len(words) not in (4, 5):

@@ -27,9 +27,9 @@ class ControlResidual:
     Attributes:
         name: Point name.
         use: "control", "check", or "unused".
-        residual: Estimated minus known position, shape [3] [m], east, north and up; None if not triangulated.
+        residual: Estimated minus known position, shape [3] [m], east, north and up. None if not triangulated.
         sigma: Its expected standard deviation, shape [3] [m].
-        pixels: Root mean square reprojection error of its marks [px]; NaN if not triangulated.
+        pixels: Root mean square reprojection error of its marks [px]. NaN if not triangulated.
         views: Images whose marks are used.
         remark: Why it or some marks are unused.
     """
@@ -67,7 +67,7 @@ class BarResidual:
 
     Attributes:
         bar: The bar.
-        found: Estimated length [m]; NaN if an end is not triangulated.
+        found: Estimated length [m]. NaN if an end is not triangulated.
         sigma: Standard deviation of estimated minus known length [m].
         use: "control", "check", or "unused".
         remark: Why it is unused.
@@ -103,14 +103,14 @@ class BarResidual:
 
 @dataclass(frozen=True, eq=False)
 class GpsGaps:
-    """Residuals of image positions (GPS) against ground control: east, north, up, [n, 3] [m]; NaN without altitude."""
+    """Residuals of image positions (GPS) against ground control: east, north, up, [n, 3] [m]. NaN without altitude."""
 
     names: tuple[str, ...]
     residuals: Array
 
     @property
     def shift(self) -> Array:
-        """Median along each axis [m]; NaN for height without altitudes."""
+        """Median along each axis [m]. NaN for height without altitudes."""
         columns = self.residuals.T
         return np.array([np.nanmedian(each) if np.isfinite(each).any() else np.nan for each in columns])
 
@@ -138,18 +138,18 @@ class ControlFit(Assessed):
     """Agreement with ground control.
 
     Attributes:
-        frame: Geographic frame, meters about the median point; None without a coordinate system.
+        frame: Geographic frame, meters about the median point. None without a coordinate system.
         crs: Coordinate system of the points as given, or "".
         origin: Offset of coordinates without a system, shape [3] [m]; zeros if small.
         T_world_model: Similarity, float64 [4, 4].
         scale: Meters per model unit.
         scale_sigma: Relative standard deviation of the scale.
-        tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees]; NaN with lengths only.
-        misfit: Ratio of actual to expected control residuals; NaN with lengths only.
+        tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees]. NaN with lengths only.
+        misfit: Ratio of actual to expected control residuals. NaN with lengths only.
         points, bars: The residuals.
-        is_placed: True if the frame is that of the points; with lengths only it is the model's.
+        is_placed: True if the frame is that of the points. With lengths only it is the model's.
         gps: Residuals of the unused image positions.
-        warnings: Failed quality checks, each with its remedy; empty if the fit is reliable.
+        warnings: Failed quality checks, each with its remedy. Empty if the fit is reliable.
         notes: Remarks.
     """
 
@@ -170,7 +170,7 @@ class ControlFit(Assessed):
     notes: tuple[str, ...] = ()
 
     def rms(self, use: str) -> float:
-        """Root mean square residual of "control" or "check" points [m]; NaN without any."""
+        """Root mean square residual of "control" or "check" points [m]. NaN without any."""
         return rms_of([point.residual for point in self.points if point.use == use])
 
     def to_dict(self) -> dict[str, Any]:

@@ -62,7 +62,7 @@ def _checked(places: Array, crs: str) -> Array:
 
 
 def utm_code(crs: str) -> int | None:
-    """EPSG code (WGS 84) of a UTM zone in common notations; None for other systems."""
+    """EPSG code (WGS 84) of a UTM zone in common notations. None for other systems."""
     text = crs.strip()
     if match := re.fullmatch(r"EPSG:(\d{1,6})", text, re.IGNORECASE):
         code = int(match[1])

@@ -51,9 +51,9 @@ class PlacesFit:
         T_world_model: Similarity into it, float64 [4, 4].
         scale: Meters per model unit.
         names: Images with a position.
-        residuals: Estimated minus given, east, north and up, [n, 3] [m]; NaN without altitude.
+        residuals: Estimated minus given, east, north and up, [n, 3] [m]. NaN without altitude.
         inliers: Mask of the positions used, [n].
-        horizontal_rms, vertical_rms: Of the inliers [m]; the latter NaN without altitudes.
+        horizontal_rms, vertical_rms: Of the inliers [m]. The latter NaN without altitudes.
         extent: Horizontal bounding box diagonal [m].
         scale_sigma: Relative standard deviation of the scale.
         tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees].

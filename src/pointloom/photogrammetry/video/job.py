@@ -93,7 +93,7 @@ def reconstruct(
     multi-view stereo (`depth`), fused points (`fused`) and surface (`mesh`).
 
     Args:
-        source: A video for ffmpeg, or a folder of images; a folder with `settings.cameras`.
+        source: A video for ffmpeg, or a folder of images. A folder with `settings.cameras`.
         settings: Number and size of images, unit, camera; None: defaults.
         outputs: Additional output files, checked before the work; None: none.
         work: Folder of stage files and report.json; None: temporary, beside the mesh file or in the current folder,

@@ -30,7 +30,7 @@ MIN_ANGLE = math.radians(0.5)  # minimum angle between two rays
 
 @dataclass(frozen=True, eq=False)
 class MarkedPoint:
-    """A triangulated point: `place` [3] with `covariance`, or None with a `reason`; mark `errors` [px] by image."""
+    """A triangulated point: `place` [3] with `covariance`, or None with a `reason`. Mark `errors` [px] by image."""
 
     name: str
     place: Array | None
@@ -145,7 +145,7 @@ def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> t
 
 
 def _gaps(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> Array:
-    """Reprojection errors [px]; NaN behind a camera."""
+    """Reprojection errors [px]. NaN behind a camera."""
     found = []
     for k, pixel in seen:
         T = model.T_camera_world[k]

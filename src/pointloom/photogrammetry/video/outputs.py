@@ -37,15 +37,15 @@ from .units import Fit, Units
 
 @dataclass(frozen=True)
 class Outputs:
-    """Output files of a video reconstruction; None if not requested.
+    """Output files of a video reconstruction. None if not requested.
 
     Attributes:
-        mesh: .ply, .obj, .stl, .off, .glb or .gltf; STL has no colors.
+        mesh: .ply, .obj, .stl, .off, .glb or .gltf. STL has no colors.
         cloud: The fused points.
         trajectory: The poses, .log, .txt or .tum.
         picture: Image of the mesh, .png.
         training: Folder of `sfm.write_training_folder`, at full image size, in the mesh frame.
-        ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM; requires georeferenced photographs and `cell`.
+        ortho: Orthophoto of the mesh, a GeoTIFF (.tif) in UTM. Requires georeferenced photographs and `cell`.
         dem: Elevation model, likewise.
         cell: Cell size of both [m].
 
@@ -132,7 +132,7 @@ class Outputs:
         return FileError(self._maps[0], f"is a map, and {reason}", remedy=remedy)
 
     def write(self, result: VideoResult, *, overwrite: bool) -> tuple[str, ...]:
-        """Write the outputs of a result with a mesh; returns the file names.
+        """Write the outputs of a result with a mesh. Returns the file names.
 
         Raises:
             FileError: One cannot be written.

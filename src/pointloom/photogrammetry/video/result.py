@@ -21,7 +21,7 @@ MIN_KEPT = 0.2  # minimum fraction of confirmed pixels
 
 @dataclass(frozen=True)
 class VideoFigures:
-    """Figures of a result from the stage records; None for stages not reached.
+    """Figures of a result from the stage records. None for stages not reached.
 
     Attributes:
         frame_count: Frames of the video, or images of the folder.
@@ -35,7 +35,7 @@ class VideoFigures:
         point_count: Fused points.
         vertex_count, triangle_count: Of the mesh.
         floater_count: Removed triangles of small floating parts.
-        bounds: Lowest and highest corner of the mesh, "min" and "max"; None without vertices.
+        bounds: Lowest and highest corner of the mesh, "min" and "max". None without vertices.
     """
 
     frame_count: int
@@ -113,14 +113,14 @@ class VideoResult(Assessed):
         mesh: The surface, or None.
         cloud: The fused points, or None.
         model: Poses, lenses and sparse points, or None. Mesh, cloud and model share one frame and the unit of `fit`.
-        fit: Source of the unit, and the similarity from the original model; None without `model`.
+        fit: Source of the unit, and the similarity from the original model. None without `model`.
         figures: The VideoFigures.
-        warnings: Failed quality checks, each with its remedy; empty if the result is reliable.
+        warnings: Failed quality checks, each with its remedy. Empty if the result is reliable.
         stages: The record of each stage, None if not reached.
         files: Written files.
         work: Folder of stage files if requested.
         peak_bytes: Peak memory of this process or its children [B].
-        training: The training folder and its coordinate offset; None without one.
+        training: The training folder and its coordinate offset. None without one.
     """
 
     source: str

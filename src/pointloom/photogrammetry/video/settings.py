@@ -41,7 +41,7 @@ class Settings:
         camera_model: COLMAP camera model if estimated: "OPENCV_FISHEYE" for a fisheye.
         pairs: As of `sfm.match`.
         max_features: Maximum number per image.
-        panorama: The images are equirectangular (360 degrees, aspect 2:1); each becomes six cube faces.
+        panorama: The images are equirectangular (360 degrees, aspect 2:1). Each becomes six cube faces.
         mapper: As of `sfm.map_pictures`.
 
     Raises:
@@ -107,7 +107,7 @@ class Settings:
                 raise ValueError(f"{name}: goes with pictures whose poses are to be found, and cameras tells them")
 
     def digest_of_masks(self) -> dict[str, str]:
-        """Digest of the masks for records; unique for functions, which cannot be compared."""
+        """Digest of the masks for records. Unique for functions, which cannot be compared."""
         if self.masks is None:
             return {}
         if callable(self.masks):

@@ -44,7 +44,7 @@ EXIF, NONE = "exif", "none"  # keywords of `align`
 class Units:
     """Known scale or position of a reconstruction: at most one of scale, known, align, and control.
 
-    If nothing is given, image positions (GPS in EXIF and XMP) are used if they determine scale and rotation; else the
+    If nothing is given, image positions (GPS in EXIF and XMP) are used if they determine scale and rotation. Else the
     model is leveled if its cameras determine the up direction.
 
     Attributes:
@@ -53,8 +53,8 @@ class Units:
         align: File of camera positions: poses (.log, .txt, .tum, by image number) or lines `name x y z`; "exif" for
             image positions (unreliable if insufficient); "none" for the model's frame.
         places: Image positions; None: `reconstruct` reads them from the folder.
-        control: GroundControl, or its file (`read_ground_control`), with three points or more; GPS is only compared.
-        scale_bars: File of known lengths between marked points; without `control` they determine the scale only.
+        control: GroundControl, or its file (`read_ground_control`), with three points or more. GPS is only compared.
+        scale_bars: File of known lengths between marked points. Without `control` they determine the scale only.
 
     Raises:
         TypeError: Not numbers, or not two names.
@@ -160,10 +160,10 @@ class Fit(Assessed):
     Attributes:
         T_world_model: Similarity, float64 [4, 4].
         units: "meters", "arbitrary", or "of the poses given".
-        scale: Meters per model unit; 1 if unknown.
+        scale: Meters per model unit. 1 if unknown.
         by: Source: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
         places: Agreement with the positions of `align`.
-        warnings: Failed quality checks; empty if the fit is reliable.
+        warnings: Failed quality checks. Empty if the fit is reliable.
         gps: Agreement with the image positions if used.
         up: The up direction if estimated.
         notes: Remarks.
@@ -265,7 +265,7 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
 
 
 def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
-    """Fit by control points or scale bars; if insufficient, by other data and unreliable."""
+    """Fit by control points or scale bars. If insufficient, by other data and unreliable."""
     try:
         found = fit_control(model, ground, units.places)
     except NotSettledError as error:

@@ -36,7 +36,7 @@ from .results import FusionResult
 
 Pose = NDArray[np.float64]
 
-VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m; a room takes about 100 MB
+VOXEL_SIZE = 0.02  # [m] twice the noise of structured light at 2 m. A room takes about 100 MB
 
 NO_FRAME = "frames: expected at least one frame, got none"
 
@@ -63,7 +63,7 @@ def fuse(
         truncation: Truncation distance [m]; None: 4 voxels.
         depth_max: Maximum depth [m].
         weight_threshold: Minimum weight (exclusive) of surface voxels; None: 3 from 30 frames on, 1 from 10, else 0.
-        refine: Align each frame with the model first; a frame that does not fit keeps its pose.
+        refine: Align each frame with the model first. A frame that does not fit keeps its pose.
         device: Compute device; None: the CPU.
         read_ahead: Number of frames read ahead; 0: none.
         progress: Called with (stage, steps done, steps in all or 0 if unknown).
@@ -149,7 +149,7 @@ def _integrate_frames(
     say: ReportProgress,
     clock: Clock,
 ) -> tuple[Pose, tuple[float, float]]:
-    """Integrate all frames; returns their poses, and the fractions of pixels measured and used."""
+    """Integrate all frames. Returns their poses, and the fractions of pixels measured and used."""
     poses, shares, count = [], [], count_of(frames)
     say("frames", 0, count)
     with contextlib.closing(read_frames(frames, read_ahead)) as taken:

@@ -41,7 +41,7 @@ class PoseCheck:
         self._count += 1
 
     def seen_extent(self) -> float:
-        """Longest side of the bounding box of the sampled frames [m]; 0 if empty."""
+        """Longest side of the bounding box of the sampled frames [m]. 0 if empty."""
         K, ends = self._camera, []
         for depth, pose in self._kept:
             z = self._metres(depth)
@@ -59,7 +59,7 @@ class PoseCheck:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
 
     def share_off(self, volume: TSDFVolume) -> float | None:
-        """Median fraction of frame pixels off the surface by half the truncation; None for fewer than two frames."""
+        """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""
         shares = []
         for depth, pose in self._kept:
             z = self._metres(depth)

@@ -33,8 +33,8 @@ class FusionResult(Assessed):
         used_share: Fraction of all pixels with depth up to `depth_max`.
         weight_threshold: Minimum weight (exclusive) of surface voxels.
         refinement: Result of the pose refinement, if any.
-        share_off: Median fraction of pixels off the surface at the given poses; None if unknown.
-        seen_extent: Longest side of the observed scene [m]; None if not measured.
+        share_off: Median fraction of pixels off the surface at the given poses. None if unknown.
+        seen_extent: Longest side of the observed scene [m]. None if not measured.
 
     Example:
         >>> import numpy as np, pointloom as loom

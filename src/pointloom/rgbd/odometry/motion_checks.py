@@ -99,7 +99,7 @@ def _excess(v: NDArray[np.float64], blur: float) -> float:
 
 
 def correlation(v: NDArray[np.float64]) -> float:
-    """Brightness correlation of matched pixels; 1 without contrast."""
+    """Brightness correlation of matched pixels. 1 without contrast."""
     n, s, t, ss, tt, st = v[at.SHADE_COUNT : at.SHADE_COUNT + 6]
     variances = (ss / n - (s / n) ** 2) * (tt / n - (t / n) ** 2)
     return float((st / n - s * t / n / n) / np.sqrt(variances)) if variances > 1e-8 else 1.0

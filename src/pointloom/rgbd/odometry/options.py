@@ -41,7 +41,7 @@ class OdometryOption:
     Args:
         iteration_number_per_pyramid_level: Maximum steps per level, the coarsest first; further levels repeat the first
             number. Exact numbers of steps and levels with `weights="open3d"`.
-        depth_diff_max: Maximum depth difference of a pixel pair [m] with `weights="open3d"`; otherwise by the noise.
+        depth_diff_max: Maximum depth difference of a pixel pair [m] with `weights="open3d"`. Otherwise by the noise.
         depth_min, depth_max: Valid depth range [m].
 
     Raises:
@@ -79,7 +79,7 @@ class OdometryConvergenceCriteria:
 
     Args:
         max_iteration: Maximum number of steps.
-        relative_rmse, relative_fitness: Relative changes below which a level ends with `weights="open3d"`; otherwise it
+        relative_rmse, relative_fitness: Relative changes below which a level ends with `weights="open3d"`. Otherwise it
             ends when a step moves pixels by less than 0.03 px.
 
     Raises:
@@ -105,7 +105,7 @@ class OdometryConvergenceCriteria:
 
 @dataclasses.dataclass(frozen=True)
 class OdometryLossParams:
-    """Residual limits for `weights="open3d"`; otherwise they follow the frame noise.
+    """Residual limits for `weights="open3d"`. Otherwise they follow the frame noise.
 
     Args:
         depth_outlier_trunc: Maximum depth residual [m].

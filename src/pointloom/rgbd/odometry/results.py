@@ -17,21 +17,21 @@ class OdometryResult(Assessed):
     """The motion between two frames. Unpacks as Open3D's (reliable, transformation, information).
 
     Attributes:
-        transformation: T_target_source, float64 [4, 4]; the last estimate if it failed.
+        transformation: T_target_source, float64 [4, 4]. The last estimate if it failed.
         information: Of the inlier pixels, about the target's camera, rotation first, float64 [6, 6], as in Open3D's
-            pose graphs; the last entry is their number at full size. Zero if it failed.
-        warnings: Why the motion is unreliable; empty if it is reliable.
+            pose graphs. The last entry is their number at full size. Zero if it failed.
+        warnings: Why the motion is unreliable. Empty if it is reliable.
         inliers: Source pixels on the target's surface, at the compared size.
         fitness: Their fraction of the source's depth pixels.
         overlap: Fraction of the source's depth pixels where the target has depth.
         inlier_rmse: Root mean square distance from the target's surface [m].
-        intensity_rmse: Brightness difference, 0..1, after exposure correction; NaN without color.
+        intensity_rmse: Brightness difference, 0..1, after exposure correction. NaN without color.
         smallest_eigenvalue: Mean squared cost of 1 cm along the least determined motion, in noise variances; below
             0.015 the motion is undetermined.
         iterations: Steps in all levels.
         contradiction: Contradiction of the inliers by normals, distances or brightness, or empty; ignores occlusion.
-        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6], due to noise;
-            valid if the motion is not contradicted.
+        covariance: Of the motion about the target's camera, rotation first [rad, m], float64 [6, 6], due to noise.
+            Valid if the motion is not contradicted.
     """
 
     transformation: NDArray[np.float64]

@@ -78,7 +78,7 @@ def compute_rgbd_odometry(
 
     Notes:
         Bitwise reproducible for any number of threads. `OdometryFrame` avoids preparing an image twice. Park, Zhou and
-        Koltun, "Colored point cloud registration revisited", ICCV 2017; Steinbruecker, Sturm and Cremers 2011.
+        Koltun, "Colored point cloud registration revisited", ICCV 2017. Steinbruecker, Sturm and Cremers 2011.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -177,7 +177,7 @@ def compute_odometry_information_matrix(
     """Compute the information matrix of the matching pixels of two depth images, for a pose graph.
 
     Args:
-        source_depth, target_depth: Shape [h, w]; integers of 16 bits and more, or floats.
+        source_depth, target_depth: Shape [h, w]. Integers of 16 bits and more, or floats.
         intrinsic: The camera of both, or its matrix [3, 3].
         source_to_target: Relative pose, 4x4.
         dist_threshold: Maximum point distance [m].
@@ -185,7 +185,7 @@ def compute_odometry_information_matrix(
         depth_max: Exclusive maximum depth [m].
 
     Returns:
-        Sum of G^T G, G = [-[q]x, I], over the target points q, float64 [6, 6], rotation first; zero without any.
+        Sum of G^T G, G = [-[q]x, I], over the target points q, float64 [6, 6], rotation first. Zero without any.
 
     Raises:
         ValueError, TypeError: Wrong shapes or numbers.
@@ -452,7 +452,7 @@ def _sum(
 
 
 def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """The step as Rz Ry Rx and a translation; None if singular."""
+    """The step as Rz Ry Rx and a translation. None if singular."""
     h = np.zeros((6, 6))
     h[np.triu_indices(6)] = sums[:21]
     h = h + np.triu(h, 1).T

@@ -39,7 +39,7 @@ ALIASES = {
     "icp_voxelsize": "voxel_size",
     "surface_weight_thr": "surface_weight_threshold",
 }
-# Names of the tensor system only; with one of them `voxel_size` is that of the volume.
+# Names of the tensor system only. With one of them `voxel_size` is that of the volume.
 _TENSOR_NAMES = frozenset(("icp_voxelsize", "fragment_size", "odometry_loop_interval", "trunc_voxel_multiplier"))
 _TENSOR_GROUPS = frozenset(("general", "input", "odometry", "registration", "integration", "slac"))
 VALUE_ALIASES = {
@@ -58,10 +58,10 @@ IGNORED = frozenset(
 
 @dataclasses.dataclass(frozen=True)
 class ReconstructionConfig:
-    """Options of the reconstruction system; names and most defaults are Open3D's.
+    """Options of the reconstruction system. Names and most defaults are Open3D's.
 
     Args:
-        path_dataset: Folder of the frames, for callers; the functions here take a source.
+        path_dataset: Folder of the frames, for callers. The functions here take a source.
         path_intrinsic: Camera file, likewise.
         depth_min, depth_max: Used depth range [m].
         depth_scale: Stored depth units per meter; None: the source's.
@@ -72,7 +72,7 @@ class ReconstructionConfig:
         n_keyframes_per_n_frame: Frames between keyframes, which are used for loop closures.
         preference_loop_closure_odometry: For the pose graph of a fragment, as `GlobalOptimizationOption`.
         voxel_size: Voxel edge of the fragment registration [m]; refined at a half and a quarter of it.
-        global_registration: Open3D's choices are accepted; all mean `registration.register_fragments`.
+        global_registration: Open3D's choices are accepted. All mean `registration.register_fragments`.
         icp_method: "point_to_point", "point_to_plane", "color" (point-to-plane without color) or "generalized".
         preference_loop_closure_registration: For the pose graph of the fragments.
         tsdf_cubic_size: 512 voxels [m]: defines the scene's voxel edge if `tsdf_voxel_size` does not.
@@ -171,7 +171,7 @@ class ReconstructionConfig:
     def from_names(cls, names: Mapping[str, Any]) -> ReconstructionConfig:
         """Create a configuration from names and values as in a JSON file, including Open3D's aliases.
 
-        Names of the tensor system are accepted with or without groups; with `icp_voxelsize`, its `voxel_size` is the
+        Names of the tensor system are accepted with or without groups. With `icp_voxelsize`, its `voxel_size` is the
         volume's. Options of Open3D's parallelization (`python_multi_threading`, `block_count`, ...) are ignored.
 
         Raises:

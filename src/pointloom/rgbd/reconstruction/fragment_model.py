@@ -22,7 +22,7 @@ from .job import run_system
 from .job_files import Places
 from .report import SystemReport
 
-# Entries of the system's report in the account; the rest is about the mesh and the run.
+# Entries of the system's report in the account. The rest is about the mesh and the run.
 _TOLD = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
 
 

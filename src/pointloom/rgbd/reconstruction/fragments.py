@@ -55,8 +55,8 @@ class Fragment:
         number: Index of the fragment.
         indices, names: Indices of its frames in the source, int64 [n], and their names.
         poses: T_fragment_frame, float64 [n, 4, 4], relative to its first frame.
-        joint: Odometry link to an earlier fragment; None if there is none.
-        broke: Reason for the gap before this fragment; empty if there is none.
+        joint: Odometry link to an earlier fragment. None if there is none.
+        broke: Reason for the gap before this fragment. Empty if there is none.
         loops: Number of keyframe pairs tried, aligned, and kept by the pose graph.
         colored: True if all frames have color.
         cloud_path: The file of its cloud.
@@ -105,11 +105,11 @@ def make_fragments(
 ) -> FragmentSet:
     """Split frames into fragments, and write a pose graph and a point cloud for each.
 
-    Consecutive frames are aligned by odometry; a pair that fails ends the fragment. Keyframes with overlapping views
+    Consecutive frames are aligned by odometry. A pair that fails ends the fragment. Keyframes with overlapping views
     are aligned as loop closures, and a pose graph gives the poses. The cloud is from a TSDF volume.
 
     Args:
-        source: Frames with random access; each is read at least twice.
+        source: Frames with random access. Each is read at least twice.
         config: The ReconstructionConfig.
         folder: Job folder; created if missing.
         resume: Keep finished fragments whose frames, configuration and files are unchanged.
@@ -123,7 +123,7 @@ def make_fragments(
     Raises:
         TypeError: Wrong type of source or configuration.
         ValueError: No frame.
-        FileError: A file cannot be written; finished fragments stay, and `resume` continues.
+        FileError: A file cannot be written. Finished fragments stay, and `resume` continues.
         DeviceError: No such device.
 
     Notes:
@@ -501,13 +501,13 @@ class Walk:
 def align(
     config: ReconstructionConfig, source: OdometryFrame, target: OdometryFrame, T_target_source: Matrix
 ) -> OdometryResult:
-    """Odometry between two frames with the configured method; depth only if one has no color."""
+    """Odometry between two frames with the configured method. Depth only if one has no color."""
     method = METHODS[config.odometry_method if source.has_color and target.has_color else "point_to_plane"]
     return align_frames(source, target, T_target_source, method=method)
 
 
 SAMPLES = 300  # sampled depth pixels per keyframe
-SHARED = 0.35  # minimum common fraction; Open3D uses 0.3 between fragments
+SHARED = 0.35  # minimum common fraction. Open3D uses 0.3 between fragments
 SAME_DEPTH = 0.1  # relative depth difference beyond which a sample is occluded
 MAX_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
 

@@ -69,7 +69,7 @@ class Frames:
         return type(self.source).__name__ if folder is None else os.fspath(folder)
 
     def digest(self, index: int) -> str:
-        """Digest of a frame's files (by name, size and modification time) or images; empty if unreadable."""
+        """Digest of a frame's files (by name, size and modification time) or images. Empty if unreadable."""
         stamp = self._stamp(index)
         return self.read(index).digest if stamp is None else stamp
 
@@ -106,7 +106,7 @@ class Frames:
         return contextlib.closing(self.read_all(indices))
 
     def _stamp(self, index: int) -> str | None:
-        """Digest of the state of a frame's files, empty if one is missing; None without files."""
+        """Digest of the state of a frame's files, empty if one is missing. None without files."""
         try:
             files = self.source.frames[index]
             paths = [Path(path) for path in (files.depth, files.color) if path is not None]

@@ -35,10 +35,10 @@ class ReconstructionResult(Assessed):
     """Result of `reconstruct`.
 
     Attributes:
-        mesh: The surface; empty if nothing was seen often enough.
+        mesh: The surface. Empty if nothing was seen often enough.
         account: A SlamAccount (`path`, `loops`, ...), or a FragmentsAccount.
         error: ATE and RPE after rigid alignment, if true poses are known.
-        focal: Check of the focal length; None with too little rotation, or if the frames were a stream.
+        focal: Check of the focal length. None with too little rotation, or if the frames were a stream.
     """
 
     mesh: TriangleMesh

@@ -48,7 +48,7 @@ def run_system(
             other `RGBDSource`) is first recorded to `frames/` in the job's folder.
         config: The configuration; None: the defaults.
         folder: Job folder; created if missing; earlier results are replaced.
-        resume: Keep valid results of an earlier run; an interruption loses at most one fragment. A recording is reused.
+        resume: Keep valid results of an earlier run. An interruption loses at most one fragment. A recording is reused.
         refine: Run `refine_registration`.
         slac: Run `refine_with_slac`, and undistort the frames.
         device: Compute device; None: the CPU.

@@ -38,8 +38,8 @@ class BentPlacement:
     """Result of the SLAC stage.
 
     Attributes:
-        placement: The fragment poses; its pose graph has no `report`.
-        grid: Distortion grid in fragment coordinates; without anchors if rigid.
+        placement: The fragment poses. Its pose graph has no `report`.
+        grid: Distortion grid in fragment coordinates. Without anchors if rigid.
         figures: "method", "anchors", "bent_m" (root mean square displacement), "rmse_before" and "rmse" (point-to-plane
             [m]), "edges", and the number "used".
     """
@@ -104,7 +104,7 @@ def refine_with_slac(
 
 
 def placement_with_slac(places: Places, fragments: list[Fragment], device: Any) -> BentPlacement:
-    """The current result of `refine_with_slac`; FileError if missing or outdated."""
+    """The current result of `refine_with_slac`. FileError if missing or outdated."""
     found = _read(places, latest_placement(places, fragments), device)
     if found is None:
         raise FileError(places.root, "holds no placement by SLAC", remedy="Run refine_with_slac with it first")

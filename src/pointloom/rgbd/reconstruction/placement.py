@@ -35,12 +35,12 @@ class Placement:
     """Fragment poses.
 
     Attributes:
-        poses: T_scene_fragment, float64 [n, 4, 4]; the identity if not placed.
+        poses: T_scene_fragment, float64 [n, 4, 4]. The identity if not placed.
         placed: Mask, bool [n].
-        groups: Connected component of each fragment, int [n]; the largest is the scene.
+        groups: Connected component of each fragment, int [n]. The largest is the scene.
         pose_graph: Graph of the placed fragments, in order.
         made_from: Digest of the inputs.
-        before: Digest of the refined placement; empty if there is none.
+        before: Digest of the refined placement. Empty if there is none.
         fragments: Digest of the fragments.
     """
 
@@ -67,7 +67,7 @@ def register_fragments(
 ) -> Placement:
     """Register the fragments in a job's folder.
 
-    Odometry links are refined, and all other pairs are registered globally; a pose graph removes contradicting loops
+    Odometry links are refined, and all other pairs are registered globally. A pose graph removes contradicting loops
     (`registration.register_fragments`).
 
     Args:
@@ -78,7 +78,7 @@ def register_fragments(
         progress: Called with ("pairs", done, all).
 
     Returns:
-        The fragment poses; only the largest (then first) connected group is placed.
+        The fragment poses. Only the largest (then first) connected group is placed.
 
     Raises:
         TypeError: Not a configuration.
@@ -130,7 +130,7 @@ def write_placement(places: Places, stage: str, placement: Placement) -> None:
 
 
 def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
-    """The current result of `register_fragments`; FileError if missing or outdated."""
+    """The current result of `register_fragments`. FileError if missing or outdated."""
     placed = read_placement(places, STAGE)
     if placed is None or placed.fragments != digest_of_all(fragments):
         reason = "holds no placed fragments" if placed is None else "holds fragments that were made again since"

@@ -59,7 +59,7 @@ def refine_registration(
     """Refine the fragment poses in a job's folder.
 
     Each edge of `register_fragments` is refined by `icp_method` at voxels of `voxel_size`, a half and a quarter of it,
-    in batches; then the pose graph is optimized again. An edge that drifts off keeps its pose.
+    in batches. Then the pose graph is optimized again. An edge that drifts off keeps its pose.
 
     Args:
         config, folder, device: As of `register_fragments`.
@@ -101,7 +101,7 @@ def refine_registration(
 
 
 def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
-    """The refined placement if up to date, else the original; FileError without any."""
+    """The refined placement if up to date, else the original. FileError without any."""
     placed = placement_of(places, fragments)
     refined = read_placement(places, STAGE)
     return placed if refined is None or refined.before != placed.made_from else refined

@@ -69,8 +69,8 @@ class SystemReport(Report, Assessed):
         trajectory_error: rmse, median and max [m] if true poses are known.
         kept: Number of fragments reused from an earlier run.
         files: The mesh and the trajectory files.
-        warnings: Failed quality checks; empty if the result is reliable.
-        slac: `BentPlacement.figures`; None if not requested.
+        warnings: Failed quality checks. Empty if the result is reliable.
+        slac: `BentPlacement.figures`. None if not requested.
         seconds: Time of each stage [s].
         peak_bytes: Peak memory [B].
     """

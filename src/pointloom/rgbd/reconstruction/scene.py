@@ -43,13 +43,13 @@ class Scene:
     """The fused model.
 
     Attributes:
-        mesh_path: Mesh file; None if the mesh is empty.
+        mesh_path: Mesh file. None if the mesh is empty.
         trajectory_path: Trajectory file.
-        cloud_path: Point cloud file; only with SLAC and `save_output_as` "pointcloud".
+        cloud_path: Point cloud file. Only with SLAC and `save_output_as` "pointcloud".
         indices: Source indices of its frames, int64 [n].
         T_world_camera: Camera poses, float64 [n, 4, 4], in the frame of the first placed fragment.
         lost: Placed frames that could not be read again.
-        figures: Vertices, triangles, bounds, voxels; with known poses also "trajectory_error" (rmse, median, max [m]).
+        figures: Vertices, triangles, bounds, voxels. With known poses also "trajectory_error" (rmse, median, max [m]).
     """
 
     mesh_path: Path | None
@@ -76,7 +76,7 @@ def integrate_scene(
     Args:
         source: The frames that the fragments were made of.
         config, folder, device: As of `make_fragments`.
-        slac: Undistort the frames, at the poses of `refine_with_slac`; also writes points and grid if
+        slac: Undistort the frames, at the poses of `refine_with_slac`. Also writes points and grid if
             `config.save_output_as` is "pointcloud".
         resume: Keep a valid earlier result.
         progress: Called with ("integrate", done, all), and ("extract", 0, 0).

@@ -46,7 +46,7 @@ def fuse_frames(
     straight: Straightener | None = None,
     seen: Callable[[ReadFrame], None] = lambda frame: None,
 ) -> list[LostFrame]:
-    """Fuse frames at poses T_volume_camera [n, 4, 4] in order; returns the unreadable ones. Calls `seen` with each."""
+    """Fuse frames at poses T_volume_camera [n, 4, 4] in order. Returns the unreadable ones. Calls `seen` with each."""
     lost = []
     with frames.closing(indices) as read:
         for place, (frame, pose) in enumerate(zip(read, poses, strict=True)):
@@ -67,7 +67,7 @@ def fuse_frames(
 
 
 def cloud_of(volume: TSDFVolume) -> PointCloud:
-    """The surface of a volume as points; with few frames, of all observed voxels."""
+    """The surface of a volume as points. With few frames, of all observed voxels."""
     for threshold in least_weights(volume.frame_count):
         cloud = volume.extract_point_cloud(threshold)
         if len(cloud):
@@ -106,11 +106,11 @@ def integrate_deformed(
     Args:
         volume: The volume, on the grid's device.
         grid: From `run_slac_optimizer_for_fragments`.
-        depth: Shape [h, w]; integers of 16 bits and more, or floats.
+        depth: Shape [h, w]. Integers of 16 bits and more, or floats.
         intrinsic: The camera, of the image size.
         T_world_fragment: Optimized pose of the frame's fragment, shape [4, 4].
         T_fragment_camera: Camera pose in the fragment; None: the identity.
-        color: uint8 [h, w, 3]; as of `TSDFVolume.integrate`.
+        color: uint8 [h, w, 3]. As of `TSDFVolume.integrate`.
         depth_scale: Depth units per meter; None: 1000 for integers and 1 for floats.
         depth_max: Maximum depth [m], before and after undistortion.
 
@@ -118,7 +118,7 @@ def integrate_deformed(
         The number of blocks touched.
 
     Raises:
-        TypeError, ValueError, DeviceError: As `TSDFVolume.integrate` and `ControlGrid.deform_depth`; the volume is
+        TypeError, ValueError, DeviceError: As `TSDFVolume.integrate` and `ControlGrid.deform_depth`. The volume is
         unchanged.
 
     Example:

@@ -1,6 +1,6 @@
 """Dense RGB-D SLAM without given poses: camera trajectory and surface, with a check of the two streams.
 
-The stream check correlates the image shifts of color and depth after removal of a running mean; a peak at another lag
+The stream check correlates the image shifts of color and depth after removal of a running mean. A peak at another lag
 is a time offset. A repeated depth image beside changing colors is a stalled stream, since sensor noise never repeats.
 """
 
@@ -61,12 +61,12 @@ class DenseSLAM:
         depth_scale: Integer depth units per meter.
         depth_max: Maximum depth used [m].
         leave_out_moving: Exclude pixels of objects that appeared within the last second from the model.
-        submap_frames: Frames per submap (typically 100); None keeps no submaps, and `close_loops` raises.
+        submap_frames: Frames per submap (typically 100). None keeps no submaps, and `close_loops` raises.
         seed: Seed of the keyframe recognition.
         device: "cpu", "cuda:0", "auto"; None: the CPU.
 
     Attributes:
-        results: A TrackingResult for each frame, in order; its `map` is the number of the map that the pose refers to.
+        results: A TrackingResult for each frame, in order. Its `map` is the number of the map that the pose refers to.
         stream: The StreamCheck of color against depth; `stream.problem` is the reason if they do not match.
         foreground: The Foreground: detection of near objects that move independently and are excluded.
 
@@ -178,14 +178,14 @@ class DenseSLAM:
 
     @property
     def trajectory(self) -> Trajectory:
-        """The poses of the frames of the largest map that are not lost; see `trajectory_of` for other maps.
+        """The poses of the frames of the largest map that are not lost. See `trajectory_of` for other maps.
 
         Its ids are (frame number, frame number, 1 if tracked or 0 if uncertain). Timestamps if all frames have them.
         """
         return self.trajectory_of(next(iter(self.map_sizes), 0))
 
     def trajectory_of(self, number: int) -> Trajectory:
-        """`trajectory` of one map in its own coordinates; empty if there is no such map.
+        """`trajectory` of one map in its own coordinates. Empty if there is no such map.
 
         Raises:
             TypeError, ValueError: `number` is not an integer >= 0.
@@ -198,7 +198,7 @@ class DenseSLAM:
         return Trajectory(poses, None if None in times or not times else np.array(times, np.float64), ids)
 
     def track(self, frame: Any) -> TrackingResult:
-        """Estimate the pose of a frame without changing the model; the next frame is expected to follow this one.
+        """Estimate the pose of a frame without changing the model. The next frame is expected to follow this one.
 
         Args:
             frame: Object with `depth`, optional `color`, `timestamp` [s], `name`. The first with depth is at T_init.
@@ -216,7 +216,7 @@ class DenseSLAM:
         return result
 
     def integrate(self, frame: Any) -> bool:
-        """Fuse the last tracked frame if its pose is accepted; returns True if it was fused.
+        """Fuse the last tracked frame if its pose is accepted. Returns True if it was fused.
 
         Raises:
             ValueError: No frame was tracked yet, or the last one was fused already.
@@ -317,21 +317,21 @@ class DenseSLAM:
         number, and poses in `results` are updated.
 
         Returns:
-            The attempts of this call, each with the reason if rejected; empty if there is one map.
+            The attempts of this call, each with the reason if rejected. Empty if there is one map.
         """
         with unwatched():
             return self._joining.search()
 
     def render(self, T_world_camera: ArrayLike) -> RayCast:
-        """Render the current map from a pose in that map; see `Model.render`."""
+        """Render the current map from a pose in that map. See `Model.render`."""
         return self.model.render(check_rigid("T_world_camera", T_world_camera))
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
-        """The surface of the largest map as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
+        """The surface of the largest map as a mesh. See `TSDFVolume.extract_triangle_mesh`."""
         return self._largest.model.extract_triangle_mesh(weight_threshold)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
-        """The surface of the largest map as points; see `TSDFVolume.extract_point_cloud`."""
+        """The surface of the largest map as points. See `TSDFVolume.extract_point_cloud`."""
         return self._largest.model.extract_point_cloud(weight_threshold)
 
     def _track(self, frame: SensorFrame) -> TrackingResult:
@@ -440,7 +440,7 @@ STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a secon
 STALLED_SECONDS = 0.12  # likewise with timestamps
 MIN_CELLS = 0.02  # minimum fraction of measured cells
 MOVED = 0.1  # [cells] color motion since the depth image: a tenth of a degree; noise 0.01
-CHANGED = 0.03  # or root mean square brightness change of a cell; camera noise 0.01
+CHANGED = 0.03  # or root mean square brightness change of a cell. Camera noise 0.01
 
 
 class StreamCheck:
@@ -449,7 +449,7 @@ class StreamCheck:
     Attributes:
         stalled: Number of last consecutive frames whose depth repeats an older image although the colors changed.
         lag: The StreamLag.
-        view: The StreamView of the last frame; None before the first.
+        view: The StreamView of the last frame. None before the first.
     """
 
     def __init__(self) -> None:
@@ -481,7 +481,7 @@ class StreamCheck:
 
     @property
     def problem(self) -> str | None:
-        """Why color and depth do not belong together; None if they do."""
+        """Why color and depth do not belong together. None if they do."""
         if self.lag.frames is None:
             return None
         apart = f"{self.lag.seconds:.1f} s" if not math.isnan(self.lag.seconds) else f"{abs(self.lag.frames)} frames"
@@ -495,7 +495,7 @@ def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:
 
 
 def shift_of(sums: NDArray[np.float64], first: int) -> NDArray[np.float64]:
-    """The shift of an image [cells], float64 [2]; NaN if its gradients do not determine it."""
+    """The shift of an image [cells], float64 [2]. NaN if its gradients do not determine it."""
     a, b, c, d, e = sums[first : first + 5]
     determinant = a * c - b * b
     if determinant <= 1e-6 * (a + c) ** 2 or a + c <= 0.0:
@@ -537,7 +537,7 @@ class StreamLag:
         self._count = 0
 
     def add(self, bright: Shifts, near: Shifts, time: float | None) -> None:
-        """Add a frame's color and depth shifts [cells] from the previous frame; NaN where undetermined."""
+        """Add a frame's color and depth shifts [cells] from the previous frame. NaN where undetermined."""
         self._bright, self._near = [*self._bright[1 - KEPT :], bright], [*self._near[1 - KEPT :], near]
         self._times = [*self._times[1 - KEPT :], time]
         self._count += 1
@@ -566,7 +566,7 @@ class StreamLag:
 
 
 def tremble(shifts: Shifts) -> Shifts:
-    """Shifts [n, 2] minus their running mean, in standard deviations; NaN is preserved."""
+    """Shifts [n, 2] minus their running mean, in standard deviations. NaN is preserved."""
     known = np.isfinite(shifts)
     sums = np.cumsum(np.vstack([np.zeros((1, 2)), np.where(known, shifts, 0.0)]), axis=0)
     counts = np.cumsum(np.vstack([np.zeros((1, 2)), known]), axis=0)
@@ -579,7 +579,7 @@ def tremble(shifts: Shifts) -> Shifts:
 
 
 def correlations(bright: Shifts, near: Shifts) -> Shifts:
-    """Correlations of two signals [n, 2] at color lags 1 - n to n - 1; 0 if too few frames have both."""
+    """Correlations of two signals [n, 2] at color lags 1 - n to n - 1. 0 if too few frames have both."""
     told: Any = np.isfinite(bright).all(axis=1)
     shown: Any = np.isfinite(near).all(axis=1)
     first_known, second_known = told.astype(np.float64), shown.astype(np.float64)

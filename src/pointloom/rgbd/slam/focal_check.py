@@ -1,7 +1,7 @@
 """Check of the focal length from the frames: `check_focal`.
 
 A wrong focal length stretches frames laterally, so frames rotated against each other no longer fit. Rotated pairs are
-aligned with several focal lengths; the given one should fit best.
+aligned with several focal lengths. The given one should fit best.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class FocalCheck(Assessed):
     Attributes:
         pairs: Number of aligned pairs.
         residual: Median with the given focal length [m].
-        factor: Best factor of the focal length; 1 if none is clearly better.
+        factor: Best factor of the focal length. 1 if none is clearly better.
         residual_there: Median at that factor [m].
 
     Example:

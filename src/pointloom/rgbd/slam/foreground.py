@@ -89,7 +89,7 @@ class Layers:
 
     @property
     def pose(self) -> Pose | None:
-        """T_world_camera by the far part; None if undetermined."""
+        """T_world_camera by the far part. None if undetermined."""
         result = self.far.result
         is_fixed = self.is_told and result.smallest_eigenvalue > MIN_EIGENVALUE
         return matmul(self.start, result.transformation) if self.start is not None and is_fixed else None
@@ -105,7 +105,7 @@ class Foreground:
         self._layers: Layers | None = None
 
     def part(self, frame: SensorFrame, view: StreamView, expected: Pose | None) -> Layers | None:
-        """Remove the near part of the next frame if it moves; returns the Layers if that was detected just now."""
+        """Remove the near part of the next frame if it moves. Returns the Layers if that was detected just now."""
         self._count += 1
         was_apart, layers = self.is_apart, None
         if self._count > AT_ONCE and self._count % EVERY and not was_apart:
@@ -169,7 +169,7 @@ class Foreground:
 
 
 def depth_between(nearness: NDArray[np.float32]) -> float:
-    """Otsu threshold (1979) of nearness as depth [m]; 0 if one class is almost empty."""
+    """Otsu threshold (1979) of nearness as depth [m]. 0 if one class is almost empty."""
     counts, edges = np.histogram(nearness[nearness > 0.0], BINS, (NEAREST, FARTHEST))
     total = counts.sum()
     if not total:

@@ -72,7 +72,7 @@ def agreement_of(result: OdometryResult) -> float:
 
 
 def is_determined(result: OdometryResult) -> bool:
-    """True if the frame determines its motion; a frame that may slide gives no velocity."""
+    """True if the frame determines its motion. A frame that may slide gives no velocity."""
     return result.smallest_eigenvalue >= MIN_EIGENVALUE
 
 
@@ -120,7 +120,7 @@ def judge_recognition(
 
 
 def is_off_shade(shades: float, usual: float) -> bool:
-    """True if a brightness residual clearly exceeds the typical one; False without color (NaN)."""
+    """True if a brightness residual clearly exceeds the typical one. False without color (NaN)."""
     return shades > MAX_SHADES * usual and shades - usual > MIN_SHADES
 
 

@@ -14,7 +14,7 @@ from ...cameras.images import check_intrinsic, integer_scale, upload_color, uplo
 from ...core.checks import check_number
 from ..odometry.frames import OdometryFrame
 
-MAX_PIXELS = 20_000  # finest level: a quarter of VGA's sides; more does not help
+MAX_PIXELS = 20_000  # finest level: a quarter of VGA's sides. More does not help
 
 
 class SensorFrame:
@@ -31,7 +31,7 @@ class SensorFrame:
     Attributes:
         depth: float32 [pixels] [m], 0 if invalid.
         pixels: uint8 [pixels, 3], or None without color.
-        still: The depth without moving pixels, set by a tracker; else None.
+        still: The depth without moving pixels, set by a tracker. Else None.
         pyramid: The OdometryFrame, of static pixels once known.
         timestamp: Time [s], or None.
     """

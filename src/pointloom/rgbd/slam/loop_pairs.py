@@ -80,10 +80,10 @@ class Loop:
         information: As of PoseGraphEdge, float64 [6, 6].
         score: Confidence of `registration`, 0..1.
         overlap: Fraction of the source's voxels on the target.
-        residual: Root mean square point-to-plane distance [m] after refinement; NaN before.
+        residual: Root mean square point-to-plane distance [m] after refinement. NaN before.
         shift: Maximum displacement of the source's box corners [m].
         limit: Possible drift between them [m].
-        refused: Reason of the rejection; empty if accepted.
+        refused: Reason of the rejection. Empty if accepted.
     """
 
     source: int

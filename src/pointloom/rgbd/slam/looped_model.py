@@ -84,7 +84,7 @@ def model_by_slam(
     progress: ReportProgress,
     clock: Clock,
 ) -> tuple[TriangleMesh, SlamAccount]:
-    """Track all frames, close the loops, and extract the surface; arguments as of `loom.track`."""
+    """Track all frames, close the loops, and extract the surface. Arguments as of `loom.track`."""
     sizes: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": depth_max, "device": device}
     slam = make_slam(frames, **sizes, submap_frames=SUBMAP_FRAMES)
     path = track_with(slam, frames, **sizes, read_ahead=read_ahead, progress=progress, clock=clock)

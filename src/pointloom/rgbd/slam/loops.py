@@ -53,7 +53,7 @@ class LoopClosure:
 
     Attributes:
         T_world_submap: Pose of each submap in the given order, float64 [n, 4, 4].
-        groups: Connected component of each submap, int64 [n]; each keeps the pose of its first submap.
+        groups: Connected component of each submap, int64 [n]. Each keeps the pose of its first submap.
         loops: Accepted pairs by (target, source).
         refused: Rejected pairs, each with the reason.
         pose_graph: The optimized graph, its nodes ordered by first frame.
@@ -78,12 +78,12 @@ def close_loops(
 
     Pairs that may overlap given the possible drift are registered from their poses, or globally if the drift may be too
     large. Accepted pairs that tracking allows become loops of a pose graph, which removes contradicting ones. Up to
-    three rounds; a loop that moves a submap farther needs a higher score.
+    three rounds. A loop that moves a submap farther needs a higher score.
 
     Args:
         submaps: At least one, in any order, all on one device.
         voxel_size: Voxel edge for the registration [m]; None: 2.5 times the largest of the volumes', at least 5 cm.
-        drift: Maximum drift as a fraction of the camera's path [m]; a rotation counts as a path at 1 m radius. Loops
+        drift: Maximum drift as a fraction of the camera's path [m]. A rotation counts as a path at 1 m radius. Loops
             that need more are rejected.
         seed: As of `register_globally`.
         progress: Called with (stage, steps done, steps in total).
@@ -218,7 +218,7 @@ class _Search:
         return np.array([int(np.flatnonzero(row)[0]) for row in reached], np.int64)
 
     def _optimized(self) -> PoseGraph:
-        """The optimized graph; each group keeps the pose of its first submap."""
+        """The optimized graph. Each group keeps the pose of its first submap."""
         edges = [self._tracked_edge(a, b, way) for a, b, way in self.steps]
         for loop in self.loops:
             certain = (loop.source, loop.target) in self.joins
@@ -352,7 +352,7 @@ def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
 def fuse_submaps(
     submaps: Sequence[Submap], T_world_submap: ArrayLike | None = None, *, voxel_size: float | None = None
 ) -> TSDFVolume:
-    """Fuse all submaps at their current poses into one volume; see `fuse_volumes`.
+    """Fuse all submaps at their current poses into one volume. See `fuse_volumes`.
 
     Args:
         submaps: In any order.

@@ -44,12 +44,12 @@ class MapJoin:
     """Two maps, and the evidence for a relative pose.
 
     Attributes:
-        target, source: Map numbers; the target's coordinates stay.
+        target, source: Map numbers. The target's coordinates stay.
         T_target_source: Relative pose, float64 [4, 4].
         views: Number of views that agree.
         against: Number of views that contradict.
         score: Confidence of `registration`, 0..1.
-        refused: Reason of the rejection; empty if joined.
+        refused: Reason of the rejection. Empty if joined.
     """
 
     target: int
@@ -73,7 +73,7 @@ class Proposal:
         return self._missed >= FAILING
 
     def ask(self, frame: SensorFrame, pose: Pose) -> bool:
-        """Test a tracked frame in the other map; True once enough frames agree."""
+        """Test a tracked frame in the other map. True once enough frames agree."""
         expected = matmul(self.T_other_here, pose)
         attempt = self.other.tracker.try_place(frame, expected)
         if attempt.verdict != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:

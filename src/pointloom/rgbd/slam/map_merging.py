@@ -26,7 +26,7 @@ TRIED = 3  # verified poses, by descending score
 
 
 def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], seed: int) -> MapJoin | None:
-    """Relative pose of two maps by registration: verified, or the best rejected one; None if there is none."""
+    """Relative pose of two maps by registration: verified, or the best rejected one. None if there is none."""
     pieces = [_pieces(known, results) for known in (target, source)]
     if not all(pieces):
         return None
@@ -134,7 +134,7 @@ class Joining:
         return None
 
     def search(self) -> list[MapJoin]:
-        """Register all maps, and join accepted ones; returns the attempts."""
+        """Register all maps, and join accepted ones. Returns the attempts."""
         first = len(self.judged)
         while (join := self._next()) is not None:
             self._join(join)

@@ -37,7 +37,7 @@ class SlamMap:
         return f"SlamMap({self.number}, {self.model.frame_count} frames, {len(self.keyframes)} keyframes)"
 
     def begin_again(self, pose: Pose, recorder: SubmapRecorder | None) -> None:
-        """Reset the map; the next frame is at T_world_camera."""
+        """Reset the map. The next frame is at T_world_camera."""
         self.model.begin_anew(pose)
         self.keyframes, self.recorder = Keyframes(self.model.device, self.keyframes.seed), recorder
         self.tracker = Tracker(self.model, self.keyframes)
@@ -58,7 +58,7 @@ class Maps:
         self.here = make(0)
         self.kept, self.begun = [self.here], 1
         self._before: SlamMap | None = None  # the map before the trial
-        self._lost = self._taken = 0  # lost frames with content; frames on trial
+        self._lost = self._taken = 0  # lost frames with content. Frames on trial
         self._is_tracking_alone = False
 
     @property
@@ -94,7 +94,7 @@ class Maps:
         return self.is_on_trial and self._taken >= LONGEST_TRIAL and self.here.model.frame_count < TRIAL
 
     def lost(self) -> bool:
-        """Note a frame with content that no map matches; True if a new map should begin."""
+        """Note a frame with content that no map matches. True if a new map should begin."""
         self._lost += 1
         return self._lost > LOST_FOR_LONG and not self._is_tracking_alone
 
@@ -128,7 +128,7 @@ class Maps:
             self.here, self._before = instead, None
 
     def _let_go(self) -> None:
-        """Free the smallest map if there are too many; its frames keep its number."""
+        """Free the smallest map if there are too many. Its frames keep its number."""
         while len(self.kept) >= MAX_MAPS:
             least = min(self.others or self.kept, key=lambda known: (known.model.frame_count, -known.number))
             self.kept.remove(least)

@@ -50,7 +50,7 @@ class Model:
     Attributes:
         current_frame_pose: Pose of the last integrated frame; initially T_init.
         volume: The TSDFVolume.
-        movers: The detector of moving objects; empty if disabled.
+        movers: The detector of moving objects. Empty if disabled.
 
     Raises:
         ValueError: A size that is not positive, or a pose that is not rigid.
@@ -102,13 +102,13 @@ class Model:
         return self.volume.frame_count
 
     def begin_anew(self, pose: Pose) -> None:
-        """Reset the volume; the next frame is at the given T_world_camera."""
+        """Reset the volume. The next frame is at the given T_world_camera."""
         sizes: dict[str, Any] = {"voxel_size": self.volume.voxel_size, "truncation": self.volume.truncation}
         self.volume, self.movers = TSDFVolume(**sizes, device=self.device), Movers()
         self.current_frame_pose = pose
 
     def prepare(self, frame: Any) -> SensorFrame:
-        """Upload a frame for repeated use; a prepared frame is returned unchanged.
+        """Upload a frame for repeated use. A prepared frame is returned unchanged.
 
         Raises:
             TypeError, ValueError: As `SensorFrame`.
@@ -146,7 +146,7 @@ class Model:
         self.fuse(self.prepare(frame), check_rigid("T_world_camera", T_world_camera))
 
     def fuse(self, prepared: SensorFrame, pose: Pose) -> tuple[Any, Any]:
-        """`integrate` for checked input; returns the used depth and colors on the device."""
+        """`integrate` for checked input. Returns the used depth and colors on the device."""
         pixels = prepared.pixels
         if self.frame_count and not self.volume.has_frame_colors:
             pixels = None
@@ -191,11 +191,11 @@ class Model:
         return OdometryFrame._from_device_maps(maps.depth, maps.intensity, self._view, MAX_PIXELS, **surface)
 
     def extract_triangle_mesh(self, weight_threshold: float = 3.0) -> TriangleMesh:
-        """The surface as a mesh; see `TSDFVolume.extract_triangle_mesh`."""
+        """The surface as a mesh. See `TSDFVolume.extract_triangle_mesh`."""
         return self.volume.extract_triangle_mesh(weight_threshold)
 
     def extract_point_cloud(self, weight_threshold: float = 3.0) -> PointCloud:
-        """The surface as points; see `TSDFVolume.extract_point_cloud`."""
+        """The surface as points. See `TSDFVolume.extract_point_cloud`."""
         return self.volume.extract_point_cloud(weight_threshold)
 
     @property

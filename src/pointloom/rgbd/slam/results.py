@@ -18,13 +18,13 @@ class TrackingResult:
     """Pose of a frame and its status.
 
     Attributes:
-        pose: T_world_camera, float64 [4, 4] [m]; None if lost.
+        pose: T_world_camera, float64 [4, 4] [m]. None if lost.
         verdict: "tracked", "uncertain" (not fused, except with `has_drifted`), "lost".
-        reason: Why it is not tracked; empty if it is.
+        reason: Why it is not tracked. Empty if it is.
         fitness: Fraction of the frame's depth pixels on the model surface.
         overlap: Fraction of the frame's depth pixels where the model has depth.
         inlier_rmse: Root mean square distance from the surface [m].
-        intensity_rmse: Brightness difference, 0..1; NaN without color.
+        intensity_rmse: Brightness difference, 0..1. NaN without color.
         smallest_eigenvalue: Ratio of the smallest to the largest eigenvalue of the normal equations.
         iterations: Steps of the alignment.
         relocalized: True if the pose is from a keyframe or by shape, not from the previous frames.
@@ -33,8 +33,8 @@ class TrackingResult:
         timestamp: Frame time [s], if any.
         fused: True if the frame was fused.
         covariance: Of the pose about the camera, in world axes, rotation first [rad, m], float64 [6, 6], accumulated
-            since the first frame; zero for the first frame and lost ones.
-        has_drifted: True if the accumulated uncertainty is the only problem; the frame is fused.
+            since the first frame. Zero for the first frame and lost ones.
+        has_drifted: True if the accumulated uncertainty is the only problem. The frame is fused.
         map: Number of the map that the pose refers to.
     """
 

@@ -107,7 +107,7 @@ def _rigid(name: str, pose: ArrayLike) -> Matrix:
 
 
 def way_between(first: Matrix, second: Matrix) -> float:
-    """Path length between two poses [m]; rotations count at 1 m radius."""
+    """Path length between two poses [m]. Rotations count at 1 m radius."""
     motion = matmul(invert_pose(first), second)
     return float(norm(motion[:3, 3]) + ARM * norm(rotation_vector(motion[:3, :3])))
 
@@ -126,7 +126,7 @@ class _Recording:
 
 
 class SubmapRecorder:
-    """Fuse posed frames into submaps; each shares its last frames with the next.
+    """Fuse posed frames into submaps. Each shares its last frames with the next.
 
     Submaps use the coordinates of their first camera, so volumes stay near the origin. At most two are open at a time.
 
@@ -191,7 +191,7 @@ class SubmapRecorder:
 
     @property
     def current(self) -> Submap | None:
-        """The open submap with most frames; None before the first frame."""
+        """The open submap with most frames. None before the first frame."""
         return self._open[0].done() if self._open and self._open[0].numbers else None
 
     def add(
@@ -205,9 +205,9 @@ class SubmapRecorder:
 
         Args:
             depth: As of `TSDFVolume.integrate`, of the camera's size.
-            T_world_camera: Shape [4, 4]; None if tracking was lost: the next submap then has `follows` False.
+            T_world_camera: Shape [4, 4]. None if tracking was lost: the next submap then has `follows` False.
             color: Likewise; required if colors are fused.
-            number: Frame number, ascending; None counts.
+            number: Frame number, ascending. None counts.
 
         Raises:
             ValueError, TypeError: As of `TSDFVolume.integrate`, or a number that is not ascending.

@@ -24,10 +24,10 @@ MANY_UNCERTAIN = 0.2  # fraction of uncertain frames above which the path is unr
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class TrackedPath(Assessed):
-    """Result of `track`; frames are numbered from 0.
+    """Result of `track`. Frames are numbered from 0.
 
     Attributes:
-        trajectory: Known poses T_world_camera of the largest map; ids are frame numbers; timestamps if all have them.
+        trajectory: Known poses T_world_camera of the largest map; ids are frame numbers. Timestamps if all have them.
         true_poses: The true pose of each, float64 [4, 4] [m], or None if unknown.
         frame_count: Number of frames.
         uncertain: Frames with an uncertain pose.
@@ -35,7 +35,7 @@ class TrackedPath(Assessed):
         unreadable: Unreadable frames, with the reason.
         residuals: Root mean square distance [m] of each tracked frame (after the first) from the model.
         fitness: Fraction of its depth on the model.
-        depth_share: Fraction of all pixels with depth; 0 if no frame could be read.
+        depth_share: Fraction of all pixels with depth. 0 if no frame could be read.
         used_share: Fraction of all pixels with depth up to `depth_max`.
         voxel_size: Voxel edge of the model [m].
         depth_max: Maximum depth [m].

@@ -81,7 +81,7 @@ class Motion:
     gap: float = math.nan
 
     def expected(self, frame: SensorFrame) -> Pose:
-        """The constant-velocity prediction; the last pose after lost frames or a jump in time."""
+        """The constant-velocity prediction. The last pose after lost frames or a jump in time."""
         assert self.pose is not None
         if self.missed:
             return self.pose
@@ -114,7 +114,7 @@ class Motion:
             self.shades = (1 - RECENT) * before + RECENT * result.intensity_rmse
 
     def advance(self, pose: Pose, frame: SensorFrame, *, is_tracked: bool, is_continuous: bool) -> None:
-        """Add a pose; one from a keyframe, or one that may have slid, gives no velocity."""
+        """Add a pose. One from a keyframe, or one that may have slid, gives no velocity."""
         if self.pose is not None and is_continuous and not self.missed:
             self.step, self.seconds = matmul(invert_pose(self.pose), pose), frame.seconds_since(self.time)
         else:
@@ -185,7 +185,7 @@ class Tracker:
         return self._recognize(frame, pose, SURE_OVERLAP)
 
     def _follow_still(self, frame: SensorFrame) -> Attempt | None:
-        """Track a frame from the previous one by static pixels; None if that is not reliable."""
+        """Track a frame from the previous one by static pixels. None if that is not reliable."""
         if self.motion.missed or not self.model.movers:
             return None
         depth = self.model.movers.still_depth(frame, self.motion.expected(frame))
@@ -239,7 +239,7 @@ class Tracker:
         return dataclasses.replace(best, verdict="uncertain", reason=f"it fits as well {off:.2f} m away")
 
     def _place(self, frame: SensorFrame) -> Attempt:
-        """Relocalize by shape; with little overlap, the next frame has to confirm it."""
+        """Relocalize by shape. With little overlap, the next frame has to confirm it."""
         before, self._proposal = self._proposal, None
         place = self.places.find(frame)
         if place is None:
@@ -431,7 +431,7 @@ def _about(place: NDArray[np.float64]) -> Matrix:
 
 VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
 MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
-SURE = 0.8  # minimum score; half of it may be wrong for poses on a tenth of a frame
+SURE = 0.8  # minimum score. Half of it may be wrong for poses on a tenth of a frame
 FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
 
 

@@ -80,7 +80,7 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
 
     Args:
         folder: Folder of `plan_fusion`, all tasks done.
-        path: A .ply file; any other name becomes a folder with one `x_y_z.ply` per cube and `parts.json`, with bitwise
+        path: A .ply file. Any other name becomes a folder with one `x_y_z.ply` per cube and `parts.json`, with bitwise
             equal shared vertices. If None: `mesh.ply` in the job's folder.
         overwrite: Allow replacing existing output.
 

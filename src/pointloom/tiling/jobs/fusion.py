@@ -33,7 +33,7 @@ from ..manifest import NAME, hash_of
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 VOXEL_SIZE = 0.02  # [m] as of `fuse`
-BLOCKS = 32  # default blocks along a cube: 256 voxels; at most 400 MB with color
+BLOCKS = 32  # default blocks along a cube: 256 voxels. At most 400 MB with color
 CHUNK = 32  # frames per task
 CUBES = "cubes"  # folder of their surfaces
 _ASIDE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -163,7 +163,7 @@ def plan_fusion(
 ) -> JobStatus:
     """Plan the fusion of posed frames into a volume larger than memory, by cubes; `run_job` runs it.
 
-    A folder with the same plan keeps its finished work; one with another plan is rejected. `finish_fusion` gives the
+    A folder with the same plan keeps its finished work. One with another plan is rejected. `finish_fusion` gives the
     triangles of `fuse` bitwise, for any cube size, ordered by cubes. Memory: a cube's blocks, 6 KB each.
 
     Args:
@@ -177,7 +177,7 @@ def plan_fusion(
         layout: As of `open_frames`, like the next three.
         intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folder's files.
         every: Use every k-th frame.
-        leave_out: Skip incomplete or unreadable frames and list them in `job_status`; else they are errors.
+        leave_out: Skip incomplete or unreadable frames and list them in `job_status`. Else they are errors.
 
     Raises:
         FileError: If the folder cannot be read, frames lack a pose, or the job's folder contains something else.

@@ -107,7 +107,7 @@ class JobStatus:
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
-    """Write a new job with its first tasks; keeps finished work of the same plan, FileError for another one."""
+    """Write a new job with its first tasks. Keeps finished work of the same plan, FileError for another one."""
     folder, plan = path_of(folder, "folder"), {"job": kind.KIND} | plan
     if not (folder / NAME).exists():
         make_folder(folder)
@@ -120,7 +120,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
 
 
 def stamp_of(paths: Iterable[Path]) -> str:
-    """Sizes and times of files; FileError if one is missing."""
+    """Sizes and times of files. FileError if one is missing."""
     told = hashlib.sha256()
     for path in paths:
         try:

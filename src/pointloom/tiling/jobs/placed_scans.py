@@ -23,8 +23,8 @@ class TriedPair(NamedTuple):
     Attributes:
         source, target: Indices of the scans.
         by: Reason: "known", "order", "place", "look", or "loop" (predicted by poses).
-        score: As of `FragmentPair`; NaN for loops.
-        verdict: "kept" in the pose graph; "dropped" if contradictory; "apart" if in a smaller group; else the reason.
+        score: As of `FragmentPair`. NaN for loops.
+        verdict: "kept" in the pose graph; "dropped" if contradictory; "apart" if in a smaller group. Else the reason.
     """
 
     source: int
@@ -48,7 +48,7 @@ class PlacedScans(FragmentsResult):
         return [path for path, is_placed in zip(self.scans, self.placed, strict=True) if not is_placed]
 
     def to_dict(self, names: Any = None) -> dict[str, Any]:
-        """As of FragmentsResult, with the tried pairs; scans are named by their files by default."""
+        """As of FragmentsResult, with the tried pairs. Scans are named by their files by default."""
         called = self.scans if names is None else names
         tried = [pair._asdict() | {"source": called[pair.source], "target": called[pair.target]} for pair in self.tried]
         return super().to_dict(called) | {"tried": plain(tried)}

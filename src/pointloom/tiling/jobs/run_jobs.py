@@ -90,7 +90,7 @@ def plan_sequences(
 ) -> JobStatus:
     """Plan the reconstruction of many RGB-D sequences, each independent; `run_job` processes the queue.
 
-    A folder with the same plan keeps its finished work; one with another plan is rejected. The result of "kitchen" is
+    A folder with the same plan keeps its finished work. One with another plan is rejected. The result of "kitchen" is
     in `folder/sequences/kitchen`, as `run_system` writes it. Memory per worker is that of `run_system`.
 
     Args:
@@ -100,7 +100,7 @@ def plan_sequences(
         layout: As of `open_frames`, like the next three.
         intrinsic, depth_scale: Camera and depth units per meter, if they differ from the folders' files.
         every: Use every k-th frame.
-        leave_out: Skip incomplete frames and list them in `job_status`; else they are errors.
+        leave_out: Skip incomplete frames and list them in `job_status`. Else they are errors.
         refine, slac: As of `run_system`.
 
     Returns:
@@ -173,22 +173,22 @@ def run_job(
     device: str = "cpu",
     progress: ReportProgress = say_nothing,
 ) -> JobStatus:
-    """Run the tasks of a job; finished ones stay.
+    """Run the tasks of a job. Finished ones stay.
 
-    Several runs may share a folder; each task belongs to one run. A task is repeated if its worker dies and is
-    quarantined after three deaths. If a task fails, the others of its stage continue; the next stage starts when all
+    Several runs may share a folder. Each task belongs to one run. A task is repeated if its worker dies and is
+    quarantined after three deaths. If a task fails, the others of its stage continue. The next stage starts when all
     are done. Interrupted tasks wait again without penalty.
 
     Args:
         folder: Folder of `plan_fusion`, `plan_sequences` or `plan_registration`.
-        workers: Number of local processes, as of `run_tiles`; 0 uses this process.
+        workers: Number of local processes, as of `run_tiles`. 0 uses this process.
         part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
             needs others.
         device: "cpu" or "cuda": each worker gets its own GPU exclusively; or one such as "cuda:1".
         progress: Called with the stage, its finished tasks and its task count.
 
     Returns:
-        A JobStatus; check `failed` and `aside`.
+        A JobStatus. Check `failed` and `aside`.
 
     Raises:
         FileError: If there is no plan, its files or version changed, or workers cannot be started.
@@ -221,7 +221,7 @@ def job_status(folder: FilePath) -> JobStatus:
 
 
 def retry_job(folder: FilePath) -> JobStatus:
-    """Reset failed and quarantined tasks to waiting; then call `run_job`.
+    """Reset failed and quarantined tasks to waiting. Then call `run_job`.
 
     Raises:
         FileError: If the folder contains no job.
@@ -236,7 +236,7 @@ def retry_job(folder: FilePath) -> JobStatus:
 
 
 def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest, Any]:
-    """Open a manifest and its job; FileError if missing or of another kind or version."""
+    """Open a manifest and its job. FileError if missing or of another kind or version."""
     manifest = open_manifest(folder)
     found = KINDS.get(str(manifest.plan["job"]))
     if found is None or kind not in (None, found):
@@ -252,7 +252,7 @@ def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest,
 
 
 def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
-    """As `open_job`; FileError unless all tasks are done."""
+    """As `open_job`. FileError unless all tasks are done."""
     manifest, job = open_job(folder, kind)
     told = status_of(manifest, job)
     if not told.is_finished:
@@ -268,7 +268,7 @@ class _Taskbook:
         self._manifest, self._job, self._part, self._owner = manifest, job, part, owner
 
     def take(self) -> _Task | bool:
-        """Claim the next task, or start the stage after a finished one; as `processes.Book`."""
+        """Claim the next task, or start the stage after a finished one. As `processes.Book`."""
         which, of = self._part
         while True:
             stage = stage_of(self._manifest)

@@ -45,7 +45,7 @@ from ...registration.pose_graphs.multiway import SURE, check_known, pairs_to_try
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
-KEPT = 2  # described scans cached per process: one pair; consecutive pairs often share a scan
+KEPT = 2  # described scans cached per process: one pair. Consecutive pairs often share a scan
 NEAR = 12  # default neighbors by position
 STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
 ALIKE = 8  # default neighbors by similarity
@@ -202,7 +202,7 @@ def plan_registration(
 ) -> JobStatus:
     """Plan the registration of many scans without initial poses; `run_job` runs it, one task per pair.
 
-    A folder with the same plan keeps its finished work; one with another plan is rejected. `finish_registration` gives
+    A folder with the same plan keeps its finished work. One with another plan is rejected. `finish_registration` gives
     bitwise the result of `register_fragments` for the same pairs. 24 B of disk per voxel of each scan.
 
     Args:
@@ -210,18 +210,18 @@ def plan_registration(
         folder: Folder of the job, created if missing.
         voxel_size: Edge of a voxel [m], as of `register_fragments`.
         places: Approximate pose T_world_scan (4, 4) or position (3,) of each scan, or None. Only pairs with overlapping
-            boxes are tried then; registration itself uses no initial guess.
+            boxes are tried then. Registration itself uses no initial guess.
         place_error: Error of the places [m].
         neighbors: Number of following scans tried with each. If None: all for up to 40 scans, else 5. With places:
             number of nearest overlapping boxes, default 12.
         pairs: Index pairs to try instead.
         known, free: As of `register_fragments`.
-        alike: Number of similar scans tried with each scan outside the largest group; 0 for none.
+        alike: Number of similar scans tried with each scan outside the largest group. 0 for none.
         seed: As of `register_globally`.
 
     Raises:
         FileError: If a scan is missing, or the job's folder contains something else.
-        ValueError: As of `register_fragments`; also if places and scans disagree, or pairs are combined with others.
+        ValueError: As of `register_fragments`. Also if places and scans disagree, or pairs are combined with others.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -345,7 +345,7 @@ def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
 
 
 def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64], count: int) -> list[int]:
-    """Most similar scans first; columns are scaled by their spread."""
+    """Most similar scans first. Columns are scaled by their spread."""
     spread = looks.std(axis=0)
     scaled = looks / np.where(spread > 0, spread, 1.0)
     distances = np.linalg.norm(scaled[others] - scaled[scan], axis=1)

@@ -1,6 +1,6 @@
 """User-defined functions as steps.
 
-Files never contain code: functions are passed in Python or registered as entry points; steps and manifests store names.
+Files never contain code: functions are passed in Python or registered as entry points. Steps and manifests store names.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Function(Step):
     function: UserFunction | None = None
 
     def check(self) -> None:
-        """Validate parameters; the name of a passed function replaces it in them."""
+        """Validate parameters. The name of a passed function replaces it in them."""
         self.reach = check_positive("reach", self.params["reach"], allow_zero=True)
         call, arguments = self.params["call"], self.params["arguments"]
         if not isinstance(arguments, dict) or not all(isinstance(name, str) for name in arguments):
@@ -76,7 +76,7 @@ class Function(Step):
 
 
 def resolve_functions(steps: Iterable[Step], passed: Iterable[UserFunction | str] = ()) -> list[UserFunction]:
-    """Set the function of each `function` step; returns the used ones that were passed in Python."""
+    """Set the function of each `function` step. Returns the used ones that were passed in Python."""
     functions = [_imported(one) if isinstance(one, str) else one for one in passed]
     by_name = {name_of(function): function for function in functions}
     chosen = [step for step in steps if isinstance(step, Function)]
@@ -86,7 +86,7 @@ def resolve_functions(steps: Iterable[Step], passed: Iterable[UserFunction | str
 
 
 def name_of(function: Any) -> str:
-    """Import name of a function, `module:function`; ValueError if a worker cannot import it."""
+    """Import name of a function, `module:function`. ValueError if a worker cannot import it."""
     name = f"{getattr(function, '__module__', '')}:{getattr(function, '__qualname__', '')}"
     if name.count(":") != 1 or "<" in name or name.startswith("__main__:"):
         raise ValueError(f"steps: call: expected {_TOP_LEVEL}, got {shown(function)}")

@@ -152,7 +152,7 @@ class Compared(Step):
 
 
 class Distance(Compared):
-    """Distance of each point to the nearest of another epoch, as `distance`; NaN beyond a limit."""
+    """Distance of each point to the nearest of another epoch, as `distance`. NaN beyond a limit."""
 
     name, required, searches = "distance", ("other", "max_distance"), False
 
@@ -170,7 +170,7 @@ class Distance(Compared):
 
 class Change(Compared):
     """M3C2 to another epoch: distance, level of detection, significance, and point counts. With `core_spacing` only the
-    points that `thin` keeps are measured and kept; normals and means use all points."""
+    points that `thin` keeps are measured and kept. Normals and means use all points."""
 
     name, required = "m3c2", ("other", "cylinder_radius", "max_distance")
     defaults: ClassVar[dict[str, Any]] = {
@@ -214,7 +214,7 @@ OTHER = 1  # LAS class of former ground points
 
 
 class ClassifyGround(Step):
-    """Set class 2 for ground points; others with class 2 or none get class 1."""
+    """Set class 2 for ground points. Others with class 2 or none get class 1."""
 
     name, searches = "classify_ground", False
     defaults: ClassVar[dict[str, Any]] = {
@@ -299,7 +299,7 @@ class StatisticalOutlier(Step):
 
 
 class VoxelDownSample(Step):
-    """Voxel means on the plan's grid; a voxel belongs to the tile that contains its center."""
+    """Voxel means on the plan's grid. A voxel belongs to the tile that contains its center."""
 
     name, required = "voxel_down_sample", ("voxel_size",)
     defaults: ClassVar[dict[str, Any]] = {"corner": None}
@@ -332,7 +332,7 @@ class VoxelDownSample(Step):
     def _keys(
         self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
     ) -> NDArray[np.int64] | None:
-        """Voxel numbers, x slowest; None if 64 bits are too few."""
+        """Voxel numbers, x slowest. None if 64 bits are too few."""
         ends = (np.array([plan.told["low"], plan.told["high"]]) - corner) / self.size
         beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for rounding and moved points
         low, high = np.floor(ends[0]) - beyond, np.floor(ends[1]) + beyond
@@ -344,7 +344,7 @@ class VoxelDownSample(Step):
 
 
 class Crop(Step):
-    """Keep points in a box (faces included) or polygons; with `invert` all others."""
+    """Keep points in a box (faces included) or polygons. With `invert` all others."""
 
     name = "crop"
     defaults: ClassVar[dict[str, Any]] = {
@@ -413,7 +413,7 @@ class Features(Step):
 
 
 class SmoothMls(Step):
-    """`smooth_mls` within a radius; points stay assigned to their tile."""
+    """`smooth_mls` within a radius. Points stay assigned to their tile."""
 
     name, required = "smooth_mls", ("radius",)
     defaults: ClassVar[dict[str, Any]] = {"max_nn": 30}
@@ -475,7 +475,7 @@ KNOWN |= {kind.name: kind for kind in (Features, Thin, Distance, Change, Reproje
 
 
 def parse_steps(steps: Any) -> list[Step]:
-    """Parse a list of dictionaries or a TOML file of [[step]] tables; FileError or ValueError if a step is invalid."""
+    """Parse a list of dictionaries or a TOML file of [[step]] tables. FileError or ValueError if a step is invalid."""
     with naming_file(steps):
         return _parse(read_toml(Path(steps)) if isinstance(steps, str | Path) else steps)
 

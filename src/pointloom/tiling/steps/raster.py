@@ -12,7 +12,7 @@ from .step import Part, Step
 
 
 class Rasterize(Step):
-    """Write a raster of the tile's cells, merged by `finish_tiles`; points pass unchanged."""
+    """Write a raster of the tile's cells, merged by `finish_tiles`. Points pass unchanged."""
 
     name, required, searches, writes = "rasterize", ("cell",), False, True
     defaults: ClassVar[dict[str, Any]] = {

@@ -22,7 +22,7 @@ SAME = 1e-9  # of a unit's length
 
 
 class Reproject(Step):
-    """Reproject points by pyproj on the CPU; heights stay unless both systems have a vertical part. Must be the last
+    """Reproject points by pyproj on the CPU. Heights stay unless both systems have a vertical part. Must be the last
     step: tiles and halos are in the source's units."""
 
     name, required, searches = "reproject", ("to_crs",), False
@@ -76,12 +76,12 @@ class Reproject(Step):
         self.params["offsets"] = np.round(self._moved(middle[None])[0]).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        """Apply the step; points keep their homes in the source's coordinates."""
+        """Apply the step. Points keep their homes in the source's coordinates."""
         exact = part.cloud.points if part.exact is None else part.exact
         return dataclasses.replace(part, exact=self._moved(np.asarray(exact, np.float64)))
 
     def _moved(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Points in the target's coordinates; ValueError if some cannot be converted."""
+        """Points in the target's coordinates. ValueError if some cannot be converted."""
         if self._way is None:
             pyproj: Any = import_for("steps", "pyproj", "geo")
             systems = [pyproj.CRS.from_user_input(self.params[name]) for name in ("from_crs", "to_crs")]

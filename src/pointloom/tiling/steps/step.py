@@ -1,7 +1,7 @@
 """Steps of a job: operation on a part of a cloud, and the halo it needs around a tile.
 
 Kinds of steps: finite radius; k nearest, run with an estimated radius and verified (each result point must have k
-points nearer than missing data); global sums, measured over all tiles first; joined, where tiles leave border data that
+points nearer than missing data). Global sums, measured over all tiles first; joined, where tiles leave border data that
 is joined once. Steps that need the complete cloud are rejected.
 """
 
@@ -25,11 +25,11 @@ class Part:
 
     Attributes:
         cloud: The points about the plan's origin.
-        exact: File positions, float64 (n, 3); None once a step moved points.
+        exact: File positions, float64 (n, 3). None once a step moved points.
         homes: x and y that assign each point to a tile, float64 (n, 2): its file position, or its voxel's center.
         spread: Maximum distance of a point from its home along x or y.
         other: The other epoch, for a comparing step.
-        keys: int64 (n,), unique, in the global order of files and rows, or of voxels; None if unknown.
+        keys: int64 (n,), unique, in the global order of files and rows, or of voxels. None if unknown.
     """
 
     cloud: PointCloud
@@ -71,13 +71,13 @@ class Step:
 
     Attributes:
         name, params: Name as written by users; parameters in JSON's types with defaults.
-        reach: Dependence radius of a result; for the k nearest an estimate made by the plan.
+        reach: Dependence radius of a result. For the k nearest an estimate made by the plan.
         neighbors: k, of a step of the k nearest.
         needs_numbers, joins: True if the step needs global sums, or joined border data.
         hops: Number of radii that a result may depend on.
         searches: True if it searches neighbors in the cloud's tree.
         writes: True if it writes other files, also for empty tiles.
-        epoch: Files of the compared epoch; empty if none.
+        epoch: Files of the compared epoch. Empty if none.
     """
 
     name = ""

@@ -72,14 +72,14 @@ def draw(
     Args:
         cloud, change, limit: See `paint`.
         path: A .png or .webp file to write, or None.
-        title: Title of the color bar; the unit is appended.
+        title: Title of the color bar. The unit is appended.
         camera: See `render`. If None, a view from above with y up, as on a map.
         size: Width and height [px].
         point_size: Diameter of points [px]. If None, large enough to close most gaps.
         overwrite: Replace an existing file.
 
     Returns:
-        A Picture, uint8 RGB; bitwise identical on every device.
+        A Picture, uint8 RGB. Bitwise identical on every device.
 
     Raises:
         ValueError, TypeError: See `paint` and `render`.
@@ -131,7 +131,7 @@ def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
 
 
 def _limit_of(shown: NDArray[np.float64]) -> float:
-    """98th percentile of the changes, rounded up to 2 digits; 1 if there are none."""
+    """98th percentile of the changes, rounded up to 2 digits. 1 if there are none."""
     sizes = np.abs(shown[np.isfinite(shown)])
     most = float(np.quantile(sizes, SHOWN)) if len(sizes) else 0.0
     if most <= 0:

@@ -54,7 +54,7 @@ def hash_of(text: str) -> str:
 
 
 def live_page(title: str) -> bytes:
-    """The complete live page in UTF-8, with an initial title (escaped); it connects to its own websocket only."""
+    """The complete live page in UTF-8, with an initial title (escaped). It connects to its own websocket only."""
     script, style = _live_parts()
     texts = {"script": script, "style": style, "title": html.escape(escaped(title))}
     return re.sub(r"\{\{(\w+)\}\}", lambda gap: texts[gap[1]], read_source("live/live.html")).encode("utf-8", "replace")

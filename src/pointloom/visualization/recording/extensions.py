@@ -1,4 +1,4 @@
-"""The extensions of recordings; nothing heavy is imported here, so that `--help` stays quick."""
+"""The extensions of recordings. Nothing heavy is imported here, so that `--help` stays quick."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ LOOKED_AT = 1_000  # positions of each shape for fitting the view
 # Points beyond FAR times the distance within which most are located may be outside the view: far hits of a scanner.
 FAR, MOST, FEWEST = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
-PANELS = 4  # plots side by side; more values are omitted
+PANELS = 4  # plots side by side. More values are omitted
 MIN_STRIP, MIN_PANEL = 40, 80  # [px] minimum readable size
 PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
@@ -125,7 +125,7 @@ class Film:
 
 
 class _Plots:
-    """The strip of plots; the static part is drawn once."""
+    """The strip of plots. The static part is drawn once."""
 
     def __init__(self, timeline: Timeline, names: Sequence[str], width: int, height: int, device: Any):
         self._names, self._count = names, len(timeline.frames)
@@ -162,7 +162,7 @@ class _Plots:
         return k * self._panel + size, 1.6 * size, (k + 1) * self._panel - size, self._height - 0.6 * size
 
     def _places(self, k: int, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Positions of values in the strip [px]; NaN for missing values."""
+        """Positions of values in the strip [px]. NaN for missing values."""
         left, top, right, bottom = self._box(k)
         low, high = self._limits[k]
         across = left + 4 + (right - left - 8) * np.arange(self._count) / max(self._count - 1, 1)
@@ -198,7 +198,7 @@ def _runs(places: NDArray[np.float64]) -> list[NDArray[np.float64]]:
 
 
 def _core(shape: Shape) -> NDArray[np.float64]:
-    """Sample of positions of a shape; for points without the farthest ones."""
+    """Sample of positions of a shape. For points without the farthest ones."""
     points = shape.positions[spread_rows(len(shape.positions), LOOKED_AT)].astype(np.float64)
     if shape.kind != "points" or len(points) < FEWEST:
         return points

@@ -1,7 +1,7 @@
 """A recording as one HTML file that plays from disk: `write_page`.
 
 The file contains the player (visualization/page/), the timeline as JSON and the arrays: byte planes of blocks of
-rows, deflated, in base64. Positions, colors and indices are exact; normals have 16 bits.
+rows, deflated, in base64. Positions, colors and indices are exact. Normals have 16 bits.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ def write_page(
     point_size: float | None = None,
     overwrite: bool = True,
 ) -> None:
-    """Write a recording as one HTML file without external resources; raises TypeError, ValueError or FileError.
+    """Write a recording as one HTML file without external resources. Raises TypeError, ValueError or FileError.
 
-    `view` is relative to the timeline's origin [m]; None shows all frames. `point_size` [px] overrides that of the
+    `view` is relative to the timeline's origin [m]. None shows all frames. `point_size` [px] overrides that of the
     shapes. Written atomically and reproducibly. Requires WebGL 2 (Chromium, Firefox, Safari since 2023). The page's
-    policy forbids connections and other scripts. Surfaces have vertex colors; textures are not drawn.
+    policy forbids connections and other scripts. Surfaces have vertex colors. Textures are not drawn.
 
     Example:
         >>> import tempfile, numpy as np
@@ -119,7 +119,7 @@ def _base64_pieces(values: NDArray[Any]) -> Iterator[bytes]:
 def _describe(
     timeline: Timeline, arrays: list[NDArray[Any]], view: View | None, background: list[float], size: float | None
 ) -> dict[str, Any]:
-    """Description of the timeline for the player; arrays referenced by number are appended to `arrays`."""
+    """Description of the timeline for the player. Arrays referenced by number are appended to `arrays`."""
     names = list(dict.fromkeys(name for frame in timeline.frames for name in frame.shown))
     series = list(dict.fromkeys(name for frame in timeline.frames for name in frame.values))
     poses, placements = _Table(), _Table()
@@ -202,7 +202,7 @@ def _describe_shape(shape: Shape, arrays: list[NDArray[Any]], size: float | None
 
 
 def _pack_normals(normals: NDArray[np.float32]) -> NDArray[np.int16]:
-    """Unit normals as int16; zero or non-finite ones become (0, 0, 0)."""
+    """Unit normals as int16. Zero or non-finite ones become (0, 0, 0)."""
     values = np.asarray(normals, np.float64)  # squares of float32 may underflow or overflow in float32
     with np.errstate(invalid="ignore", divide="ignore"):
         units = values / np.linalg.norm(values, axis=1, keepdims=True)

@@ -72,10 +72,10 @@ def record(
         progress: Called with "drawing", the number of finished frames and their total while an animation is written.
 
     Returns:
-        A Recorder for a `with` block; the file is written at the end of the block.
+        A Recorder for a `with` block. The file is written at the end of the block.
 
     Raises:
-        FileError: Unknown suffix, a path that cannot be written, or missing ffmpeg; raised before any work.
+        FileError: Unknown suffix, a path that cannot be written, or missing ffmpeg. Raised before any work.
         TypeError, ValueError: An argument is out of range.
 
     Notes:
@@ -226,7 +226,7 @@ class Recorder:
         self._is_dirty = True
 
     def plot(self, name: str, value: float) -> None:
-        """Add a number to the plot of the next frame; NaN leaves a gap. Raises `TypeError` for other types."""
+        """Add a number to the plot of the next frame. NaN leaves a gap. Raises `TypeError` for other types."""
         number = check_number("value", value, allow_nan=True, allow_infinite=True)
         self._values[check_name("name", name)] = number
         self._is_dirty = True
@@ -377,12 +377,12 @@ class Held:
 
 
 def style_of(style: dict[str, Any]) -> Style:
-    """Style from keys; raises ValueError for unknown keys and values out of range."""
+    """Style from keys. Raises ValueError for unknown keys and values out of range."""
     return Style(**fields_of(style))
 
 
 def fields_of(style: dict[str, Any]) -> dict[str, Any]:
-    """Fields of a style; raises ValueError for unknown keys."""
+    """Fields of a style. Raises ValueError for unknown keys."""
     unknown = [key for key in style if key not in STYLE_KEYS]
     if unknown:
         raise ValueError(f"style: expected {', '.join(STYLE_KEYS)}, got {unknown[0]!r}")

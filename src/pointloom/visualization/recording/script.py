@@ -23,7 +23,7 @@ LOOKED_AT = 20_000  # points for choosing the view
 
 
 class Stage:
-    """A recorder for one type of algorithm; its geometries are removed when another type starts."""
+    """A recorder for one type of algorithm. Its geometries are removed when another type starts."""
 
     def __init__(self, recorder: Recorder):
         self.recorder, self.prefix = recorder, ""
@@ -69,7 +69,7 @@ class Script:
 
 
 def look_at(cloud: PointCloud) -> Look | None:
-    """View direction and up for a cloud; None without finite points."""
+    """View direction and up for a cloud. None without finite points."""
     some = cloud.select_by_index(spread_rows(len(cloud), LOOKED_AT)).points
     points = some[np.isfinite(some).all(axis=1)]
     return usual_look(points) if len(points) and np.ptp(points, axis=0).any() else None

@@ -35,7 +35,7 @@ class Scripts:
         self._active: Script | None = None
 
     def take(self, event: str, data: dict[str, Any]) -> None:
-        """Show an event; unknown ones are ignored."""
+        """Show an event. Unknown ones are ignored."""
         if event == "stage":
             self._stage = data["name"]
             return
@@ -52,7 +52,7 @@ class Scripts:
 
     @property
     def look(self) -> Look | None:
-        """View direction and up from the first algorithm; None before."""
+        """View direction and up from the first algorithm. None before."""
         return None if self._first is None else self._first.look
 
     def finish(self) -> None:
@@ -149,7 +149,7 @@ class Planes(Script):
         return {"plane": self.plane}
 
     def plane(self, cloud: PointCloud, inliers: Any, model: Any, number: int | None = None, **_: Any) -> None:
-        """Points of a plane; without a number it is the only plane."""
+        """Points of a plane. Without a number it is the only plane."""
         if cloud is not self._cloud or not number:
             self._cloud, self._found = cloud, []
             self.look = self.look or look_at(cloud)
@@ -193,7 +193,7 @@ def _painted(cloud: PointCloud, colors: NDArray[np.float64]) -> PointCloud:
 
 
 PATH = (0.1, 0.35, 0.75)
-SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces; after SURFACES of them the interval doubles
+SURFACE_EVERY, SURFACES = 5, 20  # frames between two surfaces. After SURFACES of them the interval doubles
 SURFACE_SHARE, SCAN_SHARE = 8, 4  # divisors of max_points for each intermediate surface and each scan
 MAX_CORNERS = 2_000  # of a path
 ASTRAY = 0.3  # of the number of cameras: a shorter sum of their directions is meaningless
@@ -278,7 +278,7 @@ class Fusion(Travel):
         self.stage.step(f"{count} loop{'' if count == 1 else 's'} closed")
 
     def odometry(self, source: Any, target: Any, intrinsic: Any, result: Any, **_: Any) -> None:
-        """A frame was aligned with another; the path continues if that was the last one."""
+        """A frame was aligned with another. The path continues if that was the last one."""
         if target is not self._image:
             self._pose = np.eye(4)
             if self._volume is None:  # otherwise the volume defines the path
@@ -359,7 +359,7 @@ class Drive(Travel):
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:
-    """View over the shoulder of cameras, from the sum of their axes; from the last one if they look all around."""
+    """View over the shoulder of cameras, from the sum of their axes. From the last one if they look all around."""
     (_, down, forward), count = axes.T, np.linalg.norm(axes, axis=0).max()
     if np.linalg.norm(forward) < ASTRAY * count or np.linalg.norm(np.cross(forward, down)) < ASTRAY * count**2:
         _, down, forward = last.T

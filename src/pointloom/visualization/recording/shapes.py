@@ -55,7 +55,7 @@ def sketch(geometry: Any, style: Style, max_points: int) -> Sketch:
 
 
 def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: NDArray[np.float64]) -> Matrix | None:
-    """Pose for positions relative to `shape_origin` in a frame relative to `origin`; None if it is the identity."""
+    """Pose for positions relative to `shape_origin` in a frame relative to `origin`. None if it is the identity."""
     T = np.eye(4) if pose is None else np.array(pose, np.float64)
     T[:3, 3] += T[:3, :3] @ shape_origin - origin
     return None if np.array_equal(T, np.eye(4)) else T
@@ -174,7 +174,7 @@ def _finite(values: NDArray[Any]) -> NDArray[np.float32]:
 
 
 def _bytes(colors: NDArray[Any]) -> NDArray[np.uint8]:
-    """Colors from 0 to 1 as uint8; NaN is black."""
+    """Colors from 0 to 1 as uint8. NaN is black."""
     return np.rint(255 * np.clip(np.nan_to_num(colors), 0, 1)).astype(np.uint8)
 
 

@@ -13,7 +13,7 @@ PLAYER = "pointloom-player"  # .js and .css
 
 
 def write_player(folder: str | os.PathLike[str]) -> None:
-    """Write the two files of the shared player; raises FileError."""
+    """Write the two files of the shared player. Raises FileError."""
     for suffix, text in ((".js", player_script()), (".css", player_style())):
         with atomic_write(Path(folder) / f"{PLAYER}{suffix}", overwrite=True) as file:
             file.write(text.encode())

@@ -14,10 +14,10 @@ class Shape:
     """A drawable shape on the host.
 
     Args:
-        positions: float32 (n, 3) relative to the timeline's origin [m]; finite.
+        positions: float32 (n, 3) relative to the timeline's origin [m]. Finite.
         colors: uint8 (n, 3) (lines: (m, 3) per segment), or None: all `plain`.
         normals: float32 (n, 3), or None.
-        indices: int32 (m, 2) or (m, 3); None for points.
+        indices: int32 (m, 2) or (m, 3). None for points.
         size: Diameter of points or width of lines [px].
         cull: Hide back faces, to see into a closed room.
         unlit: Draw faces without lighting, for photographed colors.

@@ -1,6 +1,6 @@
 """Write recordings as files: `check_recording` before the recording, `write_recording` after it.
 
-Animated GIFs are assembled here frame by frame, with one palette; Pillow only compresses images. Pillow's own
+Animated GIFs are assembled here frame by frame, with one palette. Pillow only compresses images. Pillow's own
 animations merge equal frames and round each delay separately, which would drop steps and change the speed.
 """
 
@@ -36,7 +36,7 @@ PALETTE_FRAMES = 12  # frames that define the colors of a GIF
 
 
 def check_recording(path: str | Path, *, fps: float, background: Any, overwrite: bool) -> None:
-    """Check format, path and ffmpeg before any work; raises FileError or ValueError."""
+    """Check format, path and ffmpeg before any work. Raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
         remedy = f"Give a name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
@@ -60,7 +60,7 @@ def write_recording(
     say: ReportProgress,
     device: Any = None,
 ) -> None:
-    """Write a recording atomically in the format of the suffix; raises FileError."""
+    """Write a recording atomically in the format of the suffix. Raises FileError."""
     suffix = Path(path).suffix.lower()
     if suffix == ".html":
         write_page(path, timeline, view=view, background=background, overwrite=overwrite)
@@ -134,7 +134,7 @@ def write_gif(file: IO[bytes], pictures: Iterable[Picture], palette: NDArray[np.
 
 
 def changed_box(picture: NDArray[Any], before: NDArray[Any] | None) -> tuple[int, int, int, int]:
-    """Left, top, right and bottom of the difference to the previous image; one pixel if equal."""
+    """Left, top, right and bottom of the difference to the previous image. One pixel if equal."""
     if before is None:
         return 0, 0, picture.shape[1], picture.shape[0]
     differs = picture != before
@@ -147,7 +147,7 @@ def changed_box(picture: NDArray[Any], before: NDArray[Any] | None) -> tuple[int
 
 
 def _indices(picture: Picture, palette: NDArray[np.uint8], holder: Any) -> NDArray[np.uint8]:
-    """Nearest palette entry of each pixel; exact for the background."""
+    """Nearest palette entry of each pixel. Exact for the background."""
     from PIL import Image
 
     image = Image.fromarray(picture).quantize(palette=holder, dither=Image.Dither.NONE)
@@ -184,7 +184,7 @@ _PATIENCE = 2.0  # [s] time for ffmpeg to end after its input
 
 
 def find_ffmpeg(path: str | Path) -> str:
-    """Path of ffmpeg; raises FileError."""
+    """Path of ffmpeg. Raises FileError."""
     found = shutil.which("ffmpeg")
     if found is None:
         remedy = "Install ffmpeg, or give a name that ends in .html or .gif"
@@ -193,7 +193,7 @@ def find_ffmpeg(path: str | Path) -> str:
 
 
 def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: str | Path) -> int:
-    """Write images of one even size as a video. Returns the number of frames; raises FileError with ffmpeg's output."""
+    """Write images of one even size as a video. Returns the number of frames. Raises FileError with ffmpeg's output."""
     program, count = find_ffmpeg(path), 0
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:  # writing MP4 requires a seekable file
         made = Path(folder) / "video.mp4"

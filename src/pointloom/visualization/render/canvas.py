@@ -84,7 +84,7 @@ class Canvas:
     ) -> None:
         """Write one line of text at a position [px], rounded to integers for crisp letters.
 
-        ASCII letters and some symbols; others are drawn as a box. `size` is rounded to 12, 14, 16, 20, 24 or 32 px.
+        ASCII letters and some symbols. Others are drawn as a box. `size` is rounded to 12, 14, 16, 20, 24 or 32 px.
         `anchor` is the part of the text at the position: "left", "center" or "right", optionally after "upper" or
         "lower" (for capital letters), for example "upper left". `halo` is the color of an outline for contrast.
         """
@@ -132,7 +132,7 @@ class Canvas:
         self.segments([[x0, y0, x1, y1]], color=color, width=width, opacity=opacity)
 
     def polyline(self, points: ArrayLike, *, color: Color = BLACK, width: float = 1.0, opacity: float = 1.0) -> None:
-        """Draw a polyline through points (n, 2); a non-finite point is a gap."""
+        """Draw a polyline through points (n, 2). A non-finite point is a gap."""
         path = check_rows("points", points, 2, dtype=np.float64)
         self.segments(np.hstack([path[:-1], path[1:]]), color=color, width=width, opacity=opacity)
 
@@ -168,7 +168,7 @@ class Canvas:
         line_width: float = 1.0,
         opacity: float = 1.0,
     ) -> None:
-        """Draw a rectangle, filled, with an outline inside, or both; integers cover whole pixels."""
+        """Draw a rectangle, filled, with an outline inside, or both. Integers cover whole pixels."""
         x, y = check_number("x", x), check_number("y", y)
         width = check_positive("width", width, allow_zero=True)
         height = check_positive("height", height, allow_zero=True)
@@ -198,7 +198,7 @@ class Canvas:
 
     @staticmethod
     def _seen(box: tuple[int, int, int, int], *strokes: tuple[Color | None, Any]) -> list[tuple[Color, Any]]:
-        """The strokes with a color; none if the box has no cell."""
+        """The strokes with a color. None if the box has no cell."""
         return [(color, hole) for color, hole in strokes if color is not None and box[2] * box[3]]
 
     def _paint(self, color: Color, opacity: float, *, name: str = "color") -> Paint:
@@ -230,7 +230,7 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
 
 
 def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, across: float) -> NDArray[np.int32]:
-    """Letters of an anchored text; none if the position is not finite or far outside."""
+    """Letters of an anchored text. None if the position is not finite or far outside."""
     if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
         return np.empty((0, 5), np.int32)
     glyphs = letters.set(text, size)
@@ -252,7 +252,7 @@ Pair = tuple[float, float]
 def clip_segments(segments: Ends, low: Pair, high: Pair) -> tuple[Ends, NDArray[np.int64]]:
     """Clip segments (x, y, x, y) to a box (Liang and Barsky, "A new concept and method for line clipping", 1984).
 
-    Returns the parts (m, 4) and their ascending row indices; non-finite segments are dropped.
+    Returns the parts (m, 4) and their ascending row indices. Non-finite segments are dropped.
 
     Example:
         >>> clip_segments(np.array([[-1.0, 0.5, 3.0, 0.5], [5.0, 5.0, 6.0, 6.0]]), (0, 0), (1, 1))[0].tolist()

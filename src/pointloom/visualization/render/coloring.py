@@ -46,7 +46,7 @@ class Coloring:
         names: Ascending labels with their names, for labels; -1 is noise.
         title: Title such as "height [m]".
         has_missing: True if a value was not finite (gray).
-        paint: Function that colors other points in the same way: cloud to vec3 (k,); None if impossible.
+        paint: Function that colors other points in the same way: cloud to vec3 (k,). None if impossible.
     """
 
     colors: Any
@@ -80,7 +80,7 @@ def color_cloud(
             name of a scalar attribute, or an array (n,). Integers in an array or under names such as label, cluster and
             classification are labels unless `colormap` or `limits` is given; everything else is values.
         colormap: "viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm" (neutral center) or
-            "jet"; None for viridis.
+            "jet". None for viridis.
         limits: Values (low, high) at both ends of the colormap. If None, the range of coordinates, and the 2nd and 98th
             percentile of other values, from at most 1,000,000 evenly spaced points.
 
@@ -130,7 +130,7 @@ def color_cloud(
 
 
 def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
-    """Color by a coordinate; on the device it is relative to the cloud's origin."""
+    """Color by a coordinate. On the device it is relative to the cloud's origin."""
     axis = _AXES[by]
     points, start = contiguous(cloud._device_array("points")), float(cloud.origin[axis])
     if limits is None:
@@ -166,7 +166,7 @@ def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple
 
 
 def _find_limits(values: NDArray[Any]) -> tuple[float, float]:
-    """Percentiles of the finite values; their range if the percentiles are equal; (0, 1) without values."""
+    """Percentiles of the finite values. Their range if the percentiles are equal; (0, 1) without values."""
     finite = values[np.isfinite(values)].astype(np.float64)
     if not len(finite):
         return 0.0, 1.0

@@ -153,14 +153,14 @@ COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray"
 
 
 def check_colormap(name: str) -> str:
-    """Validate the name of a colormap; raises ValueError."""
+    """Validate the name of a colormap. Raises ValueError."""
     if not isinstance(name, str) or name not in COLORMAPS:
         raise ValueError(f"colormap: expected one of {', '.join(COLORMAPS)}, got {shown(name)}")
     return name
 
 
 def colormap_table(name: str) -> NDArray[np.float32]:
-    """Colors of a map from low to high, shape (256, 3), 0 to 1; raises ValueError for an unknown name.
+    """Colors of a map from low to high, shape (256, 3), 0 to 1. Raises ValueError for an unknown name.
 
     Example:
         >>> colormap_table("gray")[[0, -1]].tolist()

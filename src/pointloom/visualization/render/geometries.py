@@ -43,7 +43,7 @@ ACCEPTED = (
     "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
 )
 
-# Colors of several clouds without colors; the first two as in Open3D's registration tutorials.
+# Colors of several clouds without colors. The first two as in Open3D's registration tutorials.
 PALETTE: tuple[Triple, ...] = (
     (1.0, 0.706, 0.0),
     (0.0, 0.651, 0.929),
@@ -130,12 +130,12 @@ def _has_colors(cloud: Any) -> bool:
 
 
 def kind_of(geometry: Any) -> str:
-    """Default name of a geometry; raises TypeError if it cannot be drawn."""
+    """Default name of a geometry. Raises TypeError if it cannot be drawn."""
     return _entry_of(as_known(geometry))[0]
 
 
 def as_known(geometry: Any) -> Any:
-    """Convert Open3D's tensor geometries and tensors; other objects are returned unchanged."""
+    """Convert Open3D's tensor geometries and tensors. Other objects are returned unchanged."""
     if isinstance(geometry, (type, *(kind for kind, _ in _KINDS))):
         return geometry
     if callable(getattr(geometry, "to_legacy", None)):
@@ -148,7 +148,7 @@ def as_known(geometry: Any) -> Any:
 
 
 def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> list[Part]:
-    """Drawn parts of a geometry on a device (None: that of the geometry, else the CPU); arrays on it are shared.
+    """Drawn parts of a geometry on a device (None: that of the geometry, else the CPU). Arrays on it are shared.
 
     Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays.
     """
@@ -193,7 +193,7 @@ def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
 def _points(
     positions: Any, origin: NDArray[np.float64], colors: Any, normals: Any, style: Style, has_own: bool
 ) -> Points:
-    """Points; their own colors are unlit unless the style requires lighting."""
+    """Points. Their own colors are unlit unless the style requires lighting."""
     part = Points(positions, origin, colors, normals, size=style.point_size, metric=style.metric)
     shaded, lit = style.shaded is not False, style.shaded is True or not has_own
     opacity = 1.0 if style.opacity is None else style.opacity
@@ -201,7 +201,7 @@ def _points(
 
 
 def _of_splats(splats: GaussianSplats, style: Style, device: Any) -> list[Part]:
-    """Gaussian splats; in one color or colored by values, points."""
+    """Gaussian splats. In one color or colored by values, points."""
     splats = splats.to(device)
     (points,) = _of_cloud(splats.to_point_cloud(), style, device)
     if not isinstance(points, Points) or style.color is not None or style.color_by is not None or not len(splats):
@@ -230,7 +230,7 @@ def _of_points(geometry: Any, style: Style, device: Any) -> list[Part]:
 
 
 def optional_rows(holder: Any, name: str, rows: int) -> NDArray[np.float32]:
-    """An attribute with one row per element, or no rows if missing; colors 0 to 1."""
+    """An attribute with one row per element, or no rows if missing. Colors 0 to 1."""
     values = getattr(holder, name, None)
     if values is None or len(values) == 0:
         return np.empty((0, 3), np.float32)
@@ -404,7 +404,7 @@ def voxel_parts(grid: VoxelGrid, chosen: dict[str, Any], device: Any) -> list[Pa
 
 
 def outer_faces(grid: VoxelGrid) -> NDArray[np.int64]:
-    """Faces between occupied and free voxels; corners in voxel units, shape (k, 4, 3)."""
+    """Faces between occupied and free voxels. Corners in voxel units, shape (k, 4, 3)."""
     cells = np.asarray(grid.coordinates, np.int64)
     sizes = np.asarray(grid.counts, np.int64) + 2
     occupied = _keys(cells, sizes)  # ascending, as the coordinates are

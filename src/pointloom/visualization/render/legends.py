@@ -62,7 +62,7 @@ class _Panel:
 
 
 def _lay_legend(names: Sequence[str], width: int, height: int) -> tuple[_Panel, list[str]]:
-    """Panel and lines of a legend; the last line counts omitted entries."""
+    """Panel and lines of a legend. The last line counts omitted entries."""
     size = _letters_for(width, height)
     pitch, pad = round(_PITCH * size), round(0.6 * size)
     room = max(1, (height - 4 * pad) // pitch)
@@ -109,7 +109,7 @@ class _Bar(_Panel):
 
 
 def _lay_bar(coloring: Coloring, title: str, width: int, height: int) -> _Bar | None:
-    """Panel of a color bar; None for colors without numbers."""
+    """Panel of a color bar. None for colors without numbers."""
     if coloring.limits is None or coloring.colormap is None:
         return None
     size = _letters_for(width, height)
@@ -133,7 +133,7 @@ def color_bar_size(coloring: Coloring, width: int, height: int) -> tuple[int, in
 
 
 def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
-    """Draw a color bar at the right, or a legend for labels; nothing for colors without numbers."""
+    """Draw a color bar at the right, or a legend for labels. Nothing for colors without numbers."""
     if coloring.kind == "labels":
         draw_legend(canvas, coloring.entries(), "upper right")
     panel = _lay_bar(coloring, title, canvas.width, canvas.height)

@@ -85,5 +85,5 @@ def _pair(bounds: Any) -> tuple[Any, Any]:
 
 
 def _longest_side(low: NDArray[np.float64], high: NDArray[np.float64]) -> float:
-    """The longest side of a box; 1 if it is a point."""
+    """The longest side of a box. 1 if it is a point."""
     return float(np.abs(high - low).max()) or 1.0

@@ -68,7 +68,7 @@ def read_view(path: str | os.PathLike[str], *, width: int = 1280, height: int = 
 
 
 def write_view(path: str | os.PathLike[str], view: View, bounds: Bounds) -> None:
-    """Write a view that Open3D's viewer accepts with Ctrl+V; an existing file is replaced.
+    """Write a view that Open3D's viewer accepts with Ctrl+V. An existing file is replaced.
 
     Args:
         path: A .json file.

@@ -51,7 +51,7 @@ class Overlays:
         return [_united(bands) for bands in itertools.product(*kinds)]
 
     def write(self, canvas: Canvas, view: View, middle: NDArray[np.float64]) -> None:
-        """Draw them; the scale bar is for the depth of `middle`, the scene's center [m]."""
+        """Draw them. The scale bar is for the depth of `middle`, the scene's center [m]."""
         ink: dict[str, Any] = {"color": WHITE, "halo": BLACK} if self.is_dark else {"color": BLACK, "halo": WHITE}
         draw_labels(canvas, _project(self.labels, view), **ink)
         draw_legend(canvas, self.entries)

@@ -23,13 +23,13 @@ class Points:
     """Round splats.
 
     Args:
-        positions: vec3 (n,) on a device, relative to `origin` [m]; non-finite ones are not drawn.
-        colors, normals: vec3 (n,), or of size 0; without colors, points are `plain`.
-        size: Diameter [px], or [m] if `metric`; None closes most gaps.
+        positions: vec3 (n,) on a device, relative to `origin` [m]. Non-finite ones are not drawn.
+        colors, normals: vec3 (n,), or of size 0. Without colors, points are `plain`.
+        size: Diameter [px], or [m] if `metric`. None closes most gaps.
         shaded: Shade by normals, or by eye-dome lighting without normals.
-        lit: Apply lighting to normals; else colors keep their brightness.
+        lit: Apply lighting to normals. Else colors keep their brightness.
         pose: 4x4, applied to the positions.
-        coloring: Meaning of the colors for a color bar; None for the cloud's own colors.
+        coloring: Meaning of the colors for a color bar. None for the cloud's own colors.
     """
 
     positions: Any
@@ -48,14 +48,14 @@ class Points:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Gaussians(Points):
-    """Gaussian splats with their SplatColumns; pages and the viewer draw them as points."""
+    """Gaussian splats with their SplatColumns. Pages and the viewer draw them as points."""
 
     columns: Any = None
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Lines:
-    """Segments: int32 `indices` (2 m,) of `positions`, `colors` vec3 (m,) or of size 0, `width` [px]; see `Points`."""
+    """Segments: int32 `indices` (2 m,) of `positions`, `colors` vec3 (m,) or of size 0, `width` [px]. See `Points`."""
 
     positions: Any
     origin: NDArray[np.float64]
@@ -68,11 +68,11 @@ class Lines:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Triangles:
-    """A surface; see `Points` for the other fields.
+    """A surface. See `Points` for the other fields.
 
     Args:
         indices: int32 (3 t,), counterclockwise seen from outside.
-        colors, normals: vec3 (n,) per vertex, or of size 0; without normals, faces are flat.
+        colors, normals: vec3 (n,) per vertex, or of size 0. Without normals, faces are flat.
         uvs: vec2 (3 t,) per corner, or of size 0; (0, 0) is the lower left corner of the texture.
         texture: uint8 (h, w, 3) on the host, or None.
         wireframe: Draw edges over the faces.

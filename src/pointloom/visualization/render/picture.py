@@ -18,7 +18,7 @@ MAX_PNG_BYTES = 2**21  # in a notebook; larger images are shown as a JPEG of at 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
     """An image as a uint8 array, displayed by notebooks and written by `save_picture`.
 
-    Shape (h, w, 3) RGB, or (h, w, 4) RGBA (not premultiplied). Slices and stacks (`np.hstack`) are Pictures; results of
+    Shape (h, w, 3) RGB, or (h, w, 4) RGBA (not premultiplied). Slices and stacks (`np.hstack`) are Pictures. Results of
     computations are plain arrays.
 
     Example:
@@ -42,7 +42,7 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
-        """PNG for notebooks; None for large images and for parts that are no image."""
+        """PNG for notebooks. None for large images and for parts that are no image."""
         if not self._is_whole():
             return None
         file = io.BytesIO()

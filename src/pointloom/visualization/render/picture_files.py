@@ -21,7 +21,7 @@ MAX_WEBP = 16383  # [px] per side
 
 
 def check_picture(path: Any, *, overwrite: bool) -> None:
-    """Check that an image can be written, before any work; raises FileError."""
+    """Check that an image can be written, before any work. Raises FileError."""
     if path_of(path).suffix.lower() not in KINDS:
         raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
     check_writable(path, overwrite=overwrite)
@@ -32,7 +32,7 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
 
     Args:
         path: A .png or .webp file.
-        image: uint8 of shape (h, w, 3) (RGB), (h, w, 4) (RGBA) or (h, w); for PNG also uint16 (h, w).
+        image: uint8 of shape (h, w, 3) (RGB), (h, w, 4) (RGBA) or (h, w). For PNG also uint16 (h, w).
         overwrite: Replace an existing file.
 
     Raises:

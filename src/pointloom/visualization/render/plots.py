@@ -29,7 +29,7 @@ PLOT_SIZE = 1280, 960  # [px] of trajectories and station plans
 TRUTH = "0.55"
 ERROR = "error [m]"
 MAX_COORDINATE = 1e12  # [m] positions farther out are not drawn
-MAX_VERTICES = 50_000  # of a trajectory that are drawn; the errors along the way are drawn in full
+MAX_VERTICES = 50_000  # of a trajectory that are drawn. The errors along the way are drawn in full
 
 TAIL = 0.998  # quantile of the errors at which the axis of a histogram ends if the largest is far beyond
 FAR = 1.5  # ... this many times the quantile
@@ -46,13 +46,13 @@ OCCUPIED, UNKNOWN = (26, 26, 26), (153, 153, 153)  # of 255
 
 
 def check_plot(path: Any, *, overwrite: bool) -> None:
-    """Check matplotlib, extension and path before any work; raises FileError."""
+    """Check matplotlib, extension and path before any work. Raises FileError."""
     check_picture(path, overwrite=overwrite)
     import_for(path, "matplotlib.figure", "plot")
 
 
 def new_figure(width: int, height: int) -> Any:
-    """An empty figure with an Agg canvas of this size [px]; raises ImportError without matplotlib."""
+    """An empty figure with an Agg canvas of this size [px]. Raises ImportError without matplotlib."""
     figure = _matplotlib("figure").Figure(figsize=(width / DPI, height / DPI), dpi=DPI, layout="constrained")
     _matplotlib("backends.backend_agg").FigureCanvasAgg(figure)
     return figure
@@ -68,7 +68,7 @@ def trajectory_plot(
 ) -> Picture:
     """Plot a trajectory beside the true one in the plane of its two largest extents, and the error along the way.
 
-    Positions are (n, 3) [m] at the same times [s] in the same frame; non-finite rows are gaps.
+    Positions are (n, 3) [m] at the same times [s] in the same frame. Non-finite rows are gaps.
     """
     path, true = (np.where(np.abs(rows) < MAX_COORDINATE, rows, np.nan) for rows in (estimate, truth))
     errors = np.linalg.norm(path - true, axis=1)

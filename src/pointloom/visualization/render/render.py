@@ -75,14 +75,14 @@ def render(
             `draw`: {"geometry": cloud, "color_by": "height", "point_size": 3}.
         camera: A View, the path of a JSON file of Open3D's viewer, or a mapping with some of its parameters zoom,
             front, lookat, up and field_of_view. If None, a view is fitted.
-        size: Width and height [px]; ignored if the camera is a View.
+        size: Width and height [px]. Ignored if the camera is a View.
         point_size: Diameter of points [px]. If None, large enough to close most gaps between neighbors.
         point_show_normal: Draw normals as lines.
         mesh_show_wireframe: Draw the edges of triangles over their faces.
-        mesh_show_back_face: Draw back faces; without them one looks into a closed room from outside.
+        mesh_show_back_face: Draw back faces. Without them one looks into a closed room from outside.
         background: Red, green and blue, 0 to 1, or "white", "black", "gray", or "transparent" for an RGBA image.
         shading: "smooth" or "flat" lights everything by vertex or face normals; "none" shows unlit colors. If None:
-            meshes are lit, smoothly if they have normals, except textured ones; points with normals and without colors
+            meshes are lit, smoothly if they have normals, except textured ones. Points with normals and without colors
             are lit, other points get eye-dome lighting.
         labels: Texts and their positions [m]: [("door", [1, 0, 2])]. Labels that would overlap an earlier one are
             omitted.
@@ -97,9 +97,9 @@ def render(
         device: "cpu" or "cuda:N". If None, the device of the first geometry. Geometries on other devices are copied.
 
     Returns:
-        A Picture: uint8 RGB array of shape (h, w, 3), displayed by notebooks and written by `loom.save_picture`; each
+        A Picture: uint8 RGB array of shape (h, w, 3), displayed by notebooks and written by `loom.save_picture`. Each
         pixel is the mean of 2 x 2 samples. With a transparent background RGBA, not premultiplied, shape (h, w, 4).
-        With `depth`, also the depth along the optical axis [m], float32 (h, w), 0 for the background; geometries with
+        With `depth`, also the depth along the optical axis [m], float32 (h, w), 0 for the background. Geometries with
         an opacity below 1 are ignored.
 
     Raises:
@@ -110,7 +110,7 @@ def render(
     Notes:
         Bitwise reproducible from run to run, for any number of threads, on the CPU and on CUDA. Takes about 80 B of
         memory per pixel, 190 B with transparent geometries. Non-finite points are not drawn. Transparency uses up to 16
-        layers (depth peeling, Everitt, "Interactive order-independent transparency", NVIDIA 2001); a transparent cloud
+        layers (depth peeling, Everitt, "Interactive order-independent transparency", NVIDIA 2001). A transparent cloud
         shows its foremost points only.
 
     Example:
@@ -183,7 +183,7 @@ def _before_dark(part: Part) -> Part:
 
 
 def _all_of(groups: list[list[Part]]) -> list[Part]:
-    """The parts of all geometries; warns if there are none."""
+    """The parts of all geometries. Warns if there are none."""
     parts = [part for group in groups for part in group]
     if not any(part.positions.size for part in parts) and asked_by_user():
         has = "a geometry without points or faces" if groups else "an empty list"
@@ -194,7 +194,7 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
 def resolve_view(
     camera: Any, scene: Scene, width: int, height: int, *, rooms: Sequence[Insets] = (), up: Triple = UP
 ) -> View:
-    """View for the `camera` of `render`; a fitted view uses those insets in `rooms` that allow the closest view."""
+    """View for the `camera` of `render`. A fitted view uses those insets in `rooms` that allow the closest view."""
     if camera is None:
         direction = direction_under(up)
         views = [scene.fit(Frame(direction, up, width, height, room)) for room in rooms or [(0, 0, 0, 0)]]
@@ -212,7 +212,7 @@ def resolve_view(
 
 
 def open3d_parameters(name: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Open3D view parameters that are given; unknown names are an error."""
+    """Open3D view parameters that are given. Unknown names are an error."""
     unknown = [key for key in given if key not in OPEN3D_KEYS]
     if unknown:
         raise ValueError(f"{name}: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")

@@ -44,7 +44,7 @@ from .parts import Gaussians, Lines, Matrix, Part, Points, Triangles, Triple
 from .view import Frame, View
 
 MAX_ELEMENTS = 2**31 - 1
-CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers; color and image
+CELL_BYTES, PIXEL_BYTES = 16, 15  # z-buffer and buffer of point centers. Color and image
 LAYER_BYTES = 28  # per cell of transparent parts: two layers, a temporary one, and the remaining transmittance
 MIN_RADIUS = 0.71  # [cells] of lines: thinner ones would have gaps
 CLOSING = 2.2  # diameter over the mean point distance: leaves 2 % of gaps between random points
@@ -54,7 +54,7 @@ MIN_SIZE, MAX_SIZE = 1.5, 16.0  # [px] of automatic point sizes
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Placed:
-    """A part with the bounds of its finite positions [m] relative to its origin; None if empty."""
+    """A part with the bounds of its finite positions [m] relative to its origin. None if empty."""
 
     part: Part
     box: NDArray[np.float64] | None
@@ -133,7 +133,7 @@ class Drawing:
         return finish_picture(self.buffer, self.light, self.left, vec3(*background))
 
     def depth(self) -> Any:
-        """Depth of each pixel [m], float32 on the device; 0 for background and transparent parts."""
+        """Depth of each pixel [m], float32 on the device. 0 for background and transparent parts."""
         first, last, closer = self.lines
         return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
 
@@ -311,7 +311,7 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
 
 
 def _is_veil(placed: Placed) -> bool:
-    """True if a part is transparent but not invisible; Gaussian splats are handled separately."""
+    """True if a part is transparent but not invisible. Gaussian splats are handled separately."""
     if isinstance(placed.part, Gaussians):
         return False
     return placed.box is not None and not isinstance(placed.part, Lines) and 0 < placed.part.opacity < 1

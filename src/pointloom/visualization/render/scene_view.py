@@ -73,7 +73,7 @@ def _mean_direction(directions: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _forwards(T_world_camera: NDArray[np.float64], up: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    """Level viewing directions, best first; at least one is long enough."""
+    """Level viewing directions, best first. At least one is long enough."""
     first = T_world_camera[0, :3]
     candidates = [T_world_camera[:, :3, 2].mean(axis=0), first[:, 2], first[:, 1], first[:, 0]]
     return [vector - up * (vector @ up) for vector in candidates]

@@ -13,13 +13,13 @@ from .parts import Matrix, Triple
 
 @dataclasses.dataclass(frozen=True)
 class Style:
-    """Drawing style of a geometry; None leaves a field to the geometry. Raises TypeError or ValueError with the key.
+    """Drawing style of a geometry. None leaves a field to the geometry. Raises TypeError or ValueError with the key.
 
     Args:
         color: Uniform color: red, green and blue, 0 to 1.
         color_by, colormap, limits: Displayed property: "rgb", "normal", "height", "label" or an attribute.
         point_size: Diameter of points [px], or [m] if `metric`.
-        wireframe: Draw edges over the faces; for a hull, edges only.
+        wireframe: Draw edges over the faces. For a hull, edges only.
         shaded: Apply lighting; eye-dome lighting for points without normals.
         opacity: Opacity of points and faces, 0 to 1.
         pose: Rigid transformation, 4x4.

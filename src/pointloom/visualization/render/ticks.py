@@ -12,7 +12,7 @@ TINY = 1e-12  # relative: smaller ranges count as empty
 
 @dataclasses.dataclass(frozen=True)
 class Ticks:
-    """Ticks at ascending `values` of an axis; an empty range is widened. Labels are (value - offset) / 10^exponent."""
+    """Ticks at ascending `values` of an axis. An empty range is widened. Labels are (value - offset) / 10^exponent."""
 
     low: float
     high: float
@@ -88,7 +88,7 @@ def count_ticks(length: int, size: int) -> int:
 
 
 def widen(low: float, high: float) -> tuple[float, float]:
-    """Ends of a nonempty axis; 0 and 1 if not finite."""
+    """Ends of a nonempty axis. 0 and 1 if not finite."""
     if not (math.isfinite(low) and math.isfinite(high) and math.isfinite(high - low)):
         return 0.0, 1.0
     largest = max(abs(low), abs(high))

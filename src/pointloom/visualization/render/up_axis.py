@@ -21,7 +21,7 @@ def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
 
 
 def told_up(geometry: Any, pose: Any = None) -> Triple | None:
-    """Up axis of a geometry under its 4x4 pose; None if undefined."""
+    """Up axis of a geometry under its 4x4 pose. None if undefined."""
     up = geometry.up if isinstance(geometry, MeshArrays) else None
     return up if pose is None else up_under(up, pose[:3, :3])
 

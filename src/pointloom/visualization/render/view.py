@@ -27,7 +27,7 @@ class View:
     """Camera of an image.
 
     Args:
-        intrinsic: Pinhole camera; its size is the size of the image.
+        intrinsic: Pinhole camera. Its size is the size of the image.
         T_world_camera: Camera to world [m], shape (4, 4): x right, y down, z forward.
     """
 
@@ -62,7 +62,7 @@ class View:
             zoom: Half of the visible height at `lookat` over the longest side of the box.
             front: Direction from `lookat` to the camera.
             lookat: Point in the center of the image [m]. If None, the center of the box.
-            up: Up direction of the image; the component along `front` is ignored.
+            up: Up direction of the image. The component along `front` is ignored.
             field_of_view: Vertical field of view [degrees].
             width, height: Size of the image [px].
 
@@ -110,9 +110,9 @@ def fit_view(
     """Closest view along a direction that shows all points.
 
     Args:
-        points: Shape (n, 3) [m]; non-finite points are ignored. Without any point, the view shows the origin.
-        direction: Viewing direction; by default down from the front right.
-        up: Up direction of the image; not along `direction`.
+        points: Shape (n, 3) [m]. Non-finite points are ignored. Without any point, the view shows the origin.
+        direction: Viewing direction. By default down from the front right.
+        up: Up direction of the image. Not along `direction`.
         width, height: Size of the image [px].
 
     Raises:
@@ -161,7 +161,7 @@ class Frame:
     def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
         """The closest view, from the scene's extent along the directions (5,) [m] (or None) and its longest side [m].
 
-        Along each axis, the tangent planes of the scene meet at the camera position; the farther of the two positions
+        Along each axis, the tangent planes of the scene meet at the camera position. The farther of the two positions
         is used.
         """
         T = np.eye(4)

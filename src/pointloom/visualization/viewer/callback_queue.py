@@ -24,7 +24,7 @@ log = logging.getLogger("pointloom.viewer")
 
 
 class HookPages:
-    """Pages for messages and draw signals; none after the viewer was closed."""
+    """Pages for messages and draw signals. None after the viewer was closed."""
 
     def __init__(self, viewer: Viewer):
         self._viewer = viewer
@@ -80,7 +80,7 @@ class Calls:
         self._thread: threading.Thread | None = None
 
     def call(self, client: int | None, job: Callable[[], Any], key: Any = None) -> None:
-        """Queue a function for a page; a waiting call of the same `key` is replaced."""
+        """Queue a function for a page. A waiting call of the same `key` is replaced."""
         with self._condition:
             key = object() if key is None else key
             is_room = key in self._jobs or len(self._jobs) < MAX_WAITING
@@ -161,7 +161,7 @@ class Calls:
         return [beat for beat in self._beats if beat.due <= now]
 
     def _pause(self) -> float | None:
-        """Time until the next periodic call [s]; None without one."""
+        """Time until the next periodic call [s]. None without one."""
         if not self._beats:
             return None
         if self._asked is not None or not self._pages.are_open():

@@ -29,7 +29,7 @@ CLOSEST, FARTHEST = 1e-4, 50.0
 
 # Limits of a page's reported image for rendering.
 NARROWEST, WIDEST = 1e-6, math.pi - 1e-3  # [rad]
-MIN_PIXELS, MAX_PIXELS = 32, 1 << 25  # per side; in total, as of 8192 x 4096
+MIN_PIXELS, MAX_PIXELS = 32, 1 << 25  # per side. In total, as of 8192 x 4096
 
 AWAY = 500.0  # distance of a nearly orthographic camera in extents: no point moves by a pixel
 
@@ -71,7 +71,7 @@ def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = N
 
 
 def view_of(camera: CameraState | PageCamera, frame: Frame, bounds: Bounds, size: tuple[int, int]) -> View:
-    """The view of a page's camera in world coordinates; a parallel projection becomes a distant perspective view."""
+    """The view of a page's camera in world coordinates. A parallel projection becomes a distant perspective view."""
     width, height = picture_size(size)
     position = np.asarray(camera.position, np.float64)
     tangent = math.tan(min(max(camera.fov, NARROWEST), WIDEST) / 2)

@@ -22,7 +22,7 @@ class ColoringChoice:
     limits: tuple[float, float] | None = None
 
     def of(self, item: Item) -> Coloring | None:
-        """Coloring of a cloud; None for its original colors, also if it lacks the property."""
+        """Coloring of a cloud. None for its original colors, also if it lacks the property."""
         if item.cloud is None:
             return None
         if self.by is not None and self.by in choices_of(item.cloud):
@@ -33,7 +33,7 @@ class ColoringChoice:
         return None
 
     def checked(self, by: str | None, colormap: str | None, limits: Any, items: Collection[Item]) -> ColoringChoice:
-        """Another choice, validated; raises ValueError if no cloud has the property or values are out of range."""
+        """Another choice, validated. Raises ValueError if no cloud has the property or values are out of range."""
         if colormap is not None:
             check_colormap(colormap)
         if by is not None:
@@ -48,7 +48,7 @@ class ColoringChoice:
 
 
 def _color(item: Item, by: Any, colormap: str | None, limits: Any) -> Coloring:
-    """Coloring of an item's cloud; for a cloud read in parts, with a function for the other points."""
+    """Coloring of an item's cloud. For a cloud read in parts, with a function for the other points."""
     assert item.cloud is not None
     found = color_cloud(item.cloud, by, colormap=colormap, limits=limits)
     if not item.is_in_parts or not isinstance(by, str):

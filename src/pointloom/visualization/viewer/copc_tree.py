@@ -30,7 +30,7 @@ _PROBES = 4  # samples along each side of a cell that estimate its visible fract
 
 
 class CopcTree(NodesInView):
-    """Nodes of a COPC file, with the interface of a DetailTree for `CloudStream`; raises FileError.
+    """Nodes of a COPC file, with the interface of a DetailTree for `CloudStream`. Raises FileError.
 
     The coarse levels are read at once into the `head` (at most `first` points, or the coarsest level), whose points
     have the first indices. Other nodes are read on demand and cached in `memory` bytes. A damaged node causes one
@@ -110,16 +110,16 @@ class CopcTree(NodesInView):
         return bool(self.head.has_colors)
 
     def points_of(self, i: int) -> NDArray[np.float64]:
-        """World coordinates of a node's points [m], float64 (k, 3); empty if damaged."""
+        """World coordinates of a node's points [m], float64 (k, 3). Empty if damaged."""
         return self._table(i).points
 
     def indices_of(self, i: int) -> NDArray[np.int64]:
-        """Indices of a node's points, int64 (k,); empty if damaged."""
+        """Indices of a node's points, int64 (k,). Empty if damaged."""
         count = len(self._table(i).points)
         return np.arange(count) + int(self._firsts[i])
 
     def node(self, i: int) -> Node:
-        """Points of a node relative to its center; empty if damaged."""
+        """Points of a node relative to its center. Empty if damaged."""
         table = self._table(i)
         middle, half = self.middles[i], float(self.halves[i])
         positions = (table.points - middle).astype(np.float32)

@@ -26,7 +26,7 @@ def sample_file(path: str | os.PathLike[str], count: int) -> PointCloud | None:
         count: Maximum number of points, at least 1.
 
     Returns:
-        The cloud; None if the format can only be read completely.
+        The cloud. None if the format can only be read completely.
 
     Raises:
         FileError, TypeError, ValueError: The file cannot be read, or `count` is not an integer >= 1.

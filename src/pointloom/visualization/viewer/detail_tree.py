@@ -59,15 +59,15 @@ class DetailTree(NodesInView):
     Attributes:
         origin: Origin of the float32 positions [m], float64 (3,).
         count: Number of points in nodes.
-        low, high: Bounds of the points [m], float64 (3,); zero for an empty cloud.
+        low, high: Bounds of the points [m], float64 (3,). Zero for an empty cloud.
         spacings: Voxel size of each node's level [m], float64 (m,).
         counts: Number of points of each node, int64 (m,).
         middles, halves: Center and half side of each node's bounding cube [m], float64 (m, 3) and (m,).
         attributes: Additional values of the points of a file by name, in file order.
 
     Notes:
-        The nodes are identical from run to run and on every device. Memory: 4 B per point beside a cloud; 16 B per
-        point of a file plus 3 B for colors; 20 B more during construction.
+        The nodes are identical from run to run and on every device. Memory: 4 B per point beside a cloud. 16 B per
+        point of a file plus 3 B for colors. 20 B more during construction.
 
     Example:
         >>> import numpy as np, pointloom as loom
@@ -113,7 +113,7 @@ class DetailTree(NodesInView):
 
     @classmethod
     def from_cloud(cls, cloud: PointCloud) -> DetailTree:
-        """Build the tree of a cloud on its device; the arrays are shared. Raises `TypeError` for other types."""
+        """Build the tree of a cloud on its device. The arrays are shared. Raises `TypeError` for other types."""
         check_cloud("cloud", cloud)
         colors: Any = None
         if cloud.has_colors:
@@ -134,7 +134,7 @@ class DetailTree(NodesInView):
         Args:
             path: A file that `read_point_cloud` reads.
             attributes: Names of additional values to keep.
-            device: Device for the construction; the tree is stored in host memory.
+            device: Device for the construction. The tree is stored in host memory.
             progress: Called with "reading", the progress in percent, and 100.
 
         Raises:
@@ -174,11 +174,11 @@ class DetailTree(NodesInView):
 
     @property
     def positions(self) -> Points:
-        """All points in index order relative to `origin` [m], float32 (n, 3), including non-finite ones; not copied."""
+        """All points in index order relative to `origin` [m], float32 (n, 3), including non-finite ones. Not copied."""
         return self._positions
 
     def points_of(self, i: int) -> NDArray[np.float64]:
-        """World coordinates of the points of node `i` [m], float64 (k, 3); order and errors as in `indices_of`."""
+        """World coordinates of the points of node `i` [m], float64 (k, 3). Order and errors as in `indices_of`."""
         return self._positions[self._rows_of(i)] + self.origin
 
     def indices_of(self, i: int) -> NDArray[np.int64]:
@@ -190,7 +190,7 @@ class DetailTree(NodesInView):
         return self._rows_of(i).astype(np.int64)
 
     def colors_of(self, indices: NDArray[np.int64]) -> NDArray[np.uint8] | None:
-        """Colors of points by index, uint8 (k, 3); None if the cloud has no colors.
+        """Colors of points by index, uint8 (k, 3). None if the cloud has no colors.
 
         Raises:
             TypeError, IndexError: Not integers, or an index is out of range.
@@ -199,7 +199,7 @@ class DetailTree(NodesInView):
         return None if self._colors is None else self._colors(rows)
 
     def node(self, i: int) -> Node:
-        """Points of node `i` relative to its center; errors as in `indices_of`."""
+        """Points of node `i` relative to its center. Errors as in `indices_of`."""
         indices = self.indices_of(i)
         shift = self.origin - self.middles[i]
         positions = (self._positions[indices] + shift).astype(np.float32)
@@ -231,7 +231,7 @@ class DetailTree(NodesInView):
 
 
 def _cube(low: NDArray[np.float32], high: NDArray[np.float32]) -> tuple[NDArray[np.float64], float]:
-    """Corner and side of a cube around a box; the side is a power of 2, so that cells are exact."""
+    """Corner and side of a cube around a box. The side is a power of 2, so that cells are exact."""
     corner = low.astype(np.float64)
     extent = max(float((high - corner).max()), _SMALLEST_SIDE)
     return corner, 2.0 ** math.ceil(math.log2(extent))

@@ -67,13 +67,13 @@ def draw(
     initial image.
 
     Args:
-        geometries: One, a list, a mapping of names to geometries, or dictionaries as in Open3D's `draw`; all types that
+        geometries: One, a list, a mapping of names to geometries, or dictionaries as in Open3D's `draw`. All types that
             `loom.render` draws.
         width, height: Size of images, and height of the frame in a notebook [px].
-        point_show_normal: Show normals at first; key N.
-        mesh_show_wireframe: Show edges at first; key W.
+        point_show_normal: Show normals at first. Key N.
+        mesh_show_wireframe: Show edges at first. Key W.
         mesh_show_back_face: Draw back faces.
-        lookat, up, front, zoom, field_of_view: Camera as in Open3D; if none is given, the complete scene is visible.
+        lookat, up, front, zoom, field_of_view: Camera as in Open3D. If none is given, the complete scene is visible.
         port, host: See `Viewer`.
         max_points: Maximum number of points of all clouds in a page.
         block: Wait for the pages. If None, wait except in a notebook.
@@ -84,7 +84,7 @@ def draw(
         linger: Time without a page after which the wait ends [s].
 
     Returns:
-        The viewer, closed if `draw` waited; an `InlinePage` if inline or if no server can run in a notebook; an image
+        The viewer, closed if `draw` waited. An `InlinePage` if inline or if no server can run in a notebook. An image
         if POINTLOOM_DRAW is "picture".
 
     Raises:
@@ -140,7 +140,7 @@ draw_geometries = draw  # Open3D's name
 
 
 def unattended() -> bool:
-    """True if POINTLOOM_DRAW is "picture"; raises ValueError if it is neither that nor "page"."""
+    """True if POINTLOOM_DRAW is "picture". Raises ValueError if it is neither that nor "page"."""
     mode = os.environ.get("POINTLOOM_DRAW") or "page"
     if mode not in ("page", "picture"):
         raise ValueError(f"POINTLOOM_DRAW: expected 'page' or 'picture', got {mode!r}")
@@ -182,7 +182,7 @@ def open_page(viewer: Viewer) -> bool:
 
 
 def _open_in_cell(port: int, **options: Any) -> Viewer:
-    """Replace the viewers of earlier runs of this cell; use any port if the preferred ones are in use."""
+    """Replace the viewers of earlier runs of this cell. Use any port if the preferred ones are in use."""
     make_room()
     try:
         viewer = Viewer(port=port, **options)
@@ -275,7 +275,7 @@ class InlinePage:
     """A self-contained scene for a notebook, without a server.
 
     Attributes:
-        html: The page; None if it does not fit into the size limit.
+        html: The page. None if it does not fit into the size limit.
         picture: Initial image, shape (h, w, 3), uint8.
         notes: Notes below the page: why it is inline, its size, and what was sampled or simplified.
     """
@@ -294,7 +294,7 @@ class InlinePage:
 
 
 def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
-    """The reason to embed a scene, or None; raises ValueError if POINTLOOM_INLINE is neither 0 nor 1."""
+    """The reason to embed a scene, or None. Raises ValueError if POINTLOOM_INLINE is neither 0 nor 1."""
     if inline is not None:
         return "inline, as asked for" if inline else None
     wish = os.environ.get(VARIABLE, "")
@@ -309,7 +309,7 @@ def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
 
 
 def place_of_kernel() -> str | None:
-    """Name of a remote environment whose servers the browser cannot reach; None for this machine."""
+    """Name of a remote environment whose servers the browser cannot reach. None for this machine."""
     if "google.colab" in sys.modules:
         return "Colab"
     return next((place for variable, place in PLACES if os.environ.get(variable)), None)

@@ -1,7 +1,7 @@
 """Access rules for requests and values, independent of the server.
 
 Every web page in the user's browser can reach a loopback port, directly or by DNS rebinding. So `Host` must name this
-machine, and a websocket's `Origin` must equal that host and port; other requests get 403. The port is not compared with
+machine, and a websocket's `Origin` must equal that host and port. Other requests get 403. The port is not compared with
 the listening port, as both headers contain the local one behind `ssh -L`.
 """
 
@@ -18,7 +18,7 @@ _MAX_WHOLE = 2**53  # exact integers in a browser
 
 
 def split_host(header: str) -> tuple[str, str] | None:
-    """Lowercase name and port ("" if missing) of a `Host` header; None if invalid."""
+    """Lowercase name and port ("" if missing) of a `Host` header. None if invalid."""
     match = _HOST.fullmatch(header)
     return (match["name"].lower().rstrip("."), match["port"] or "") if match else None
 

@@ -46,7 +46,7 @@ class Control:
     def __init__(self, label: str, folder: str, value: Any, check: Check | None, controls: Controls):
         self.label, self.folder = label, folder
         self._value, self._check, self._controls = value, check, controls
-        self._handles: list[Any] = []  # of the link; the first is the control itself
+        self._handles: list[Any] = []  # of the link. The first is the control itself
 
     def __repr__(self) -> str:
         value = "" if self._check is None else f", {self._value!r}"
@@ -54,7 +54,7 @@ class Control:
 
     @property
     def value(self) -> Any:
-        """Current value, assignable; None for a button.
+        """Current value, assignable. None for a button.
 
         Raises `TypeError` for a button or a value of another type, `ValueError` for a value out of range.
         """
@@ -99,7 +99,7 @@ class Controls:
         return control
 
     def add_slider(self, label: str, low: Any, high: Any, value: Any, callback: Any, step: Any, folder: str) -> Control:
-        """Add a slider; it is integer if all given numbers are integers."""
+        """Add a slider. It is integer if all given numbers are integers."""
         given = {"low": low, "high": high, "value": value} | ({} if step is None else {"step": step})
         numbers = {name: check_number(name, number) for name, number in given.items()}
         is_whole = all(isinstance(number, int) or hasattr(number, "__index__") for number in given.values())
@@ -219,7 +219,7 @@ class Hooks:
 
     @property
     def items(self) -> Mapping[str, Item]:
-        """Geometries of the scene by name; always the newest state, also if the pages show an earlier time."""
+        """Geometries of the scene by name. Always the newest state, also if the pages show an earlier time."""
         timeline = self.timeline
         if timeline is None or timeline.is_live:
             return self.shown
@@ -245,7 +245,7 @@ class Hooks:
             hint: Tooltip.
 
         Returns:
-            The control; its `remove()` removes the button.
+            The control. Its `remove()` removes the button.
 
         Raises:
             TypeError, ValueError: An argument of another type, an unknown key, or an empty label.
@@ -269,13 +269,13 @@ class Hooks:
         step: float | None = None,
         folder: str = FOLDER,
     ) -> Control:
-        """Add a slider to the panel of all pages; it is integer if all given numbers are integers.
+        """Add a slider to the panel of all pages. It is integer if all given numbers are integers.
 
         Args:
             label: Label of the slider.
             low, high: Range.
             value: Initial value.
-            callback: Called with the value after a page has changed it; only with the newest if several wait. If None,
+            callback: Called with the value after a page has changed it. Only with the newest if several wait. If None,
                 the program reads `value`.
             step: Step size. If None, 1 or a hundredth of the range.
             folder: See `add_button`.
@@ -294,7 +294,7 @@ class Hooks:
     def add_checkbox(
         self, label: str, value: bool = False, callback: Callable[[bool], Any] | None = None, *, folder: str = FOLDER
     ) -> Control:
-        """Add a checkbox to the panel of all pages; arguments and errors as in `add_slider`.
+        """Add a checkbox to the panel of all pages. Arguments and errors as in `add_slider`.
 
         Example:
             >>> import pointloom as loom
@@ -384,7 +384,7 @@ class Hooks:
         """Call a function repeatedly while a page is open, for animations.
 
         Args:
-            callback: Called with the seconds since the last call; 0 for the first call and for the first one after no
+            callback: Called with the seconds since the last call. 0 for the first call and for the first one after no
                 page was open. An exception ends the calls and is displayed in all pages.
             rate: Maximum number of calls per second, in (0, 240]; limited by the drawing speed of the fastest page.
 
@@ -409,7 +409,7 @@ class Hooks:
         From the second step on, all pages share a timeline of the history. At its end it follows the newest step.
 
         Args:
-            t: Time [s] or frame number; not before the newest step.
+            t: Time [s] or frame number. Not before the newest step.
 
         Raises:
             TypeError, ValueError: `t` is not a number, not finite, or before the newest step.
@@ -449,7 +449,7 @@ class Hooks:
     def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
         """Write the history since `set_time` as a recording with one frame per time step.
 
-        The view is that of a page or of `set_view`; without either, all of the scene is visible at all times.
+        The view is that of a page or of `set_view`. Without either, all of the scene is visible at all times.
 
         Args:
             path: .html (one file that plays from disk), .gif or .mp4.

@@ -19,7 +19,7 @@ from .extents import Bounds
 
 Matrix = NDArray[np.float64]
 
-# Extents [m] suitable for a browser's camera; otherwise the page uses another unit.
+# Extents [m] suitable for a browser's camera. Otherwise the page uses another unit.
 SMALLEST, LARGEST = 0.05, 1e5
 
 SMALL = 2_000_000  # NumPy finds the bounds of fewer points as fast
@@ -39,7 +39,7 @@ class Frame:
 
     @classmethod
     def around(cls, bounds: Bounds) -> Frame:
-        """Frame at the center of a box; in meters unless its size is below 5 cm or above 100 km."""
+        """Frame at the center of a box. In meters unless its size is below 5 cm or above 100 km."""
         low, high = bounds
         extent = float(np.linalg.norm(high - low))
         unit = 1.0
@@ -110,7 +110,7 @@ class Item:
         return self.pose @ part.pose
 
     def world_bounds(self) -> Bounds | None:
-        """Bounds of all parts with the pose; None if empty."""
+        """Bounds of all parts with the pose. None if empty."""
         if self.bounds is None or self.pose is None:
             return self.bounds
         if self._moved is None or self._moved[0] is not self.pose:
@@ -182,7 +182,7 @@ class Item:
         return shown
 
     def label_counts(self, name: str) -> dict[int, int]:
-        """Number of points of each value of an integer attribute; empty if there is no such attribute."""
+        """Number of points of each value of an integer attribute. Empty if there is no such attribute."""
         if self.cloud is None or name not in self.cloud.attributes:
             return {}
         if self._label_counts is None or self._label_counts[0] != name:
@@ -203,7 +203,7 @@ class Item:
 
 
 def make_item(name: str, number: int, geometry: Any, style: Style, tree: Any = None) -> Item:
-    """Make an item; raises TypeError if it cannot be drawn and ValueError for inconsistent arrays."""
+    """Make an item. Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays."""
     parts = parts_of(geometry, style)
     cloud = None
     if len(parts) == 1 and isinstance(parts[0], Points):

@@ -68,7 +68,7 @@ def add_key(gui: Gui, hotkey: str, label: str, action: Callable[[Any], None], gr
 
 
 def check_hotkey(key: str) -> str:
-    """Name of a key in the page, from either case; raises ValueError."""
+    """Name of a key in the page, from either case. Raises ValueError."""
     hotkey = key.upper() if isinstance(key, str) and len(key) == 1 else key
     if hotkey not in HOTKEYS:
         raise ValueError(f"key: no key {key!r}; there are A to Z, 0 to 9, {', '.join(HOTKEYS[36:])}")

@@ -37,7 +37,7 @@ def write_history(
     background: Any = None,
     overwrite: bool = True,
 ) -> None:
-    """Write the time steps of a viewer as a recording with one frame each; see `Viewer.save_recording`.
+    """Write the time steps of a viewer as a recording with one frame each. See `Viewer.save_recording`.
 
     More than `max_frames` steps are sampled evenly, including the newest.
     """
@@ -62,7 +62,7 @@ def write_history(
 
 
 def moments_of(history: LiveTimeline, most: int) -> list[Moment]:
-    """Label and scene of each step; at most `most`, evenly sampled including the newest."""
+    """Label and scene of each step. At most `most`, evenly sampled including the newest."""
     count = len(history.times)
     rows = count - 1 - spread_rows(count, most)[::-1]
     return [(history.text_of(history.times[row]), history.scene_at(history.dropped + row)) for row in rows.tolist()]

@@ -41,7 +41,7 @@ class State:
 
 
 class LiveTimeline:
-    """Time steps of a viewer; requires the viewer's lock. Beyond `most_bytes` the oldest steps are dropped.
+    """Time steps of a viewer. Requires the viewer's lock. Beyond `most_bytes` the oldest steps are dropped.
 
     `times` are the stored times, ascending, and `bytes` is the memory used; shared arrays count once.
     """
@@ -53,7 +53,7 @@ class LiveTimeline:
         self._tracks: dict[str, list[tuple[int, State | None]]] = {}
         self._touched: list[set[str]] = []  # names that changed, by step
         self._arrays: dict[int, tuple[int, int]] = {}  # by address: reference count and bytes
-        self._shown: int | None = None  # number of the displayed step; None follows the newest
+        self._shown: int | None = None  # number of the displayed step. None follows the newest
         self.is_whole = True  # all times are integers
         self._control: Any = None
         self._told = 0.0  # last value sent to the control
@@ -133,7 +133,7 @@ class LiveTimeline:
         return found
 
     def look(self, t: float | None) -> None:
-        """Show the newest step up to a time in all pages; None follows the newest."""
+        """Show the newest step up to a time in all pages. None follows the newest."""
         self._look(t)
         self._tell()
 

@@ -17,7 +17,7 @@ _NEAREST = 0.1
 
 
 class NodesInView:
-    """Nodes from coarse to fine with view selection; base class of level-of-detail trees.
+    """Nodes from coarse to fine with view selection. Base class of level-of-detail trees.
 
     Attributes:
         counts: Number of points of each node, int64 (m,).
@@ -46,12 +46,12 @@ class NodesInView:
 
         Args:
             view: View in world coordinates.
-            budget: Maximum number of points; the first node is always selected.
+            budget: Maximum number of points. The first node is always selected.
             counts: Number of visible points of each node, shape (m,), if some are hidden.
             finest: Projected spacing [px] below which finer nodes are not needed.
 
         Returns:
-            Nodes inside the image by descending projected spacing; a node follows its parent.
+            Nodes inside the image by descending projected spacing. A node follows its parent.
 
         Raises:
             TypeError, ValueError: Not a View or not numbers, values out of range, or a wrong number of counts.

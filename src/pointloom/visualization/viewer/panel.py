@@ -115,7 +115,7 @@ class Panel:
         self._put_legend(None if coloring is None else legend_of(coloring, items))
 
     def _put_legend(self, told: tuple[str, Any] | None) -> None:
-        """Show a color bar or a legend at the edge of the image; None removes it."""
+        """Show a color bar or a legend at the edge of the image. None removes it."""
         if told == self._told:
             return
         self._told = told

@@ -91,7 +91,7 @@ class WholeCloud:
                 node.set(colors=colors_of(sent))
 
     def set_keep(self, keep: Keep | None) -> None:
-        """Set a mask function of visible points; None shows all."""
+        """Set a mask function of visible points. None shows all."""
         self._keep = keep
         self._send(len(self._nodes))
 
@@ -162,7 +162,7 @@ class WholeCloud:
 
 
 def in_steps(count: int) -> list[NDArray[np.int64]]:
-    """Rows of a cloud in parts that each cover all of it, a small one first; one part for few rows."""
+    """Rows of a cloud in parts that each cover all of it, a small one first. One part for few rows."""
     if count <= AT_ONCE:
         return [np.arange(count)]
     first = spread_rows(count, FIRST).astype(np.int64)
@@ -174,5 +174,5 @@ def in_steps(count: int) -> list[NDArray[np.int64]]:
 
 
 def even_share(count: int, budget: int) -> NDArray[np.int64] | None:
-    """Reproducible even sample of rows, ascending; None for all."""
+    """Reproducible even sample of rows, ascending. None for all."""
     return None if count <= budget else spread_rows(count, budget).astype(np.int64)

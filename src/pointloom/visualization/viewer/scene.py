@@ -44,7 +44,7 @@ log = logging.getLogger("pointloom.viewer")
 
 HINT = 'Nothing is shown yet. In the program, viewer.add("name", geometry) shows something here.'
 SMALLEST_POINT, LARGEST_POINT = 0.5, 40.0  # [px]
-OUTLINE, MIN_OUTLINE = 100_000, 50  # points of clouds for the view of everything; minimum number per cloud
+OUTLINE, MIN_OUTLINE = 100_000, 50  # points of clouds for the view of everything. Minimum number per cloud
 _NOTHING: Bounds = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 
 
@@ -115,7 +115,7 @@ class Scene(Hooks):
 
     @property
     def up(self) -> Triple | None:
-        """Up axis of the initial view; assign "x", "y", "z" or a direction.
+        """Up axis of the initial view. Assign "x", "y", "z" or a direction.
 
         If None, that of the first mesh that defines one (.glb, .gltf), else z.
         """
@@ -142,7 +142,7 @@ class Scene(Hooks):
 
     @property
     def bounds(self) -> Bounds:
-        """Lowest and highest corner of the scene [m]; a 2 m box if it is empty."""
+        """Lowest and highest corner of the scene [m]. A 2 m box if it is empty."""
         found = self._extents.union()
         return _NOTHING if found is None else found
 
@@ -209,7 +209,7 @@ class Scene(Hooks):
         check_units([*([] if there is None else [there]), *(geometry for _, geometry, _ in named)])
 
     def _page_unit(self) -> str | None:
-        """Length unit of the page; None if unknown or mixed."""
+        """Length unit of the page. None if unknown or mixed."""
         units = {geometry.unit for geometry in self._with_unit.values()} - {None}
         unit = units.pop() if len(units) == 1 and self.frame.unit == 1 else None
         return None if unit is None or unit.meters is None else unit.symbol
@@ -225,7 +225,7 @@ class Scene(Hooks):
         self._extents.put(item.name, item.world_bounds())
 
     def _count(self, item: Item | None, sign: int) -> None:
-        """Update the point and triangle counts; detect changed budgets of clouds."""
+        """Update the point and triangle counts. Detect changed budgets of clouds."""
         if item is None:
             return
         self.triangle_count += sign * item.triangle_count
@@ -258,7 +258,7 @@ class Scene(Hooks):
         return [*sessions, *builders, self._later, *hooks]
 
     def _show_levels(self, item: Item) -> None:
-        """Show the levels of a cloud after they were built; requires the lock."""
+        """Show the levels of a cloud after they were built. Requires the lock."""
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.show(item)
@@ -333,7 +333,7 @@ class Scene(Hooks):
         return NORMAL_LENGTH * diagonal(self.bounds) if self.normals else None
 
     def _take_view(self, given: Any) -> View:
-        """Set the initial view; if it cannot be drawn, raise TypeError or ValueError without a change."""
+        """Set the initial view. If it cannot be drawn, raise TypeError or ValueError without a change."""
         before, self._view = self._view, read_parameters(given)
         try:
             with np.errstate(all="ignore"):
@@ -426,7 +426,7 @@ class ItemNodes:
             node.set(wireframe=shown or part.wireframe)
 
     def set_normals(self, length: float | None) -> None:
-        """Show the normals of a cloud as lines of this length [m]; None hides them."""
+        """Show the normals of a cloud as lines of this length [m]. None hides them."""
         if self._normals is not None:
             self._normals.remove()
             self._normals = None
@@ -484,7 +484,7 @@ class Later:
             self._thread.start()
 
     def now(self) -> None:
-        """Run a requested job at once; requires the lock."""
+        """Run a requested job at once. Requires the lock."""
         if self._asked.is_set():
             self._asked.clear()
             self._job()
@@ -494,7 +494,7 @@ class Later:
         self._asked.set()  # wake all waiting threads
 
     def join(self) -> None:
-        """Wait for the thread after `close`; without the lock."""
+        """Wait for the thread after `close`. Without the lock."""
         thread = self._thread
         if thread is not None and thread is not threading.current_thread():
             thread.join(timeout=5.0)

@@ -116,7 +116,7 @@ def shown_geometry(viewer: Viewer, item: Item, clip: Clip | None = None) -> Name
 
 
 def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
-    """Clip a cloud or mesh at a pose; other types are returned unchanged."""
+    """Clip a cloud or mesh at a pose. Other types are returned unchanged."""
     if not clip.cuts:
         return geometry
     if isinstance(geometry, TriangleMesh):
@@ -127,7 +127,7 @@ def clipped(geometry: Any, clip: Clip, pose: Any) -> Any:
 
 
 def with_colors(item: Item) -> PointCloud:
-    """The cloud of an item; for a file with colors in its tree, a sample of at most 20 million points with colors."""
+    """The cloud of an item. For a file with colors in its tree, a sample of at most 20 million points with colors."""
     cloud = item.cloud
     assert cloud is not None
     if not item.has_colors_in_tree:

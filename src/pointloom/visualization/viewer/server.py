@@ -29,9 +29,9 @@ class ViewerExtraError(PointloomError, ImportError):
 class ViewerServer:
     """A web server for the viewer that is safe to keep open beside a browser.
 
-    It answers only requests that name this machine and contain its token; only its own page may connect (`guard.py`),
+    It answers only requests that name this machine and contain its token. Only its own page may connect (`guard.py`),
     and messages are validated (`link/wire.py`). A `host` beyond 127.0.0.1 is reachable from the network, unencrypted,
-    for everyone with the URL. The port is the next free one of 20; 0 takes any. Accepts up to 32 pages and messages of
+    for everyone with the URL. The port is the next free one of 20. 0 takes any. Accepts up to 32 pages and messages of
     up to 1 MiB, and closes a page that does not read for a minute. Raises ValueError, ViewerError or ImportError.
 
     Attributes:
@@ -73,7 +73,7 @@ class ViewerServer:
 
     @property
     def pages(self) -> PageServer:
-        """Connection to all pages; raises an error after `close`."""
+        """Connection to all pages. Raises an error after `close`."""
         if self._pages is None:
             raise ViewerError("the viewer is closed: open another")
         return self._pages

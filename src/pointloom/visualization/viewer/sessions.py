@@ -28,7 +28,7 @@ log = logging.getLogger("pointloom.viewer")
 
 
 class Session:
-    """A page while it is connected; a reconnected page is a new session.
+    """A page while it is connected. A reconnected page is a new session.
 
     Attributes:
         streams: Clouds of the page by item name.
@@ -54,7 +54,7 @@ class Session:
         self._reach: dict[str, float] = {}
 
     def start(self) -> None:
-        """Show the scene; requires the viewer's lock."""
+        """Show the scene. Requires the viewer's lock."""
         with self.client.atomic():
             self.go_home()
             self._line = self.viewer.panel.add_line(self.client)
@@ -134,18 +134,18 @@ class Session:
             stream.set_colors(item.colors_of)
 
     def feed(self) -> None:
-        """Send remaining parts of clouds at the page's speed; requires the viewer's lock."""
+        """Send remaining parts of clouds at the page's speed. Requires the viewer's lock."""
         if self._feeder is None and self._unfinished and not self.closed:
             self._feeder = threading.Thread(target=self._feed, name="pointloom-feed", daemon=True)
             self._feeder.start()
 
     @property
     def clip(self) -> Any:
-        """Clip planes of the page; None before it has tools."""
+        """Clip planes of the page. None before it has tools."""
         return None if self._toolbox is None else self._toolbox.stage.clip
 
     def idle_stage(self) -> Any:
-        """Stage for picks; None while a tool is active or before tools exist."""
+        """Stage for picks. None while a tool is active or before tools exist."""
         return None if self._toolbox is None or self._toolbox.tool is not None else self._toolbox.stage
 
     def give_up_key(self, key: str) -> None:
@@ -206,7 +206,7 @@ class Session:
         self._leaving.clear()
 
     def join(self) -> None:
-        """Wait for the page's thread after `close`; without the viewer's lock."""
+        """Wait for the page's thread after `close`. Without the viewer's lock."""
         feeder = self._feeder
         if feeder is not None and feeder is not threading.current_thread():
             feeder.join(timeout=5.0)
@@ -278,7 +278,7 @@ class Session:
         return item.tree is not None and self.viewer.frame.unit == 1
 
     def _size_of(self, item: Item) -> tuple[float | None, bool]:
-        """Point diameter of an item, and whether it is in meters; None for levels that close gaps."""
+        """Point diameter of an item, and whether it is in meters. None for levels that close gaps."""
         part, viewer = item.points, self.viewer
         assert part is not None
         if part.metric and part.size is not None:

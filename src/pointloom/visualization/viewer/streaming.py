@@ -1,6 +1,6 @@
 """Streaming of a cloud to a page: the nodes that matter for the current camera.
 
-A node is a point cloud below a frame with the cloud's pose. Nodes are sent coarse first in batches; each batch replaces
+A node is a point cloud below a frame with the cloud's pose. Nodes are sent coarse first in batches. Each batch replaces
 nodes that the view no longer needs, so the browser draws little more than its budget. Hidden nodes, up to twice the
 budget of points, stay in the browser and return without being sent again.
 """
@@ -41,7 +41,7 @@ class Wish:
 
     @property
     def is_metric(self) -> bool:
-        """True if sizes are in meters; always for sizes that close gaps."""
+        """True if sizes are in meters. Always for sizes that close gaps."""
         return self.size is None or self.metric
 
 
@@ -82,15 +82,15 @@ _PASSES = 6  # over a view with hidden parts, until the budget is used
 
 
 class CloudStream:
-    """One cloud for one client; thread-safe: a newer request replaces an older one.
+    """One cloud for one client. Thread-safe: a newer request replaces an older one.
 
     Args:
-        client: The page; a reconnected page needs a new stream.
+        client: The page. A reconnected page needs a new stream.
         origin: World position of the scene's origin [m], shape (3,).
-        budget: Maximum number of points; a smaller cloud is sent completely.
+        budget: Maximum number of points. A smaller cloud is sent completely.
         point_size: Diameter [px], or [m] if `metric`. If None, chosen for each view to close most gaps, larger for
             coarse nodes without children.
-        pause: Called between batches until the client can take the next; returns False if the client has gone. If None,
+        pause: Called between batches until the client can take the next. Returns False if the client has gone. If None,
             batches are sent without a pause.
     """
 
@@ -128,7 +128,7 @@ class CloudStream:
 
     @property
     def point_size(self) -> float:
-        """Diameter of most points: as set, else [m]; 0 before the first view."""
+        """Diameter of most points: as set, else [m]. 0 before the first view."""
         return self._size
 
     def look(self, view: View) -> None:
@@ -136,15 +136,15 @@ class CloudStream:
         self._ask(self._pause, view=check_view(view))
 
     def set_colors(self, colors_of: ColorsOf | None) -> None:
-        """Set a function from point indices (k,) to uint8 colors (k, 3); None restores the cloud's own."""
+        """Set a function from point indices (k,) to uint8 colors (k, 3). None restores the cloud's own."""
         self._ask(colors_of=colors_of, coloring=self._wish.coloring + 1)
 
     def set_keep(self, keep: Keep | None) -> None:
-        """Set a function from positions (k, 3) [m] in cloud coordinates to a mask of visible points; None shows all."""
+        """Set a function from positions (k, 3) [m] in cloud coordinates to a mask of visible points. None shows all."""
         self._ask(keep=keep, keeping=self._wish.keeping + 1)
 
     def set_point_size(self, size: float | None, metric: bool = False) -> None:
-        """Set the diameter of points [px], or [m] if `metric`; None closes most gaps."""
+        """Set the diameter of points [px], or [m] if `metric`. None closes most gaps."""
         self._ask(size=_checked_size(size), metric=metric)
 
     def set_visible(self, visible: bool) -> None:

@@ -13,7 +13,7 @@ from .items import to_bytes
 
 
 def surface_arrays(part: Triangles) -> dict[str, Any] | None:
-    """Arguments of `add_surface` relative to the part's origin; None without finite triangles."""
+    """Arguments of `add_surface` relative to the part's origin. None without finite triangles."""
     positions, faces = finite_surface(part)
     if not len(faces):
         return None
@@ -43,7 +43,7 @@ def finite_surface(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
 
 
 def line_arrays(part: Lines) -> dict[str, Any] | None:
-    """Arguments of `add_lines` relative to the part's origin; None without segments."""
+    """Arguments of `add_lines` relative to the part's origin. None without segments."""
     positions = np.asarray(download(part.positions), np.float32).reshape(-1, 3)
     ends = positions[download(part.indices).reshape(-1, 2)]
     finite = np.isfinite(ends).all(axis=(1, 2))
@@ -58,7 +58,7 @@ def line_arrays(part: Lines) -> dict[str, Any] | None:
 def _with_corners(
     part: Triangles, columns: dict[str, NDArray[Any]], faces: NDArray[np.int32]
 ) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:
-    """Duplicate vertices per corner with texture coordinates; in the page v runs down."""
+    """Duplicate vertices per corner with texture coordinates. In the page v runs down."""
     indices = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
     uvs = np.asarray(download(part.uvs), np.float32).reshape(-1, 3, 2)
     if len(faces) != len(indices):

@@ -51,7 +51,7 @@ def read_scene(
     frame: str | None = None,
     columns: Sequence[Sequence[str] | None] | None = None,
 ) -> tuple[list[Named], dict[str, Any]]:
-    """Read files into named geometries and the levels of detail of large clouds; raises FileError.
+    """Read files into named geometries and the levels of detail of large clouds. Raises FileError.
 
     Reads clouds, meshes, trajectories, TSDF volumes, polygon volumes and recordings. Clouds of more than `max_points`
     are read in parts into levels of detail, if the format allows it, and keep the attribute `color_by`. With
@@ -82,7 +82,7 @@ def read_scene(
 
 
 def open_octree(path: Path, max_points: int) -> CopcTree | None:
-    """The octree of a COPC file with more points; None for other files."""
+    """The octree of a COPC file with more points. None for other files."""
     if path.suffix.lower() != ".laz" or not path.is_file() or not says_copc(path, more_than=max_points):
         return None
     return CopcTree(path)
@@ -101,7 +101,7 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
 
 
 def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: Sequence[str] | None = None) -> Any:
-    """Read a file by its name and content; a cloud if `columns` is given. Raises FileError."""
+    """Read a file by its name and content. A cloud if `columns` is given. Raises FileError."""
     path, suffix = path_of(path), Path(path).suffix.lower()
     restore_folder(path)
     if path.is_dir():
@@ -143,7 +143,7 @@ def _names(paths: list[Path]) -> list[str]:
 
 
 def _open_large(path: Path, max_points: int) -> Any:
-    """Open a cloud file with more points for reading in parts; None for other files."""
+    """Open a cloud file with more points for reading in parts. None for other files."""
     if path.suffix.lower() not in tables.READERS or not path.is_file():
         return None
     if path.suffix.lower() == ".ply" and tables.is_mesh_file(path):
@@ -155,7 +155,7 @@ def _open_large(path: Path, max_points: int) -> Any:
 def _read_large(
     path: Path, max_points: int, color_by: str | None, progress: ReportProgress | None, device: Any
 ) -> DetailTree | None:
-    """Levels of detail of a cloud with more points; None for other files."""
+    """Levels of detail of a cloud with more points. None for other files."""
     if _open_large(path, max_points) is None:
         return None
     kept = [color_by] if color_by is not None and color_by not in _COORDINATES else []
@@ -163,7 +163,7 @@ def _read_large(
 
 
 def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
-    """The cloud of a file's levels, shared; its colors stay in the tree."""
+    """The cloud of a file's levels, shared. Its colors stay in the tree."""
     place = resolve_device("cpu")
     arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
     cloud = PointCloud._from_device_arrays(arrays, tree.origin)

@@ -57,7 +57,7 @@ class Looks(Scene):
 
         Args:
             text: Short description; "" when done. Raises `TypeError` if not a string.
-            share: Fraction done, 0 to 1; None if unknown. Raises `TypeError` or `ValueError` otherwise.
+            share: Fraction done, 0 to 1. None if unknown. Raises `TypeError` or `ValueError` otherwise.
         """
         with self.lock:
             self._check_open()
@@ -91,7 +91,7 @@ class Looks(Scene):
 
     @property
     def point_size(self) -> float:
-        """Diameter [px] of points without a size of their own; others scale with it. Assignable."""
+        """Diameter [px] of points without a size of their own. Others scale with it. Assignable."""
         return self._point_size
 
     @point_size.setter
@@ -119,7 +119,7 @@ class Looks(Scene):
         """Color the clouds by a property of their points.
 
         Args:
-            by: "rgb", "height", "normal", "label" or an attribute; None for the original colors. Clouds without the
+            by: "rgb", "height", "normal", "label" or an attribute. None for the original colors. Clouds without the
                 property are not changed.
             colormap, limits: See `loom.render`.
 
@@ -147,7 +147,7 @@ class Looks(Scene):
             self.panel.show_state()
 
     def show_normals(self, shown: bool) -> None:
-        """Show the normals of all clouds as lines; at most 10,000 per cloud."""
+        """Show the normals of all clouds as lines. At most 10,000 per cloud."""
         with self.lock:
             self.normals = bool(shown)
             with self.batch():
@@ -166,7 +166,7 @@ class Viewer(Looks):
     update_renderer.
 
     Args:
-        port: Port of the server; if it is in use, the next free one. 0 takes any.
+        port: Port of the server. If it is in use, the next free one. 0 takes any.
         host: Address to listen on. Any address except 127.0.0.1 makes the viewer reachable from the network.
         title: Title of the page.
         max_points: Maximum number of points of all clouds in a page; larger scenes are sent in levels of detail.
@@ -259,7 +259,7 @@ class Viewer(Looks):
                 {"geometry": g, "name": "floor", "color": (1, 0, 0)}. Several clouds without colors get different ones.
 
         Raises:
-            TypeError, ValueError: Unsupported geometry, unknown style key, or a value out of range; nothing is added.
+            TypeError, ValueError: Unsupported geometry, unknown style key, or a value out of range. Nothing is added.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -271,13 +271,13 @@ class Viewer(Looks):
         self.add_named(named_geometries(geometries))
 
     def add_copc(self, name: str, path: str | os.PathLike[str], **style: Any) -> None:
-        """Add a COPC file (.copc.laz) of any size; only the visible parts are read.
+        """Add a COPC file (.copc.laz) of any size. Only the visible parts are read.
 
         Tools (picking, measuring, cropping) use the coarse levels, 250,000 points, available as `items[name]`.
 
         Args:
             name: See `add`.
-            path: The file; it must not change while the viewer is open.
+            path: The file. It must not change while the viewer is open.
             style: See `add`.
 
         Raises:
@@ -347,7 +347,7 @@ class Viewer(Looks):
 
     @logged
     def clear(self) -> None:
-        """Remove all geometries; the view is fitted again to the next one."""
+        """Remove all geometries. The view is fitted again to the next one."""
         with self.lock, self.batch():
             self._check_open()
             for name in list(self.shown):
@@ -392,7 +392,7 @@ class Viewer(Looks):
             self._changed(False)
 
     def set_view(self, view: Any = None, **parameters: Any) -> None:
-        """Set the camera of all current and later pages; the key R in a page resets to it.
+        """Set the camera of all current and later pages. The key R in a page resets to it.
 
         Args:
             view: A `View`, the path of an Open3D view JSON, a mapping of Open3D's parameters, or None to show the
@@ -436,7 +436,7 @@ class Viewer(Looks):
         continues it.
 
         Args:
-            seconds: Timeout [s]; the result is False if it expires, else True. None: no timeout.
+            seconds: Timeout [s]. The result is False if it expires, else True. None: no timeout.
             linger: Time without a page after which the wait ends [s]; `math.inf`: wait for another page forever.
 
         Raises:

@@ -18,7 +18,7 @@ from ...settings import Settings
 
 @dataclass(eq=False, repr=False)
 class RigidOptimizerOption(Settings):
-    """Options of `run_rigid_optimizer`; nothing is written to `debug_output_dir`."""
+    """Options of `run_rigid_optimizer`. Nothing is written to `debug_output_dir`."""
 
     _kind = options.RigidOptimizerOption
     maximum_iteration: Any = 0

@@ -1,4 +1,4 @@
-"""TSDF volumes under Open3D's names; as there, surfaces include all voxels that were seen at least once."""
+"""TSDF volumes under Open3D's names. As there, surfaces include all voxels that were seen at least once."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ class ScalableTSDFVolume(TSDFVolume):
 
 
 class UniformTSDFVolume(TSDFVolume):
-    """A cube of `resolution` voxels per edge; data outside is ignored."""
+    """A cube of `resolution` voxels per edge. Data outside is ignored."""
 
     def __init__(
         self,

@@ -303,14 +303,14 @@ class Feature(KnownNames):
 
 
 def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
-    """One row per point, as in pointloom; raises TypeError if it is not a `Feature`."""
+    """One row per point, as in pointloom. Raises TypeError if it is not a `Feature`."""
     if not isinstance(feature, Feature):
         raise TypeError(f"{name}: expected a Feature, got {type(feature).__name__}; Feature().data = array.T makes one")
     return np.ascontiguousarray(feature.data.T, np.float32)
 
 
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
-    """FPFH with 33 numbers per point; requires normals. With `indices`, for these points only, each once."""
+    """FPFH with 33 numbers per point. Requires normals. With `indices`, for these points only, each once."""
     rows = np.asarray(features.compute_fpfh_feature(ours(input, PointCloud, "input"), **keywords_of(search_param)))
     made = Feature._of_rows(rows)
     return made if indices is None else made.select_by_index(indices)
@@ -453,7 +453,7 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
 
 
 class RegistrationResult(Held):
-    """Result of a registration; fields are assignable, as in Open3D."""
+    """Result of a registration. Fields are assignable, as in Open3D."""
 
     _kind = result.RegistrationResult
 

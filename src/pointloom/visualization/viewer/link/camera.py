@@ -40,7 +40,7 @@ FIRST = CameraState(np.zeros(3), np.eye(3), math.radians(60), (800, 600), np.arr
 
 
 def nearest_rotation(matrix: Any) -> NDArray[np.float64] | None:
-    """The rotation closest to a matrix (3, 3) with rounding errors; None if it is no rotation."""
+    """The rotation closest to a matrix (3, 3) with rounding errors. None if it is no rotation."""
     values = np.asarray(matrix, np.float64)
     if not (np.isfinite(values).all() and np.abs(values).max() < 2):
         return None

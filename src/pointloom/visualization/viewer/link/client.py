@@ -17,7 +17,7 @@ from .gui import Gui
 from .scene import ClickEvent, Scene
 from .wire import camera_of
 
-MAX_WAITING = 64  # callbacks per page; more are dropped
+MAX_WAITING = 64  # callbacks per page. More are dropped
 
 log = logging.getLogger("pointloom.viewer")
 
@@ -50,7 +50,7 @@ class Worker:
             return True
 
     def end(self) -> None:
-        """Accept no more callbacks; the thread ends after the waiting ones."""
+        """Accept no more callbacks. The thread ends after the waiting ones."""
         with self._lock:
             self._ended = True
             self._wake.notify()
@@ -75,7 +75,7 @@ class Worker:
 
 
 class PageClient:
-    """A page while it is connected; a reconnected page is a new client. No method raises because the page has gone.
+    """A page while it is connected. A reconnected page is a new client. No method raises because the page has gone.
 
     It has its own scene, panel (`gui`) and camera.
     """
@@ -103,7 +103,7 @@ class PageClient:
         self._channel.send({"op": "download", "name": str(name), "mime": str(mime), "data": data})
 
     def ask_for_sign(self) -> None:
-        """Request a signal from the page after it has drawn everything sent before; the last request counts."""
+        """Request a signal from the page after it has drawn everything sent before. The last request counts."""
         self._channel.send({"op": "sign", "n": next(self._signs)})
 
     def on_sign(self, callback: Callable[[PageClient], Any]) -> Callable[[PageClient], Any]:

@@ -94,7 +94,7 @@ class Handle:
         return []
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
-        """Apply a value from a page; raises ValueError if invalid. Returns the callbacks."""
+        """Apply a value from a page. Raises ValueError if invalid. Returns the callbacks."""
         raise ValueError(f"a {self.kind} has no value that a page sets")
 
     def _change(self, name: str, value: Any, *, but: Channel | None = None) -> None:
@@ -117,7 +117,7 @@ def sent(value: Any) -> Any:
 
 
 class Folder(Handle):
-    """A folder of the panel; as context manager, it becomes the parent of new elements."""
+    """A folder of the panel. As context manager, it becomes the parent of new elements."""
 
     FIELDS: ClassVar[dict[str, Check]] = {"open": bool}
 
@@ -224,7 +224,7 @@ class Tree(Handle):
                 self._send({}, {key: None})
 
     def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], Any]]:
-        """Apply `[[key, ...], visible]` from a page; unknown keys are ignored."""
+        """Apply `[[key, ...], visible]` from a page. Unknown keys are ignored."""
         if not isinstance(value, list) or len(value) != 2 or not isinstance(value[1], bool):
             raise ValueError(f"expected [[key, ...], visible], got {value!r:.80}")
         keys, visible = value

@@ -59,7 +59,7 @@ def _merge_rows(rows: Op, newer: Op) -> None:
 
 
 def copied(op: Op) -> Op:
-    """A copy that can be updated; arrays are shared."""
+    """A copy that can be updated. Arrays are shared."""
     return {**op, "put": dict(op["put"]), "drop": dict(op["drop"])} if op["op"] == "rows" else dict(op)
 
 
@@ -183,7 +183,7 @@ class Shown:
 class Delivery:
     """Takes operations from any thread, records the shared state and fills the outboxes of pages.
 
-    No call waits for a page; the server's thread sends. `lock` protects state and outboxes and is held briefly.
+    No call waits for a page. The server's thread sends. `lock` protects state and outboxes and is held briefly.
     """
 
     def __init__(self) -> None:

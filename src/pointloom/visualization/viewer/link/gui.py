@@ -17,7 +17,7 @@ from .delivery import Channel
 class Gui:
     """Controls of the panel. All `add_*` methods also take `order`, `visible`, `disabled` and `hint`.
 
-    Values in the shared panel are synchronized between pages; the panel of one page is its own.
+    Values in the shared panel are synchronized between pages. The panel of one page is its own.
     """
 
     def __init__(self, channel: Channel):
@@ -28,7 +28,7 @@ class Gui:
     def add_folder(
         self, label: str | None, *, order: float | None = None, open: bool = True, visible: bool = True
     ) -> Folder:
-        """Add a folder, used as a context manager; without a label only its content is visible."""
+        """Add a folder, used as a context manager. Without a label only its content is visible."""
         return self._add(Folder(self, "folder", _fields(label, {"open": open, "visible": visible}, order=order)))
 
     def add_button(self, label: str, *, color: str | None = None, **common: Any) -> Button:
@@ -59,7 +59,7 @@ class Gui:
         max: float | None = None,
         **common: Any,
     ) -> Input:
-        """Add a number field; integers stay integers."""
+        """Add a number field. Integers stay integers."""
         fields = {"step": step, "precision": precision, "min": min, "max": max, "value": value}
         checks = {**dict.fromkeys(fields, _number_or_none), "value": _number_as_it_is}
         return self._input("number", label, fields, checks, common)
@@ -68,7 +68,7 @@ class Gui:
         return self._input("text", label, {"value": value}, {"value": str}, common)
 
     def add_dropdown(self, label: str, options: Sequence[str], value: str | None = None, **common: Any) -> Input:
-        """Add a dropdown list; the default is the first option."""
+        """Add a dropdown list. The default is the first option."""
         words = _words(options)
         fields = {"options": words, "value": words[0] if value is None else value}
         return self._input("dropdown", label, fields, {"options": _words, "value": str}, common)
@@ -78,7 +78,7 @@ class Gui:
         return self._input("rgb", label, {"value": value}, {"value": _rgb}, common)
 
     def add_words(self, text: str, **common: Any) -> Shown:
-        """Add plain text with line breaks; its `value` is assignable."""
+        """Add plain text with line breaks. Its `value` is assignable."""
         return self._shown("words", None, {"value": text}, {"value": str}, common)
 
     def add_table(self, rows: Any, **common: Any) -> Shown:

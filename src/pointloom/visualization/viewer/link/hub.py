@@ -1,6 +1,6 @@
 """Thread of the web server and its connections: `Hub`.
 
-Uses websockets on a bound socket. Requests pass the guard and the token check. The page is sent with an ETag; a
+Uses websockets on a bound socket. Requests pass the guard and the token check. The page is sent with an ETag. A
 websocket receives data at its own speed and is closed when it stops reading.
 """
 
@@ -252,7 +252,7 @@ class Hub:
 
     @staticmethod
     async def _hello(connection: ServerConnection) -> dict[str, Any] | None:
-        """First message of a page; None if it was closed because of another version."""
+        """First message of a page. None if it was closed because of another version."""
         try:
             said = read(await connection.recv())
         except ValueError as error:
@@ -316,7 +316,7 @@ def _unsent_bytes(connection: ServerConnection) -> int:
 
 
 async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
-    """Ping a page; close it if it has stopped reading or its backlog is too large."""
+    """Ping a page. Close it if it has stopped reading or its backlog is too large."""
     loop = asyncio.get_running_loop()
     seen, since, pinged = -1, loop.time(), loop.time()
     pong: Any = None
@@ -342,7 +342,7 @@ def _log_quietly(_: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
 def _response(
     status: http.HTTPStatus, body: bytes, *, host: str = "localhost", sources: dict[str, list[str]] | None = None
 ) -> Response:
-    """A response with the common headers; HTML if `sources` is given, else plain text."""
+    """A response with the common headers. HTML if `sources` is given, else plain text."""
     headers = Headers(response_headers(host, sources))
     headers["Content-Type"] = f"text/{'plain' if sources is None else 'html'}; charset=utf-8"
     headers["Content-Length"] = str(len(body))

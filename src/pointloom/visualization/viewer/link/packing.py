@@ -23,7 +23,7 @@ Op = dict[str, Any]
 
 
 def pack(ops: list[Op]) -> Iterator[memoryview]:
-    """Yield the bytes of a message with these operations, at most `SLICE` each; 1D arrays become rows of one number."""
+    """Yield the bytes of a message with these operations, at most `SLICE` each. 1D arrays become rows of one number."""
     arrays: list[NDArray[Any]] = []
     texts = [text for op in ops if (text := _write(op, arrays))]
     described = [[kind_of(values), len(values), _width(values)] for values in arrays]

@@ -83,7 +83,7 @@ class Placement(TypedDict, total=False):
 class Scene:
     """Objects that pages draw. Lengths are in the unit of the parent's frame.
 
-    Read-only arrays are shared and must not change; others are copied.
+    Read-only arrays are shared and must not change. Others are copied.
     """
 
     def __init__(self, channel: Channel, shared: Scene | None = None):
@@ -131,7 +131,7 @@ class Scene:
         opacity: float = 1.0,
         **placed: Unpack[Placement],
     ) -> Node:
-        """Add triangles with vertex indices (m, 3); colors and normals as in `add_points`; `cull` hides back faces.
+        """Add triangles with vertex indices (m, 3). Colors and normals as in `add_points`; `cull` hides back faces.
 
         Texture coordinates are (n, 2) with v = 0 at the top row, the texture is uint8 (h, w, 3).
         """
@@ -190,7 +190,7 @@ class Scene:
 
 
 def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
-    """Validate the properties of a node; None removes colors or normals."""
+    """Validate the properties of a node. None removes colors or normals."""
     sent: dict[str, Any] = {}
     checks = _CHECKS[kind]
     for name, value in properties.items():

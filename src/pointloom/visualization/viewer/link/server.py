@@ -129,7 +129,7 @@ class PageServer:
         return callback
 
     def disconnect_all(self) -> None:
-        """Disconnect all pages; they reconnect as new clients."""
+        """Disconnect all pages. They reconnect as new clients."""
         self._hub.cut_all()
 
     def atomic(self) -> contextlib.AbstractContextManager[None]:
@@ -137,11 +137,11 @@ class PageServer:
         return self._delivery.atomic()
 
     def set_background(self, rgb: Any, own: bool = True) -> None:
-        """Set the background color, 0 to 1; if not `own`, a page may follow dark mode."""
+        """Set the background color, 0 to 1. If not `own`, a page may follow dark mode."""
         self._channel.send({"op": "background", "color": check_color("rgb", rgb).tolist(), "own": bool(own)})
 
     def set_first_camera(self, **fields: Any) -> None:
-        """Set the camera of future pages; fields as in `PageCamera.put`."""
+        """Set the camera of future pages. Fields as in `PageCamera.put`."""
         sent = camera_fields(fields)
         with self._delivery.lock:
             self._first = moved(self._first, sent)
@@ -157,7 +157,7 @@ class PageServer:
         self._channel.send({"op": "title", "text": str(text)})
 
     def set_unit(self, text: str | None) -> None:
-        """Set the unit of the scale bar; None hides it."""
+        """Set the unit of the scale bar. None hides it."""
         self._channel.send({"op": "unit", "text": None if text is None else str(text)})
 
     def set_progress(self, text: str, share: float | None = None) -> None:

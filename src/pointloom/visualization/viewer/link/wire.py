@@ -22,7 +22,7 @@ Check = Callable[[Any], bool]
 def read(raw: str | bytes) -> dict[str, Any] | None:
     """The validated fields of a message, including "say".
 
-    Returns None for unknown messages and fields out of range; raises ValueError if it is not a message.
+    Returns None for unknown messages and fields out of range. Raises ValueError if it is not a message.
     """
     if not isinstance(raw, str):
         raise ValueError("not a message: text is expected")
@@ -43,7 +43,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
 
 
 def camera_of(fields: Mapping[str, Any]) -> CameraState | None:
-    """The camera of a checked message; None if its rotation is invalid."""
+    """The camera of a checked message. None if its rotation is invalid."""
     rotation = nearest_rotation(np.reshape(fields["rotation"], (3, 3)))
     if rotation is None:
         return None
@@ -58,7 +58,7 @@ def is_number(value: Any) -> bool:
 
 
 def is_finite(value: float) -> bool:
-    """True if a number is finite as a float; integers may be too large."""
+    """True if a number is finite as a float. Integers may be too large."""
     try:
         return math.isfinite(value)
     except OverflowError:

@@ -60,7 +60,7 @@ class Clip:
         return found if self.normal is None else [*found, places @ self.normal - self.offset]
 
     def keep(self, points: Any) -> NDArray[np.bool_]:
-        """True for world points (n, 3) inside; False for NaN."""
+        """True for world points (n, 3) inside. False for NaN."""
         places = check_rows("points", points, 3, dtype=np.float64)
         kept = np.isfinite(places[:, 0]) & np.isfinite(places[:, 1]) & np.isfinite(places[:, 2])
         for height in self.heights(places):
@@ -75,7 +75,7 @@ class Clip:
 
 
 def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
-    """uint8 (n,) on the cloud's device, 1 for hidden points; None without clipping. `pose`: cloud to world, 4x4."""
+    """uint8 (n,) on the cloud's device, 1 for hidden points. None without clipping. `pose`: cloud to world, 4x4."""
     if not clip.cuts:
         return None
     T = np.eye(4) if pose is None else check_transformation("pose", pose).copy()
@@ -86,7 +86,7 @@ def hidden_points(cloud: PointCloud, clip: Clip, *, pose: Any = None) -> Any:
 
 
 def clip_mesh(mesh: TriangleMesh, clip: Clip, *, pose: Any = None) -> TriangleMesh:
-    """Clip a mesh through its triangles, in its own coordinates; textures are dropped if anything is clipped.
+    """Clip a mesh through its triangles, in its own coordinates. Textures are dropped if anything is clipped.
 
     Returns the mesh itself if it is completely visible.
 

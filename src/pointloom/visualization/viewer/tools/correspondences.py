@@ -154,12 +154,12 @@ def _thinned(name: str, cloud: PointCloud) -> PointCloud:
 
 
 def _spacing(cloud: PointCloud) -> float:
-    """Typical distance between neighbors [m]; 0 for a single point."""
+    """Typical distance between neighbors [m]. 0 for a single point."""
     return distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), 2) or 0.0
 
 
 def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
-    """Target with normals and point-to-plane estimation; point-to-point if there are too few points."""
+    """Target with normals and point-to-plane estimation. Point-to-point if there are too few points."""
     if not target.has_normals:
         if len(target) < 10:
             return target, TransformationEstimationPointToPoint()
@@ -170,7 +170,7 @@ def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
 def save_pairs(
     path: Any, names: tuple[str, str], indices: Any, source_points: Any, target_points: Any, found: PairRegistration
 ) -> None:
-    """Write pairs and their registration as JSON, atomically; raises FileError."""
+    """Write pairs and their registration as JSON, atomically. Raises FileError."""
     content = {
         "source": names[0],
         "target": names[1],

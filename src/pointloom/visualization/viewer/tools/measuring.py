@@ -17,7 +17,7 @@ from ....core.units import LengthUnit, symbol_of
 class Distance:
     """Distance `length` between two points with its components [m].
 
-    `slope` is the angle above the xy plane [degrees], -90 to 90; NaN for equal points.
+    `slope` is the angle above the xy plane [degrees], -90 to 90. NaN for equal points.
     """
 
     length: float
@@ -41,7 +41,7 @@ def distance_between(a: Any, b: Any) -> Distance:
 
 
 def path_length(points: Any) -> float:
-    """Length of a path through points (n, 3) [m]; 0 for fewer than 2.
+    """Length of a path through points (n, 3) [m]. 0 for fewer than 2.
 
     Example:
         >>> path_length([[0, 0, 0], [1, 0, 0], [1, 2, 0]])
@@ -52,7 +52,7 @@ def path_length(points: Any) -> float:
 
 
 def angle_at(a: Any, b: Any, c: Any) -> float:
-    """Angle at b between the directions to a and c [degrees], 0 to 180; NaN if one has no length.
+    """Angle at b between the directions to a and c [degrees], 0 to 180. NaN if one has no length.
 
     Example:
         >>> angle_at([1, 0, 0], [0, 0, 0], [0, 2, 0])
@@ -68,7 +68,7 @@ def angle_at(a: Any, b: Any, c: Any) -> float:
 def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) -> list[tuple[str, str]]:
     """Labels and values for clicked points (n, 3): distance, components and slope of the last two.
 
-    For 3 or more points also the path length and the angle at the last corner; for degrees only the components. An
+    For 3 or more points also the path length and the angle at the last corner. For degrees only the components. An
     unknown unit counts as meters.
     """
     rows: list[tuple[str, str]] = []
@@ -86,7 +86,7 @@ def measurements(points: NDArray[np.float64], unit: LengthUnit | None = None) ->
 
 
 def length_text(value: float, unit: LengthUnit | None = None) -> str:
-    """Format a length with 4 decimals if it is of ordinary size, else 6 digits; with its unit."""
+    """Format a length with 4 decimals if it is of ordinary size, else 6 digits. With its unit."""
     number = f"{value:.4f}" if value == 0 or 1e-2 <= abs(value) < 1e6 else f"{value:.6g}"
     return f"{number} {symbol_of(unit)}"
 

@@ -1,6 +1,6 @@
 """Picking of points and surfaces by clicks. All points of a cloud are searched, also those that are not drawn.
 
-Screen positions are in the pixels of a View; integers are pixel centers.
+Screen positions are in the pixels of a View. Integers are pixel centers.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Rows = list[tuple[str, str]]  # labels and values of a point
 class Target:
     """A named object that can be picked: a cloud with a mask of hidden points, or the raycasting scene of a mesh.
 
-    `pose` is object to world, 4x4; None for identity.
+    `pose` is object to world, 4x4. None for identity.
     """
 
     name: str
@@ -49,7 +49,7 @@ class Pick:
         index: Index of the point in its cloud, or None on a surface.
         point: World position [m], float64 (3,).
         triangle: Index of the triangle on a surface, else None.
-        attributes: Attributes of the point by name, including "color" and "normal"; for `Viewer.on_pick`.
+        attributes: Attributes of the point by name, including "color" and "normal". For `Viewer.on_pick`.
     """
 
     name: str
@@ -69,7 +69,7 @@ def pick_point(
     cloud to world, 4x4; `hidden` is uint8 (n,), 1 for hidden points. Raises TypeError or ValueError.
 
     Notes:
-        Two passes over the points, 24 B per point, 1 sync each. Deterministic on every device; of points at the same
+        Two passes over the points, 24 B per point, 1 sync each. Deterministic on every device. Of points at the same
         screen position, the smallest index wins.
 
     Example:
@@ -86,7 +86,7 @@ def pick_point(
 
 
 def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = RADIUS) -> Pick | None:
-    """Pick among several clouds and meshes; surfaces hide objects behind them."""
+    """Pick among several clouds and meshes. Surfaces hide objects behind them."""
     check_view(view)
     click = check_number("x", x), check_number("y", y)
     radius = check_positive("radius", radius)
@@ -157,7 +157,7 @@ def ray_through(view: View, x: float, y: float) -> tuple[NDArray[np.float64], ND
 
 
 def project(view: View, point: Any) -> tuple[float, float, float]:
-    """Column and row [px] and depth [m] of a world point; NaN if it is not in front of the camera."""
+    """Column and row [px] and depth [m] of a world point. NaN if it is not in front of the camera."""
     q = view.T_world_camera[:3, :3].T @ (np.asarray(point, np.float64) - view.T_world_camera[:3, 3])
     if not q[2] > 0:
         return math.nan, math.nan, float(q[2])

@@ -34,7 +34,7 @@ Matrix = NDArray[np.float64]
 
 
 def check_polygon(polygon: Any) -> NDArray[np.float64]:
-    """Corners of a polygon [px], float64 (m, 2); ValueError for fewer than 3, non-finite or collinear corners."""
+    """Corners of a polygon [px], float64 (m, 2). ValueError for fewer than 3, non-finite or collinear corners."""
     corners = check_finite("polygon", check_rows("polygon", polygon, 2, dtype=np.float64))
     if len(corners) < MIN_CORNERS:
         raise ValueError(f"polygon: expected at least three corners, got {len(corners)}; click on more places")
@@ -74,7 +74,7 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
     extent = np.abs(corners[1] - corners[0])
     reach = max(extent @ np.abs(right) / width, extent @ np.abs(upward) / height)
     depth = float(extent @ np.abs(forward))
-    pixel = MARGIN * (float(reach) or depth / height or 1.0 / height)  # [m]; a line along the axis has no width
+    pixel = MARGIN * (float(reach) or depth / height or 1.0 / height)  # [m]. A line along the axis has no width
     distance = FAR * max(depth, pixel * height)
     focal = distance / pixel
     T[:3, 3] = corners.mean(axis=0) - distance * forward

@@ -39,7 +39,7 @@ class PolygonTool(Tool):
 
     def __init__(self, stage: Any):
         super().__init__(stage)
-        self._corners: list[NDArray[np.float64]] = []  # along an axis: world positions; in a free view: [px]
+        self._corners: list[NDArray[np.float64]] = []  # along an axis: world positions. In a free view: [px]
         self._drawn_in: View | None = None
         self._before: CameraState | None = None
         self._undo: tuple[str, str] | None = None

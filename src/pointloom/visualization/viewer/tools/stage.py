@@ -77,7 +77,7 @@ class Stage:
         self.rows.visible = bool(rows)
 
     def download(self, name: str, write: Callable[[Path], Any]) -> None:
-        """Let the page save a file that `write` creates; raises ValueError for more than 256 MiB."""
+        """Let the page save a file that `write` creates. Raises ValueError for more than 256 MiB."""
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             path = Path(folder) / name
             write(path)
@@ -96,7 +96,7 @@ class Stage:
         return [item.name for item in self.items() if item.cloud is not None and len(item.cloud)]
 
     def item(self, name: str) -> Item:
-        """An item by name; raises ValueError if it was removed."""
+        """An item by name. Raises ValueError if it was removed."""
         with self.viewer.lock:
             found = self.viewer.shown.get(name)
         if found is None:
@@ -104,14 +104,14 @@ class Stage:
         return found
 
     def cloud(self, name: str) -> tuple[Item, PointCloud]:
-        """A cloud and its item; raises ValueError if it was removed or replaced by another type."""
+        """A cloud and its item. Raises ValueError if it was removed or replaced by another type."""
         item = self.item(name)
         if item.cloud is None:
             raise ValueError(f"{name} is no cloud any more")
         return item, item.cloud
 
     def unit(self, names: Iterable[str]) -> LengthUnit | None:
-        """Length unit between points of some items, None if unknown; raises ValueError if units are mixed."""
+        """Length unit between points of some items, None if unknown. Raises ValueError if units are mixed."""
         wanted = {*names}
         with self.viewer.lock:
             geometries = [item.geometry for name, item in self.viewer.shown.items() if name in wanted]
@@ -221,7 +221,7 @@ def style_of(item: Item) -> dict[str, Any]:
 
 
 class Tool:
-    """A tool that handles clicks; one is active per page. `key` starts and ends it; `hint` is shown at its start."""
+    """A tool that handles clicks. One is active per page. `key` starts and ends it; `hint` is shown at its start."""
 
     label = ""
     key = ""
@@ -244,4 +244,4 @@ class Tool:
         """Update after a possible change of the scene."""
 
     def stop(self) -> None:
-        """Clean up; the toolbox removes the marks."""
+        """Clean up. The toolbox removes the marks."""

@@ -149,7 +149,7 @@ class Toolbox:
             command.on_trigger(self._asks(lambda action=action: self._key(action)))
 
     def run(self, job: Callable[[], None]) -> bool:
-        """Queue a job; False if too many are waiting."""
+        """Queue a job. False if too many are waiting."""
         with self._lock:
             if self._closed or self._waiting >= MAX_WAITING:
                 return False
@@ -203,7 +203,7 @@ class Toolbox:
             self._top.visible = False
 
     def give_up_key(self, key: str) -> None:
-        """Release a key that the program now uses; the tool keeps its button."""
+        """Release a key that the program now uses. The tool keeps its button."""
         for command in [command for command in self._commands if command.hotkey == key]:
             self._commands.remove(command)
             command.remove()
@@ -430,7 +430,7 @@ def _same(before: tuple[Any, ...] | None, now: tuple[Any, ...]) -> bool:
 
 
 def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
-    """Clip a surface; a textured one loses all triangles that are partly outside."""
+    """Clip a surface. A textured one loses all triangles that are partly outside."""
     positions = download(part.positions).reshape(-1, 3)
     faces = download(part.indices).reshape(-1, 3)
     device = part.positions.device
